@@ -1,12 +1,12 @@
-// What this page may ask for now. The program knows, and tells it with each state; the page adds
-// only whether it is connected and controls.
+// What this page may ask for now. Each state from the program contains it; the page adds only
+// whether it is connected and controls.
 
 import { isConnected, isController, state } from "./studio";
 import type { Allowed, Wanted } from "./protocol";
 import { settled } from "./settled";
 import { texts } from "./texts";
 
-const told = settled(() => state.value?.allowed ?? null);
+const permissions = settled(() => state.value?.allowed ?? null);
 
 /** Whether this page may ask for anything but to watch. */
 export function mayControlNow(): Allowed {
@@ -17,13 +17,13 @@ export function mayControlNow(): Allowed {
 /** Whether a request is carried out now; the reason why not. */
 export function may(what: Wanted): Allowed {
   const control = mayControlNow();
-  return control === true ? (told.value?.requests[what] ?? true) : control;
+  return control === true ? (permissions.value?.requests[what] ?? true) : control;
 }
 
 /** The same of a command that needs no object. */
 export function mayCommand(what: "start" | "finish" | "undo" | "redo"): Allowed {
   const control = may("command");
-  return control === true ? (told.value?.commands[what] ?? true) : control;
+  return control === true ? (permissions.value?.commands[what] ?? true) : control;
 }
 
 /** For a button: as it is, or grey with the reason; null: that is not known yet. */

@@ -1,6 +1,6 @@
 import type { HandName } from "./protocol";
 
-/** Of the hands: told apart by people who see colors otherwise, on light and on dark. */
+/** Colors of the hands, distinguishable with color vision deficiency, on light and on dark. */
 export const handColors: Record<HandName, string> = {
   left: "#e69f00",
   right: "#0072b2",
@@ -8,7 +8,7 @@ export const handColors: Record<HandName, string> = {
   any: "#6c7482",
 };
 
-/** Of the rings about the world's axes; their patterns tell them apart, too. */
+/** Colors of the rings about the world's axes; the patterns of the rings differ, too. */
 export const axisColors = ["#e5484d", "#2f9e52", "#3b7dff"] as const;
 
 export const guideColors = {

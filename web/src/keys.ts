@@ -1,11 +1,11 @@
-// Which key does what: the one table. Whoever carries something out listens by its name; the help shows all.
+// The one table of keys and their actions. Each component listens to its actions by name; the help shows all.
 
 export interface Key {
   /** As KeyboardEvent.key has them, letters small; with "Shift+" or "Control+" before it. */
   keys: string[];
   what: string;
   does: string;
-  /** It goes on as long as the key is down. */
+  /** It continues as long as the key is down. */
   isHeld?: boolean;
   /** It is done again and again as long as the key is down. */
   repeats?: boolean;
@@ -74,7 +74,7 @@ function isUsedByFocus(event: KeyboardEvent): boolean {
 
 export type KeyActions = Record<string, (isDown: boolean, isShift: boolean) => void>;
 
-/** Carries out what keys mean, by the names in the table; held keys are told twice, down and up. */
+/** Carries out what keys mean, by the names in the table; held keys are reported twice, down and up. */
 export function listenToKeys(actions: KeyActions): () => void {
   const down = new Map<string, Key>();
   const letGo = (code: string) => {

@@ -1,6 +1,6 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 
-/** What is computed of the state twenty times a second, but tells its readers only when it is another. */
+/** A value computed from the state twenty times a second that notifies its readers only when it changes. */
 export function settled<T>(read: () => T): ReadonlySignal<T> {
   let last: { text: string; value: T } | null = null;
   return computed(() => {

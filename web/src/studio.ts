@@ -17,7 +17,7 @@ import type {
 } from "./protocol";
 import { texts } from "./texts";
 
-/** What the page knows: the program's truth as last told, and what only this page's user chose. */
+/** What the page knows: the program's state as last received, and what only this page's user chose. */
 export const scene = signal<SceneMessage | null>(null);
 export const looks = signal<number[]>([]);
 export const state = signal<StateMessage | null>(null);
@@ -27,7 +27,7 @@ export const eyeView = signal<EyeView | null>(null);
 export const consoleLines = signal<ConsoleLine[]>([]);
 export const lastScore = signal<Record<string, unknown> | null>(null);
 export const progress = signal<{ what: string; done: number; total: number } | null>(null);
-/** Things to tell people for a moment. */
+/** Messages shown for a moment. */
 export const notices = signal<{ id: number; text: string; isError: boolean }[]>([]);
 /** Who want control from us, and were not answered. */
 export const controlWantedBy = signal<number[]>([]);

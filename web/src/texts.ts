@@ -135,7 +135,7 @@ export const texts = {
     title: "Control",
     youControl: "In control",
     youWatch: "Watching",
-    nobody: "No controller",
+    noController: "No controller",
     watching: (number: number) => `${number} watching`,
     take: "Take control",
     takeByForce: "Take control from an inactive controller",

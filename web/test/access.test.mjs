@@ -68,7 +68,7 @@ test("nothing serious stands in anybody's way, in light and in dark", async (t) 
     await page.waitForFunction((theme) => document.documentElement.dataset.theme === theme, colorScheme);
   }
 
-  /** Colors on their way to others are nobody's fault. */
+  /** Waits for the end of color transitions, which are no defects. */
   async function settle() {
     await page.evaluate(() => {
       const moving = document.getAnimations().filter((one) => one.effect?.getComputedTiming().endTime !== Infinity);

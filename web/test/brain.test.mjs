@@ -75,7 +75,7 @@ test("a brain runs, its error tells its line, and an imitation its score", async
   await person.showPanel("Library");
   await page.locator(".recording").getByText("tower, imitated").waitFor();
 
-  // All is in its place again, and none of it is the program's merit: the cause is told.
+  // All is in its place again, but not by the program: the cause is reported.
   await person.showPanel("Brain");
   await imitator.selectOption("trips.py");
   await person.press("Imitate");

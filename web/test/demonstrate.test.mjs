@@ -69,7 +69,7 @@ test("planes and rings turn what is held; elsewhere and keys let go", async (t) 
   await witness.until(() => Math.abs(witness.yawOf("BlueBlock") - 90) < 1, "the slider has turned it in the world");
 
   await person.click(await person.placeOnPage([-6, 3, 0]));
-  await witness.until(() => !witness.isHolding, "a click elsewhere lets go");
+  await witness.until(() => !witness.isHolding, "a click elsewhere releases it");
 
   // And all of it again, without a mouse.
   await page.getByRole("listbox", { name: /^Objects/ }).focus();
@@ -80,7 +80,7 @@ test("planes and rings turn what is held; elsewhere and keys let go", async (t) 
   await page.keyboard.press("Shift+PageUp");
   await witness.until(() => witness.positionOf("RedBlock")[2] > 1.4, "Page Up lifts it");
   await page.keyboard.press("Enter");
-  await witness.until(() => !witness.isHolding, "Enter lets go");
+  await witness.until(() => !witness.isHolding, "Enter releases it");
   await witness.until(() => witness.positionOf("RedBlock")[2] < 0.6, "and it falls");
 });
 
@@ -134,7 +134,7 @@ test("a reload loses nothing; a second page watches, asks for control, and gets 
   await witness.until(() => witness.state.recording === null, "who has control may finish");
 });
 
-/** The controller is asked once in so long, whoever asks. */
+/** The controller is asked at most once in this time, by all clients together. */
 const PAUSE_MS = 3000;
 
 test("requests for control stop no drag, and all who are refused are told", async (t) => {
@@ -165,7 +165,7 @@ test("requests for control stop no drag, and all who are refused are told", asyn
   await third.getByRole("button", { name: "Control", exact: true }).click();
   await third.getByRole("menuitem", { name: "Take control from an inactive controller" }).click();
   await third.getByText(/control can be taken after inactivity of 30 s/).waitFor();
-  assert.equal(await banner.count(), 0, "nobody is asked so often");
+  assert.equal(await banner.count(), 0, "no client is asked so often");
   assert.ok(witness.isHeld("RedBlock"));
   await person.release();
 });

@@ -1,4 +1,4 @@
-// Who may come in: from other machines whoever has the link, from other sites nobody.
+// Access: from other machines only with the link, from other sites never.
 
 import assert from "node:assert/strict";
 import { createServer } from "node:http";
@@ -19,7 +19,7 @@ test("from elsewhere the printed link opens the studio, and nothing else does", 
   const { studio, page, witness, person } = await browser.workplace(t, { studio: listen });
   const { origin, searchParams } = new URL(studio.link);
   assert.match(searchParams.get("token"), /^[0-9a-f]{32}$/);
-  assert.equal(page.url(), `${origin}/`, "the token is not to be seen any more");
+  assert.equal(page.url(), `${origin}/`, "the token is no longer visible");
   assert.equal(await page.evaluate(() => document.cookie), "", "nor to be read");
   await page.reload();
   await page.waitForFunction(() => window.smileStudio?.stats().isShown);
@@ -92,7 +92,7 @@ function addressForOthers() {
   return all.find(({ family, internal }) => family === "IPv4" && !internal)?.address ?? "0.0.0.0";
 }
 
-/** The answer to somebody who wants a WebSocket: 101 is yes. */
+/** The status of the response to a WebSocket request: 101 is acceptance. */
 function statusOf(door, options = {}) {
   return new Promise((resolve, reject) => {
     const socket = new WebSocket(door, options);

@@ -9,7 +9,7 @@ before(() => browser.start());
 after(() => browser.close());
 
 const BARE = ["--no-robot", "--no-pictures"];
-/** So long nothing comes late, even on a busy machine. */
+/** Time after which nothing comes late, even on a busy machine. */
 const CALM_MS = 500;
 const shipped = (name) => new URL(`../../scenes/${name}.xml`, import.meta.url).pathname;
 
@@ -25,7 +25,7 @@ test("each hand holds its own, and takes what the other holds", async (t) => {
   await page.getByRole("radio", { name: /Left.*RedBlock/ }).waitFor();
   await page.getByRole("radio", { name: /Right.*GreenBlock/, checked: true }).waitFor();
 
-  // A full hand takes nothing more: whoever clicks what the other one holds becomes that.
+  // A full hand takes nothing more: a click on what the other one holds changes to that hand.
   await person.click(await person.pointOf("RedBlock"));
   await page.getByRole("radio", { name: /Left.*RedBlock/, checked: true }).waitFor();
   assert.equal(held("right"), "GreenBlock", "which does not let go");
@@ -83,10 +83,10 @@ test("the ghost shows where a thing comes to rest", async (t) => {
     await person.typePlace({ z: 3.6 });
     await witness.until(() => witness.positionOf("Lemon")[2] < 3.65, "it hangs there");
     await page.waitForTimeout(1500);
-    const told = await ghost();
+    const shown = await ghost();
     await person.release();
     const rest = await witness.settled(() => (witness.state.still ? witness.positionOf("Lemon") : null), "it rests", 1000);
-    const error = Math.hypot(...rest.map((value, axis) => value - told[axis]));
+    const error = Math.hypot(...rest.map((value, axis) => value - shown[axis]));
     assert.ok(error < 0.03, `it is ${error} units off`);
     await person.press("Undo");
     await witness.until(() => witness.isHeld("Lemon"), "it is held again");
@@ -202,7 +202,7 @@ test("a drag ends flush with a face where faces are snapped to; Escape lets the 
   await dragAwayAndBack();
   assert.ok(Math.abs(gap()) < 0.02, `it is flush: ${gap()}`);
 
-  // The mouse lets go of what it drags; the hand does not.
+  // The mouse releases what it drags; the hand does not.
   const { x, y } = await person.take("Coming");
   await page.mouse.move(x + 60, y - 60, { steps: 4 });
   await witness.until(() => witness.handOf("Coming").place[2] > 1, "it is dragged");

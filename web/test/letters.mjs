@@ -55,7 +55,7 @@ function raised([x, y, z]) {
   return [x, y, z + CLEARANCE];
 }
 
-/** What is carried follows the hand: who lets go before it is there drops it. */
+/** A held object follows the hand: a release before it has arrived drops it. */
 async function letGoAt(person, id, place) {
   await isAt(person, id, place);
   await person.release();

@@ -44,12 +44,12 @@ test("a recording is shown, played, edited, renamed, binned and taken back", asy
   await page.waitForFunction((button) => !button.disabled, await pause.elementHandle());
   assert.deepEqual(witness.ids, [], "as it was left");
 
-  // Without its last action the block is still in the air: that is told, and then done.
+  // Without its last action the block is still in the air: that is reported, and then done.
   await segments.last().click();
   await person.press("Delete", timeline);
   const dialog = page.getByRole("dialog");
   await dialog.getByRole("status").getByText(/GreenBlock|ends/).first().waitFor();
-  assert.deepEqual(readdirSync(studio.recordings).filter((name) => !name.startsWith(".")), [id], "only told so far");
+  assert.deepEqual(readdirSync(studio.recordings).filter((name) => !name.startsWith(".")), [id], "only reported so far");
   await dialog.getByRole("textbox").fill("Shorter");
   await person.press("Save as a new recording", dialog);
   await dialog.waitFor({ state: "detached" });

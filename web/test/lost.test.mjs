@@ -1,4 +1,4 @@
-// What people are told when the program goes away, and when it cannot do what they want.
+// What the page reports when the program ends, and when it cannot execute a request.
 
 import assert from "node:assert/strict";
 import { existsSync, rmSync } from "node:fs";

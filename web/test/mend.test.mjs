@@ -101,7 +101,7 @@ test("what an edit does is told before it is done, and what is told becomes true
   await page.locator(".recording").waitFor();
   const listed = await witness.request("library");
 
-  // The green block is never taken then: told, and not done.
+  // The green block is never taken then: reported, and not done.
   await choose(3, "Delete");
   const dropped = programSays(["edit", join(studio.recordings, id), "--drop", "3", "--dry-run"]);
   assert.equal(dropped.left_out.length, 1, JSON.stringify(dropped));
@@ -112,7 +112,7 @@ test("what an edit does is told before it is done, and what is told becomes true
   assert.deepEqual((await witness.request("library")).recordings, listed.recordings, "nothing was done");
   assert.deepEqual(recordingsOf(studio), [id]);
 
-  // The red block is taken and not carried: told, and done.
+  // The red block is taken and not carried: reported, and done.
   await choose(1, "Trim");
   const to = dialog.getByRole("slider", { name: "To (s)" });
   await person.slideTo(to, 0.1);
@@ -128,15 +128,15 @@ test("what an edit does is told before it is done, and what is told becomes true
 
   const ends = [await endOf("RedBlock", id), await endOf("RedBlock", made[0])];
   const distance = MILLIMETERS_PER_UNIT * Math.hypot(...ends[0].map((value, k) => value - ends[1][k]));
-  const told = trimmed.displaced.find((one) => one.id === "RedBlock").distance_mm;
-  assert.ok(Math.abs(distance - told) < 1, `${distance} mm away, ${told} mm were told`);
+  const reported = trimmed.displaced.find((one) => one.id === "RedBlock").distance_mm;
+  assert.ok(Math.abs(distance - reported) < 1, `${distance} mm away, ${reported} mm were reported`);
 
   async function choose(segment, edit) {
     await person.segments.nth(segment).click();
     await person.press(edit, timeline);
   }
 
-  /** The dialog tells as many effects as the program does, and how far off the block ends. */
+  /** The dialog reports as many effects as the program does, and how far off the block ends. */
   async function tells(report, block) {
     const centimeters = (report.displaced.find((one) => one.id === block).distance_mm / 10).toFixed(0);
     await dialog.getByRole("status").getByText(`${block} ends ${centimeters} cm from its previous place`).waitFor();
@@ -202,7 +202,7 @@ test("an edit is canceled while it is written, or is seen at once, from its star
   await person.press("Save as a new recording", dialog);
   await dialog.waitFor({ state: "detached" });
   const bars = await page.evaluate(() => [...window.barNames]);
-  assert.match(bars.join(), /^Writing the new recording/, "a bar tells how far it is");
+  assert.match(bars.join(), /^Writing the new recording/, "a bar shows the progress");
   await witness.until(() => ![undefined, id].includes(witness.state.playback?.recording), "the new one is shown");
   assert.equal(witness.state.playback.seconds, 0);
   await timeline.getByText(/^0\.0 of /).waitFor();

@@ -33,7 +33,7 @@ export class Mouse {
   }
 }
 
-/** Fingers on a touch screen; what is told of them is where all of them are. */
+/** Fingers on a touch screen; each event contains the positions of all of them. */
 export class Fingers {
   static async on(page) {
     return new Fingers(await page.context().newCDPSession(page));
@@ -71,7 +71,7 @@ export class Fingers {
   }
 }
 
-/** Whoever sits before a page. The witness is told what the program says; the page is what is clicked. */
+/** The user of a page. The witness receives the program's messages; the page receives the input. */
 export class Person {
   constructor(page, witness, pointer = new Mouse(page)) {
     Object.assign(this, { page, witness, pointer });
@@ -144,14 +144,14 @@ export class Person {
   }
 
   /**
-   * Drags what is held until it is where it shall be, as far as that is possible in the plane in
+   * Drags what is held until it is where it must be, as far as that is possible in the plane in
    * which it moves: [x, y, z], null where it does not matter.
    */
   async dragTo(id, wanted) {
     await this.letGo(await this.dragOn(id, wanted, null));
   }
 
-  /** Goes on from where the pointer is pressed, null where it is not yet; where it is pressed then. */
+  /** Continues from where the pointer is pressed, null if it is not yet; returns where it is pressed then. */
   async dragOn(id, wanted, pressed) {
     let [at, before] = [pressed, null];
     for (let k = 0; k < MAX_CORRECTIONS; ++k) {
@@ -177,13 +177,13 @@ export class Person {
     if (pressed !== null) await this.pointer.lift();
   }
 
-  /** What the mouse did is told to the program with the next picture, and seen in the one after it. */
+  /** The page reports mouse input to the program with the next picture, and shows the effect in the one after it. */
   async look() {
     const picture = () => new Promise(requestAnimationFrame);
     for (let k = 0; k < 2; ++k) await this.page.evaluate(picture);
   }
 
-  /** Where the hand wants a held object, as soon as that stays the same for so long. */
+  /** Where the hand wants a held object, as soon as that stays the same for this time. */
   restOf(id, milliseconds = 150) {
     return this.witness.settled(() => this.witness.handOf(id)?.place, `${id} is held still`, milliseconds);
   }
@@ -207,7 +207,7 @@ export class Person {
     return above;
   }
 
-  /** Types where what is held shall be, number after number with Tab between them: { x?, y?, z? }. */
+  /** Types where the held object must be, number after number with Tab between them: { x?, y?, z? }. */
   async typePlace(place) {
     const fields = this.page.getByRole("group", { name: /^Position/ });
     const [first] = Object.keys(place);
@@ -227,7 +227,7 @@ export class Person {
     await this.pointer.lift();
   }
 
-  /** Drags the thumb of a slider until it stands where it shall, to a step of it. */
+  /** Drags the thumb of a slider until it has the wanted value, to a step of it. */
   async slideTo(slider, wanted) {
     const step = Number(await slider.getAttribute("step"));
     const isThere = async () => Math.abs(wanted - (await numberOf(slider))) <= step;
@@ -245,7 +245,7 @@ export class Person {
     await this.page.mouse.move(at, y + height / 2);
     await this.page.mouse.down();
     for (let k = 0; k < MAX_CORRECTIONS && !(await isThere()); ++k) {
-      // At its ends a slider begins half a thumb further in: there one goes on by pixels.
+      // At its ends a slider begins half a thumb further in: there it continues by pixels.
       const way = (wanted - (await numberOf(slider))) * scale;
       at += Math.sign(way) * Math.max(1, Math.abs(way));
       await this.page.mouse.move(at, y + height / 2, { steps: k === 0 ? 8 : 1 });

@@ -51,7 +51,7 @@ test("fingers take, carry and let go, look around, and find the menu", async (t)
   assert.deepEqual(await person.restOf("Coming", 500), place, "it was not carried along");
 
   await fingers.click(SKY);
-  await witness.until(() => !witness.isHolding, "a tap elsewhere lets go");
+  await witness.until(() => !witness.isHolding, "a tap elsewhere releases it");
   await witness.until(() => witness.positionOf("Coming")[2] < 0.6, "and it falls");
 
   await fingers.press(await person.pointOf("Resting"));

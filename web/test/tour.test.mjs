@@ -1,4 +1,4 @@
-// Somebody starts for the first time and does what the tour says.
+// A new user starts for the first time and does what the tour says.
 
 import assert from "node:assert/strict";
 import { join } from "node:path";

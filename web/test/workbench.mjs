@@ -1,5 +1,5 @@
 // What the browser tests stand on: a studio of their own, with its own folder of recordings, and
-// pages of a real browser in it. Whoever asks what is true asks the program, not the page.
+// pages of a real browser in it. The tests ask the program for the truth, not the page.
 
 import assert from "node:assert/strict";
 import { spawn, execFileSync } from "node:child_process";
@@ -130,7 +130,7 @@ export class Browser {
     return { studio, page, witness, person };
   }
 
-  /** A page of somebody who likes this and that; it is connected and shows its world. */
+  /** A page of a user with these preferences; it is connected and shows its world. */
   async open(studio, options = {}, likes = {}) {
     const context = await this.browser.newContext({
       viewport: { width: 1280, height: 800 },
@@ -202,7 +202,7 @@ export class Witness {
     if (news.t === "event") this.events.push(news);
   }
 
-  /** Its frames are others; where they are is told next. */
+  /** The scene has other frames; the next message contains their poses. */
   enter(scene) {
     this.scene = scene;
     this.poses.clear();
@@ -228,7 +228,7 @@ export class Witness {
     return this.scene.objects.map(({ id }) => id).filter((id) => !this.state.gone.includes(id));
   }
 
-  /** Where an object is, in units; NaN as long as that is not told. */
+  /** Position of an object, in units; NaN until it is reported. */
   positionOf(id) {
     const { frame } = this.scene.objects.find((object) => object.id === id);
     return this.poses.get(frame)?.slice(0, 3) ?? [NaN, NaN, NaN];
@@ -241,7 +241,7 @@ export class Witness {
     return (2 * Math.atan2(z, w) * 180) / Math.PI;
   }
 
-  /** The hand that holds an object, as the state tells it. */
+  /** The hand that holds an object, according to the state. */
   handOf(id) {
     return Object.values(this.state.hands).find((hand) => hand.object === id);
   }
@@ -254,12 +254,12 @@ export class Witness {
     return Object.values(this.state.hands).some((hand) => hand.object !== null);
   }
 
-  /** Waits until something holds; else fails and tells what was awaited. */
+  /** Waits until a condition holds; else fails and reports what was awaited. */
   async until(holds, what = holds.toString()) {
     if (!(await this.within(PATIENCE_MS, holds))) throw new Error(`this never came: ${what}`);
   }
 
-  /** What is read, as soon as it is there and stays the same for so long. */
+  /** What is read, as soon as it is there and stays the same for this time. */
   async settled(read, what, milliseconds) {
     let [before, since] = [null, 0];
     await this.until(() => {

@@ -9,7 +9,7 @@ import { Notices } from "../ui/notices";
 import { ControlWanted, takeControl } from "./control";
 import { failedRecording, isPaused, isPlayback, isRage, isRestoring } from "./derived_signals";
 
-/** So long a connection may take before anybody is told that it takes long; and that it may never come. */
+/** Time before the page reports that connecting takes long, and time before it reports that it may fail. */
 const PATIENCE_MS = 800;
 const DOUBT_MS = 10_000;
 
@@ -44,7 +44,7 @@ function Busy() {
   );
 }
 
-/** The failure that was read, and need not be told again. */
+/** The failure that was read, and is not reported again. */
 const readFailure = signal<string | null>(null);
 effect(() => {
   if (failedRecording.value === null) readFailure.value = null;
@@ -65,7 +65,7 @@ function Failure() {
   );
 }
 
-/** What is so as far as the program tells. */
+/** The banners for the last reported state of the program. */
 function Present() {
   return (
     <>

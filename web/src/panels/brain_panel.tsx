@@ -42,7 +42,7 @@ async function copyPlace(place: string): Promise<void> {
   try {
     await navigator.clipboard.writeText(place);
   } catch {
-    // Without leave to write there, at least the place is told.
+    // Without permission to write to the clipboard, the notice still contains the place.
   }
   notify(words.copied(place));
 }
@@ -227,7 +227,7 @@ function Line({ line }: { line: ConsoleLine }) {
   );
 }
 
-/** What the program writes; it stays at the end unless somebody looks further up. */
+/** The output of the program; it stays at the end unless the user scrolls up. */
 function Console() {
   const log = useRef<HTMLDivElement>(null);
   const isAtEnd = useRef(true);

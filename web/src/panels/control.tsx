@@ -5,7 +5,7 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { MenuButton, type MenuEntry } from "../ui/menu";
 
-/** Who opens the page, or comes back, controls when nobody else does: but only that soon. */
+/** Time after opening the page, or reconnecting, in which it takes control if no client has it. */
 const ARRIVAL_MS = 3000;
 
 export async function takeControl(byForce: boolean): Promise<void> {
@@ -58,7 +58,7 @@ export function Control() {
   useControlOnArrival();
   const now = clients.value;
   const others = Math.max(0, (now?.clients.length ?? 1) - 1);
-  const who = isController.value ? texts.people.youControl : now?.controller === null ? texts.people.nobody : texts.people.youWatch;
+  const who = isController.value ? texts.people.youControl : now?.controller === null ? texts.people.noController : texts.people.youWatch;
   return (
     <div class="control">
       <span class={`lamp ${isConnected.value ? "on" : "off"}`} />
@@ -71,7 +71,7 @@ export function Control() {
   );
 }
 
-/** Others want control: that is told beside the work, which goes on. */
+/** Reports beside the work, without interrupting it, that other clients want control. */
 export function ControlWanted() {
   const waiting = controlWantedBy.value;
   const [first] = waiting;

@@ -26,7 +26,7 @@ interface Report {
   joints: (string | { id: string })[];
 }
 
-/** Longer lists are nobody's reading. */
+/** Longer lists are cut: they are too long to read. */
 const MAX_SENTENCES = 8;
 const PAUSE_MS = 300;
 const TRIM_STEPS = 200;
@@ -56,7 +56,7 @@ function Bar({ what, label }: { what: "try_edit" | "edit"; label: string }) {
   );
 }
 
-type Trial = { state: "trying" } | { state: "refused"; error: string } | { state: "told"; report: Report };
+type Trial = { state: "trying" } | { state: "refused"; error: string } | { state: "simulated"; report: Report };
 
 function Effect({ trial }: { trial: Trial }) {
   if (trial.state === "trying") {
@@ -77,7 +77,7 @@ function Effect({ trial }: { trial: Trial }) {
   );
 }
 
-/** What an edit would do, told as soon as it is simulated; anew whenever `from` or `to` changes. */
+/** The effect of an edit, as soon as it is simulated; simulated again whenever `from` or `to` changes. */
 function useTrial(recording: string, edits: Edits, from: number, to: number) {
   const trial = useSignal<Trial>({ state: "trying" });
   useEffect(() => {
@@ -88,7 +88,7 @@ function useTrial(recording: string, edits: Edits, from: number, to: number) {
       const trying = cancelableRequest("try_edit", { recording, edits });
       cancel = trying.cancel;
       trying.answer.then(
-        (reply) => isLatest && (trial.value = { state: "told", report: reply.report as Report }),
+        (reply) => isLatest && (trial.value = { state: "simulated", report: reply.report as Report }),
         (error: Error) => isLatest && (trial.value = { state: "refused", error: error.message }),
       );
     }, PAUSE_MS);
@@ -157,7 +157,7 @@ function Ends({ from, to, seconds }: { from: Signal<number>; to: Signal<number>;
   );
 }
 
-/** An edit is told first, and done when it is wanted: into a new recording. */
+/** Shows the effect of an edit first; on request saves the edit as a new recording. */
 export function EditDialog(props: {
   kind: EditKind;
   recording: string;
@@ -189,7 +189,7 @@ export function EditDialog(props: {
             label={words.save}
             kind="accent"
             isBusy={isSaving.value}
-            disabled={trial.value.state !== "told" || name.value === ""}
+            disabled={trial.value.state !== "simulated" || name.value === ""}
             onClick={() => void save(recording, edits, name.value)}
           />
         </>

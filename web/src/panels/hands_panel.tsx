@@ -50,8 +50,8 @@ class Wanted {
   private followedAt = 0;
 
   /**
-   * Changes what was asked for last; what the state tells where it has followed, or where the last was refused.
-   * @param reading as the state tells them
+   * Changes what was asked for last; the state's value if the state has followed, or the last was refused.
+   * @param reading the values in the state
    */
   change(object: string, reading: Point, to: (old: Point) => Point, send: (from: Point, numbers: Point) => Promise<Reply | null>): void {
     const isFollowed = this.unanswered === 0 && performance.now() >= this.followedAt;
@@ -75,7 +75,7 @@ function withNumber(numbers: Point, axis: number, value: number): Point {
   return numbers.map((old, k) => (k === axis ? value : old)) as Point;
 }
 
-/** Hands are told of the point at which they took the object. */
+/** Goals of hands refer to the point at which they took the object. */
 function moveHeld(to: (place: Point) => Point): void {
   const hand = currentHand.value;
   const { object, goal, place } = state.value?.hands[hand] ?? {};
@@ -126,10 +126,10 @@ function propertyChoices(object: string): { value: string; label: string }[] {
 }
 
 function Held({ object }: { object: string }) {
-  const told = attention.value[object] ?? [];
+  const attended = attention.value[object] ?? [];
   const choices = propertyChoices(object);
   const toggle = (property: string) => {
-    const properties = told.includes(property) ? told.filter((one) => one !== property) : [...told, property];
+    const properties = attended.includes(property) ? attended.filter((one) => one !== property) : [...attended, property];
     void command({ do: "attend", hand: currentHand.value, properties });
   };
   return (
@@ -161,7 +161,7 @@ function Held({ object }: { object: string }) {
           <Chips
             label={words.attention}
             choices={choices}
-            chosen={told}
+            chosen={attended}
             disabled={!mayAct.value}
             onToggle={toggle}
           />
@@ -257,7 +257,7 @@ function turnTo(object: string, reading: Point, axis: number, degrees: number): 
   wantedAngles.change(object, reading, to, (from, numbers) => rotate(turnFromTo(from, numbers)));
 }
 
-/** About y half a turn is all: three angles tell every orientation once. */
+/** About y half a turn suffices: three angles then specify every orientation once. */
 const LARGEST = [180, 90, 180] as const;
 
 function TurnSlider({ object, axis, reading }: { object: string; axis: 0 | 1 | 2; reading: Point }) {

@@ -25,7 +25,7 @@ async function take(object: string): Promise<void> {
   if (reply === null) return;
   if (reply.deed) notify(reply.deed.words);
   showPanel("hands");
-  // Keys carry it at once, for whoever came here by keys.
+  // Keys move it at once, for users of the keyboard.
   setTimeout(() => document.getElementById("nudge")?.focus(), 100);
 }
 

@@ -12,7 +12,7 @@ export const recordings = signal<LibraryEntry[] | null>(null);
 export const opened = signal<{ id: string; timeline: Timeline } | null>(null);
 /** The segment of it that is chosen. */
 export const chosenSegment = signal<number | null>(null);
-/** Pictures of a recording change when it goes on: this makes the browser look again. */
+/** Pictures of a recording change when it is continued: this makes the browser load them again. */
 export const pictureAge = signal(0);
 
 export async function refreshRecordings(): Promise<void> {
@@ -56,10 +56,10 @@ export async function onRecordingShown(id: string): Promise<void> {
   }
 }
 
-/** So long the state may take to tell why a recording ended by itself [ms]. */
+/** Time that the state may take to report why a recording ended by itself [ms]. */
 const FAILURE_MS = 500;
 
-/** What ended the recording by itself stays on the page: it is not told twice. */
+/** What ended the recording by itself stays on the page: it is not reported twice. */
 export async function finishRecording(): Promise<void> {
   const recording = state.value?.recording?.id;
   const refusal = await request("command", { command: { do: "finish" } }).then(
@@ -71,13 +71,13 @@ export async function finishRecording(): Promise<void> {
   if (state.value?.failure?.recording !== recording) notify(refusal, true);
 }
 
-/** A recording is complete: here, not by whoever finished it, for watchers see it too. */
+/** Called when a recording is complete: for each client, not only the one that finished it. */
 export async function onRecordingFinished(id: string): Promise<void> {
   pictureAge.value += 1;
   await refreshRecordings();
   const failure = state.value?.failure ?? null;
   if (failure?.recording === id) {
-    // A banner tells it, and stays.
+    // A banner reports it, and stays.
     if (failure.kept) await openRecording(id);
     return;
   }

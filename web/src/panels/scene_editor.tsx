@@ -11,7 +11,7 @@ import { Icon } from "../ui/icons";
 import { draft, editedScene } from "./page";
 
 const { editor: words } = texts;
-/** So long after the last key the text is checked. */
+/** Time between the last key and the check of the text. */
 const PAUSE_MS = 350;
 /** Of a line of the text [px]; styles/editor.css has the same. */
 const LINE_HEIGHT = 20;
@@ -68,7 +68,7 @@ function FindingList({ findings, onGo }: { findings: Findings; onGo: (line: numb
   );
 }
 
-/** What is wrong with a scene, once nobody has written for a moment. */
+/** The findings in a scene, checked after a moment without typing. */
 function useFindings(name: string, xml: string) {
   const findings = useSignal<Findings>({ state: "checking" });
   useEffect(() => {

@@ -59,7 +59,7 @@ function useRefresh(): void {
   }, []);
 }
 
-/** The window's title tells from afar what is going on. */
+/** The window's title contains the scene, and whether a recording is in progress. */
 function useTitle(): void {
   useSignalEffect(() => {
     const name = scene.value?.name;

@@ -122,7 +122,7 @@ function Scrubber({ id, timeline }: { id: string; timeline: Timeline }) {
   );
 }
 
-/** What was played to its end begins anew, a chosen segment or all; else it goes on from the moment. */
+/** Where playback begins: a segment or recording played to its end starts again, else it continues from the moment. */
 function beginOfPlay({ segments, seconds }: Timeline): number {
   const chosen = segments.find(({ number }) => number === chosenSegment.value);
   const isAt = (end: number) => Math.abs(moment.value - end) < 0.05;

@@ -27,7 +27,7 @@ const STEPS: Step[] = [
   { name: "finish", condition: conditions.finished, about: "record" },
   { name: "end" },
 ];
-/** So long one is told that it was well done. */
+/** Duration of the praise. */
 const PRAISE_MS = 1100;
 
 const { tour: words } = texts;
@@ -59,7 +59,7 @@ function skip(): void {
   if (isUndo) next();
 }
 
-/** Watches the condition of the step, praises the user when it is met, and goes on. */
+/** Watches the condition of the step, praises the user when it is met, and continues. */
 function useCondition(): void {
   useEffect(() => {
     const condition = step.value?.condition;

@@ -27,7 +27,7 @@ export function useAllowed(requests: RequestWithFields[]): (Allowed | null)[] {
       ({ allowed }) => {
         if (!isStale) answer.value = { of: wanted, allowed };
       },
-      // A lost connection is told elsewhere.
+      // A lost connection is reported elsewhere.
       () => {},
     );
     return () => {

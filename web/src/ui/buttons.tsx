@@ -7,9 +7,9 @@ export interface ButtonProps {
   onClick: () => void;
   icon?: IconName;
   kind?: "plain" | "accent" | "danger" | "quiet";
-  /** Shows the icon only; the label is told to who hovers or hears it. */
+  /** Shows the icon only; the label is its tooltip and its accessible name. */
   isIconOnly?: boolean;
-  /** Shown in small, and told: the key that does the same. */
+  /** The key that does the same; shown in small, and announced. */
   keys?: string | undefined;
   title?: string | undefined;
   disabled?: boolean;

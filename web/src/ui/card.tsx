@@ -4,7 +4,7 @@ import type { Signal } from "@preact/signals";
 import { texts } from "../texts";
 import { Icon, type IconName } from "./icons";
 
-/** A part of a panel with a title; folds up where it is told where to keep that. */
+/** A part of a panel with a title; collapsible if `isOpen` is given. */
 export function Card(props: {
   title: string;
   isOpen?: Signal<boolean>;

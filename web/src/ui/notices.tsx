@@ -1,7 +1,7 @@
 import { notices } from "../studio";
 import { Icon } from "./icons";
 
-/** Told to who hears the page, too: errors at once, the rest when there is time. */
+/** Announced by screen readers, too: errors at once, the rest politely. */
 export function Notices() {
   const list = (isError: boolean) =>
     notices.value

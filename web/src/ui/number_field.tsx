@@ -54,7 +54,7 @@ export function NumberField(props: {
   );
 }
 
-/** Rounded, -0.001 is "-0.00": nobody wants to see that. */
+/** Rounding turns -0.001 into "-0.00": this removes the minus. */
 function withoutMinusZero(text: string): string {
   return Number(text) === 0 ? text.replace("-", "") : text;
 }

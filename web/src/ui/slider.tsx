@@ -1,12 +1,12 @@
 import { useRef, useState } from "preact/hooks";
 import { NumberField } from "./number_field";
 
-/** So long a slider shows what its user wanted before it shows again what is. */
+/** Time for which a slider shows what its user wanted before it shows the actual value again. */
 const SETTLE_MS = 400;
 
 export interface SliderProps {
   label: string;
-  /** What is to be seen of the label, where a title tells the rest. */
+  /** The visible part of the label, if a title contains the rest. */
   shortLabel?: string;
   value: number;
   min: number;

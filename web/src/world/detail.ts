@@ -5,9 +5,9 @@ const SLOW_MS = 32;
 const MOST_SLOW = 45;
 /** As slow as this even with low detail, things that move are drawn with fewer pixels [ms]. */
 const VERY_SLOW_MS = 45;
-/** If after a picture none was asked for so long, nothing moved in between [ms]. */
+/** If no picture was requested for this time after the last one, nothing moved in between [ms]. */
 const PAUSE_MS = 80;
-/** So long after the last motion its picture is drawn sharp [ms]. */
+/** Time between the last motion and the sharp picture [ms]. */
 const STILL_MS = 250;
 const SHARE = 0.08;
 
@@ -21,7 +21,7 @@ export class DetailController {
   private isVerySlow = false;
   private stillness: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param setCoarse called with false once nothing moves any more */
+  /** @param setCoarse called with false once nothing moves */
   constructor(
     private readonly setLow: (isLow: boolean) => void,
     private readonly setCoarse: (isCoarse: boolean) => void,

@@ -15,7 +15,7 @@ const DEGREES = 180 / Math.PI;
 const STEEP = 70 / DEGREES; // from here on the camera looks at the table rather than along it
 const BIG_STEP = 45; // [degrees]
 const REACH = 3; // from the middle of the table [m]
-/** So long what was sent last is newer than what the program told [ms]. */
+/** Time for which the last sent value is newer than the state of the program [ms]. */
 const FRESH_MS = 250;
 const NUDGE = 0.1;
 const BIG_NUDGE = 1; // [units]
@@ -155,8 +155,8 @@ export class Hands {
     const sent = this.sentGoal;
     const hand = currentHand.value;
     if (sent?.hand === hand && performance.now() - sent.when < FRESH_MS) return sent.point.clone();
-    const told = state.value?.hands[hand].goal;
-    return told ? new Vector3(...told) : null;
+    const goal = state.value?.hands[hand].goal;
+    return goal ? new Vector3(...goal) : null;
   }
 
   private get planeAngle(): number {
@@ -184,7 +184,7 @@ export class Hands {
     this.moves.want(() => ({ hand, do: "move_to", position: rounded(point) }));
   }
 
-  /** Whoever reaches for what another hand of theirs holds becomes that hand. */
+  /** A user who reaches for an object in another of their hands changes to that hand. */
   private changeOrRelease(picked: Picked | null): void {
     const other = this.otherHandWith(picked);
     if (other !== null) void this.become(other);
@@ -313,7 +313,7 @@ export class Hands {
   }
 }
 
-/** Nobody can take it. */
+/** Whether no hand can take the object. */
 export function isFixed(object: string): boolean {
   return scene.value?.objects.find(({ id }) => id === object)?.fixed ?? false;
 }

@@ -4,7 +4,7 @@ const HEADER_BYTES = 8;
 const CORNER_BYTES = 24;
 const TRIANGLE_BYTES = 12;
 
-/** Fetches a mesh of a scene; docs/studio-protocol.md tells its bytes. */
+/** Fetches a mesh of a scene; docs/studio-protocol.md specifies its bytes. */
 export async function fetchMesh(scene: number, mesh: number): Promise<BufferGeometry> {
   const answer = await fetch(`/meshes/${scene}/${mesh}`);
   if (!answer.ok) throw new Error(`mesh ${mesh}: ${answer.status}`);

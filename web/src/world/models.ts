@@ -64,7 +64,7 @@ export class Models {
     private readonly onChange: () => void,
   ) {}
 
-  /** Everything anew. Nothing is shown until it is known where it is. */
+  /** Replaces everything. Nothing is shown until the poses are known. */
   load(scene: SceneMessage): void {
     this.clear();
     this.scene = scene;
@@ -264,7 +264,7 @@ function newFrame(): Frame {
   return { group: new Group(), position: new Vector3(), rotation: new Quaternion() };
 }
 
-/** The same rotation, told by the opposite quaternion. */
+/** The same rotation as the opposite quaternion. */
 function negate(rotation: Quaternion): void {
   rotation.set(-rotation.x, -rotation.y, -rotation.z, -rotation.w);
 }

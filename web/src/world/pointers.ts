@@ -160,11 +160,11 @@ export class Pointers {
   private wheel(event: WheelEvent): void {
     if (!this.isOnWorld(event)) return;
     event.preventDefault();
-    const lines = event.deltaY || event.deltaX; // with Shift browsers tell it sideways
+    const lines = event.deltaY || event.deltaX; // with Shift browsers report it sideways
     const pixels = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? lines : lines * PIXELS_PER_LINE;
     if (event.shiftKey) this.turnByWheel(pixels);
     else {
-      const isPinch = event.ctrlKey; // so touchpads tell it
+      const isPinch = event.ctrlKey; // touchpads report a pinch like this
       const point = this.pick(placeOf(event))?.point ?? null;
       this.camera.zoom(Math.exp(pixels * WHEEL_ZOOM * (isPinch ? 6 : 1)), point);
     }

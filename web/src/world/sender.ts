@@ -9,7 +9,7 @@ type Wish = () => Command | null;
 
 /**
  * Sends commands of a stream of wishes, of which only the newest matters: at once, but not more
- * often than pictures come, nor when a slow line has not answered yet. What is refused is not told:
+ * often than pictures come, nor when a slow line has not answered yet. A refusal is not reported:
  * the next wish is on its way.
  */
 export class Sender {
@@ -18,7 +18,7 @@ export class Sender {
   private sentAt = 0;
   private timer: ReturnType<typeof setTimeout> | null = null;
 
-  /** @param onSent told the number of each request */
+  /** @param onSent called with the number of each request */
   constructor(private readonly onSent: (seq: number) => void = () => {}) {}
 
   want(wish: Wish): void {

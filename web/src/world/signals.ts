@@ -9,7 +9,7 @@ export const fps = signal(0);
 export const isLowDetail = signal(false);
 /** The object under the mouse. */
 export const hovered = signal<string | null>(null);
-/** What was asked for a menu, and where on the page [px]; whoever draws it sets it back to null. */
+/** What was asked for a menu, and where on the page [px]; the component that draws it sets it back to null. */
 export const contextMenu = signal<{
   x: number;
   y: number;

@@ -103,7 +103,7 @@ export class Stage {
     this.shadowsMoved();
   }
 
-  /** To be told when something moved that throws a shadow. */
+  /** To be called when something moved that casts a shadow. */
   shadowsMoved(): void {
     this.renderer.shadowMap.needsUpdate = true;
   }

@@ -140,7 +140,7 @@ export class ViewCamera {
     this.goThere(false);
   }
 
-  /** Forward, to the left, up: each -1, 0 or 1, until told otherwise. */
+  /** Forward, to the left, up: each -1, 0 or 1, until the next call. */
   fly(axis: "x" | "y" | "z", way: number): void {
     this.flying[axis] = way;
     this.onChange();

@@ -34,7 +34,7 @@ export interface World {
   dispose(): void;
 }
 
-/** Draws the world in there, and lets people reach into it; `canDraw` tells whether that works. */
+/** Draws the world in there, and lets people reach into it; `canDraw` is whether that works. */
 export function mountWorld(host: HTMLElement): World {
   canDraw.value = document.createElement("canvas").getContext("webgl2") !== null;
   if (canDraw.value) return new DrawnWorld(host);

@@ -80,7 +80,7 @@ fuzz() {
     cp "$new"/* "$found/" || true
     say "finding: kept in $found"
   fi
-  # Children of the importer that die tell their own numbers before.
+  # Children of the importer that die print their own numbers first.
   runs=$(sed -n 's/^stat::number_of_executed_units: //p' "$log" | tail -1)
   covered=$(sed -nE 's/^#.* cov: ([0-9]+).*/\1/p' "$log" | tail -1)
   echo "$subject: ${#files[@]} kept inputs, ${runs:-0} made and tried, ${covered:-0} edges covered," \

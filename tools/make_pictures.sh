@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of the documents anew, with the program itself. Needs ./run once.
+# Renders the pictures of the documents again, with the program itself. Needs ./run once.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 program=build/release/bin/smile

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of the robot in docs/robot.md anew, with the program itself and ffmpeg. Needs ./run once.
+# Renders the pictures of the robot in docs/robot.md again, with the program itself and ffmpeg. Needs ./run once.
 #   tools/make_robot_pictures.sh [PROGRAM]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of docs/scenes.md anew, with the program itself. Needs ./run once, or SMILE=path/to/smile.
+# Renders the pictures of docs/scenes.md again, with the program itself. Needs ./run once, or SMILE=path/to/smile.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 program=${SMILE:-build/release/bin/smile}

@@ -96,7 +96,7 @@ install_packages() {
     apt-get install -y --no-install-recommends "${missing[@]}"
 }
 
-# build PRESET [TARGET...]: configures anew when the presets have changed, then builds what changed.
+# build PRESET [TARGET...]: configures again when the presets have changed, then builds what changed.
 build() {
   local preset=$1 dir="$project/build/$1" targets=()
   shift

@@ -2,7 +2,7 @@
 """tools/studio_load.py [OBJECTS [WATCHERS [SECONDS]]]: what a crowd costs a studio.
 
 Starts `smile studio` with so many blocks (100), lets so many clients watch (20) while one more drags a
-block to and fro 60 times a second, and tells: the studio's share of one core, messages and bytes
+block to and fro 60 times a second, and reports: the studio's share of one core, messages and bytes
 that each watcher got, and how long a drag takes until poses acknowledge it. build/release is measured.
 """
 

@@ -16,7 +16,7 @@ function report = smile_describe_error(err, script, variable)
     end
   end
 
-  % Octave tells the place of a parse error in the text only:
+  % Octave reports the place of a parse error only in the text:
   %   parse error near line 2 of file /home/me/wave/waveInit.m
   %
   %     syntax error
@@ -28,16 +28,16 @@ function report = smile_describe_error(err, script, variable)
     report.line = str2double(place{1});
     report.file = strrep(strtrim(place{2}), scratch, folder);
     lines = strtrim(regexp(err.message, '\n', 'split'));
-    is_told = ~cellfun('isempty', lines) & ~strcmp(lines, '^');
-    is_told(1) = false;
-    report.message = strjoin(strrep(lines(is_told), '>>> ', ''), ': ');
+    is_message = ~cellfun('isempty', lines) & ~strcmp(lines, '^');
+    is_message(1) = false;
+    report.message = strjoin(strrep(lines(is_message), '>>> ', ''), ': ');
   end
 
   if strcmp(err.identifier, 'smile:value')
     report.message = [variable '.' strrep(report.message, 'smilelink: ', '')];
   end
   if isempty(report.file), report.file = fullfile(folder, [script '.m']); end
-  % The place is told already.
+  % The report already contains the place.
   report.message = regexprep(report.message, ' near line \d+, column \d+', '');
   if isempty(report.message), report.message = 'an error without a message'; end
 end

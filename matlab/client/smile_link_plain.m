@@ -53,7 +53,7 @@ function [type, sequence, values, is_other] = receive(pipe)
 end
 
 function [values, is_other] = decode(body)
-  % One step is told like the other: heads are read only when they are not those of before.
+  % Consecutive steps usually have the same heads: they are read again only when they differ.
   persistent layout
   is_other = isempty(layout) || numel(body) ~= layout.size || ...
              any(body(layout.outline) ~= layout.expected);

@@ -5,7 +5,7 @@ function [actions, place, reason] = planTemporaryPlacement(robot, eye, block, ot
 %   sites   cell of lists of blocks to keep clear of, existing or planned; the first list that leaves a
 %           place counts
 %   q       2x7, joint angles of the arms [rad]
-%   goal    to which the other arm shall bring it from there at once (a handover), or []
+%   goal    target to which the other arm must move it from there at once (a handover), or []
   actions = {};
   place = noBlocks();
   reason = 'there is no free place on the table';

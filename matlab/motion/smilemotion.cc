@@ -340,7 +340,7 @@ void Robot(const Call& call) {
   const Eigen::Matrix4d base = PoseFrom(call.arguments[1], "base");
   const double unit = NumberFrom(call.arguments[2], "unit");
   const std::string gripper = TextFrom(call.arguments[3], "gripper");
-  // Asked for anew: the file may have changed.
+  // Requested again: the file may have changed.
   std::erase_if(KnownRobots(), [&](const KnownRobot& known) { return known.file == file; });
   const PlanningRobot& robot = RobotAs(file, base, unit, gripper);
 

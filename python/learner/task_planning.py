@@ -308,7 +308,7 @@ def plan_temporary_placement(robot, eye, block, others, sites, q, goal):
     sites:  lists of blocks to keep clear of, existing or planned; the first list that leaves a
             place counts
     q:      2x7, joint angles of the arms [rad]
-    goal:   to which the other arm shall bring it from there at once (a handover), or None
+    goal:   target to which the other arm must move it from there at once (a handover), or None
     Returns actions, that place in a list, and None; or [], [] and a reason if there is none.
     """
     arms = candidate_arms(robot, block, goal)

@@ -99,8 +99,8 @@ class ValueReader {
   py::object ArrayOf(const ArrayView& array) {
     const std::size_t size = array.data.size();
     if (size < kLargeBytes) {
-      // All in one piece of memory, but not in that of a picture, which whoever keeps one of them
-      // would keep, too.
+      // Small arrays share one block of memory. Pictures have their own, so that a reference to a
+      // small array does not keep a picture alive.
       const std::size_t offset = small_used_;
       small_used_ += Padded(size);
       CopyElements(array, BytesOf(small_).subspan(offset, size));

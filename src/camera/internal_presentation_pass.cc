@@ -64,8 +64,8 @@ float Sample(float x, float y) {
   return texture(shadow_map, position_map + vec3(offset, 0.0));
 }
 
-// The share of the lamp that is seen from here: the mean of 4 x 4 samples, of which the outermost
-// four tell already where there is nothing but light or shadow.
+// The visible fraction of the lamp: the mean of 4 x 4 samples. The outermost four suffice where all
+// is light or all is shadow.
 float SeenOfLamp() {
   float corners = Sample(-1.5, -1.5) + Sample(1.5, -1.5) + Sample(-1.5, 1.5) + Sample(1.5, 1.5);
   if (corners == 0.0 || corners == 4.0) return 0.25 * corners;

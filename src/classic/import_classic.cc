@@ -103,16 +103,16 @@ void WriteTrace(const std::filesystem::path& path, ClassicPlayer player,
       last.tick = tick;
       trace.Add(last);
     }
-    const auto tell = [&trace](const std::vector<sim::Event>& events) {
+    const auto add_events = [&trace](const std::vector<sim::Event>& events) {
       for (const sim::Event& event : events) trace.Add(event);
     };
     last = std::move(next->moment);
     last.tick = frame * kTicksPerFrame;
     // In the first frame, the holds precede the start and the events follow it.
-    tell(next->holds);
-    if (frame > 0) tell(next->events);
+    add_events(next->holds);
+    if (frame > 0) add_events(next->events);
     trace.Add(last);
-    if (frame == 0) tell(next->events);
+    if (frame == 0) add_events(next->events);
   }
 }
 

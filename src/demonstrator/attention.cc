@@ -33,19 +33,19 @@ std::optional<Refusal> Demonstrator::Attend(HandName name,
   }
   const world::Object& object = *tabletop_->Find(hand(name).held);
   const std::vector<std::string_view> known = PropertiesOf(*object.spec);
-  std::vector<std::string> told;
+  std::vector<std::string> attended;
   for (const std::string& word : properties) {
     const std::string property = word == "colour" ? "color" : word;
     if (std::ranges::find(known, property) == known.end()) {
       return Named(object.id()) + " has no property " + Quoted(word) + ", expected " +
              OneOf(known) + DidYouMean(word, known);
     }
-    if (std::ranges::find(told, property) == told.end()) told.push_back(property);
+    if (std::ranges::find(attended, property) == attended.end()) attended.push_back(property);
   }
-  if (told.empty()) {
+  if (attended.empty()) {
     state_.attention.erase(object.body);
   } else {
-    state_.attention[object.body] = std::move(told);
+    state_.attention[object.body] = std::move(attended);
   }
   return std::nullopt;
 }
@@ -53,8 +53,8 @@ std::optional<Refusal> Demonstrator::Attend(HandName name,
 const std::vector<std::string>& Demonstrator::PropertiesThatMatter(
     const world::Object& object) const {
   static const std::vector<std::string> kNone;
-  const auto told = state_.attention.find(object.body);
-  return told != state_.attention.end() ? told->second : kNone;
+  const auto attended = state_.attention.find(object.body);
+  return attended != state_.attention.end() ? attended->second : kNone;
 }
 
 }  // namespace smile::demonstrator

@@ -116,9 +116,9 @@ std::vector<SkippedCommand> RunFor(std::uint64_t ticks, replay::LogPlayer* playe
 recording::TraceTick EndOf(const recording::Recording& recording,
                            const recording::Demonstration& edited,
                            const recording::Progress& progress) {
-  const bool is_told =
+  const bool is_complete =
       recording.commands.empty() || recording.commands.back().tick < edited.recorded_end.tick;
-  if (is_told) return edited.recorded_end;
+  if (is_complete) return edited.recorded_end;
   sim::Simulation simulation(recording.start_model);
   replay::LogPlayer player(recording.commands, recording.info.start);
   RunToStart(recording, &player, &simulation);

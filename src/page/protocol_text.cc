@@ -85,7 +85,7 @@ std::string ProtocolTypeScript() {
     text += "\n" + form.shape.TypeScriptDefinition();
     names += "\n  | " + form.shape.TypeScript();
   }
-  // A union, in which TypeScript can tell the messages apart by `t`.
+  // A union in which TypeScript discriminates the messages by `t`.
   text += "\n/** Messages that are not replies. */\nexport type Update =" + names + ";\n";
   text +=
       "\n/** Fields of each request, and fields of its answer besides `ok`. */\nexport interface "

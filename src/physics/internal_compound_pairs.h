@@ -9,7 +9,7 @@ namespace smile::physics {
 /// Collision algorithm for two shapes of which at least one is made of parts, with one contact
 /// manifold per pair of parts. The manifold contains the pair of part numbers (PartPairOf), so that
 /// a saved contact finds its manifold again; the manifolds of Bullet's own compound algorithms
-/// cannot be told apart.
+/// are indistinguishable.
 class CompoundPairAlgorithm : public btCollisionAlgorithm {
  public:
   struct CreateFunc : btCollisionAlgorithmCreateFunc {

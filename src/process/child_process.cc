@@ -79,7 +79,7 @@ std::string FindSupervisor() {
   if (is_ready) {
     // Only the standard streams and the failure pipe survive exec.
     ::close_range(kFirstOwnFd, ~0u, CLOSE_RANGE_CLOEXEC);
-    ::fcntl(launch.failure, F_SETFD, 0);  // the supervisor tells on it, too
+    ::fcntl(launch.failure, F_SETFD, 0);  // the supervisor reports on it, too
     ::execve(launch.arguments[0], launch.arguments.data(), launch.environment.data());
   }
   // The failure pipe reports errno to the parent. Without failure it closes on exec, and the parent

@@ -59,8 +59,8 @@ class ReplayAlong {
     while (Step()) goes_on(simulation_->tick());
     CheckEnd();
     const auto& events = collector_.events();
-    const auto num_told = static_cast<std::ptrdiff_t>(last_->events.size());
-    return {trace_.places().back(), {events.begin() + num_told, events.end()}};
+    const auto num_reported = static_cast<std::ptrdiff_t>(last_->events.size());
+    return {trace_.places().back(), {events.begin() + num_reported, events.end()}};
   }
 
  private:
@@ -90,8 +90,8 @@ class ReplayAlong {
                            std::to_string(until_.line) + " of its log");
     }
     const auto& events = collector_.events();
-    const std::size_t num_told = last_->events.size();
-    if (num_told > events.size() ||
+    const std::size_t num_reported = last_->events.size();
+    if (num_reported > events.size() ||
         !std::equal(last_->events.begin(), last_->events.end(), events.begin())) {
       FailAsDifferent();
     }

@@ -43,7 +43,7 @@ class SessionAdapter : public SessionInterface {
 
 namespace {
 
-/// Name of a mesh in a path. Meshes are numbered anew in each scene.
+/// Name of a mesh in a path. Each scene numbers its meshes from 0.
 struct MeshName {
   std::uint32_t scene = 0;
   std::size_t mesh = 0;

@@ -94,11 +94,11 @@ class FailureAnalysis {
     return comparison_.match.at(object.id());
   }
 
-  /// Returns a reason with the text of the first object for which `tell` returns one.
-  template <class Tell>
-  std::optional<FailureReason> OfFirst(const char* code, const Tell& tell) const {
+  /// Returns a reason with the text of the first object for which `text_of` returns one.
+  template <class TextOf>
+  std::optional<FailureReason> OfFirst(const char* code, const TextOf& text_of) const {
     for (const scene::ObjectSpec* object : wrong_) {
-      const std::string what = tell(*object);
+      const std::string what = text_of(*object);
       if (!what.empty()) return FailureReason{code, IdOf(*object) + what};
     }
     return std::nullopt;

@@ -85,8 +85,8 @@ bool Structure::is_fixed() const {
 }
 
 std::vector<std::string> Structure::AttendedOf(const std::string& object) const {
-  const auto told = attention.find(object);
-  return told != attention.end() ? told->second : std::vector<std::string>();
+  const auto attended = attention.find(object);
+  return attended != attention.end() ? attended->second : std::vector<std::string>();
 }
 
 Structure StructureOf(const recording::Recording& demonstration) {

@@ -113,7 +113,7 @@ def superellipse(cut, sides):
 
 
 def corner_turn(u, v):
-    """By how much a line turns where it comes from `u` and goes on to `v`, both unit vectors away from the corner."""
+    """By how much a line turns where it comes from `u` and continues to `v`, both unit vectors away from the corner."""
     return math.pi - math.acos(min(1.0, max(-1.0, float(u @ v))))
 
 

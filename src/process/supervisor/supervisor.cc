@@ -3,7 +3,7 @@
 // Whatever the program starts becomes a child of this process when its parent ends, also what left
 // the program's process group. So all of it can be found and ended: when the program ends, at
 // SIGHUP, and at SIGTERM, which comes when the simulator dies. SIGINT and SIGUSR2 are handed on to
-// the program's group. FD is told the error number when the program cannot be run, and closed
+// the program's group. FD receives the error number when the program cannot be run, and is closed
 // otherwise. Ends as the program ended.
 
 #include <fcntl.h>
@@ -44,7 +44,7 @@ sigset_t KeptSignals() {
   ::_exit(127);
 }
 
-/// Collects ended orphans. The program itself is not collected: while it is not, nobody else gets
+/// Collects ended orphans. The program itself is not collected: until it is, no other process gets
 /// its number, which is that of its group.
 /// @returns whether the program has ended.
 bool CollectUpTo(pid_t program) {
@@ -74,7 +74,7 @@ void KillChildren() {
 }
 
 /// Kills and collects everything, down to the last orphan.
-/// @returns how the program ended, as wait() tells.
+/// @returns how the program ended, as wait() reports it.
 int EndAll(pid_t program) {
   int status = SIGKILL;
   const auto deadline = std::chrono::steady_clock::now() + kKillTime;
@@ -109,7 +109,7 @@ void RemoveScratch() {
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  // Nobody, not even a sanitizer, shall have a say in it.
+  // The default handler must run, not that of a sanitizer.
   ::signal(WTERMSIG(status), SIG_DFL);
   ::raise(WTERMSIG(status));
   ::_exit(128 + WTERMSIG(status));
@@ -133,7 +133,7 @@ int main(int argc, char** argv) {
     (void)!::write(failure, &error, sizeof error);
     return 127;
   }
-  ::setpgid(program, program);  // whoever comes first; the program does the same
+  ::setpgid(program, program);  // the program does the same; either may come first
   ::close(failure);
 
   const int reason = WaitForTheEnd(program);

@@ -148,7 +148,7 @@ TEST(Architecture, EveryLibraryHasOneHome) {
           EXPECT_EQ(room, home) << file << " includes " << include;
           const bool is_public =
               file.extension() == ".h" && file.filename().string().rfind("internal_", 0) != 0;
-          // Nobody includes app, and everybody speaks JSON.
+          // No room includes app, and each room uses JSON.
           EXPECT_TRUE(!is_public || home == "base" || home == "app")
               << file << " shows " << include << " to all";
         }

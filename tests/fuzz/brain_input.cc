@@ -41,7 +41,7 @@ std::string FaultWithAnswer(const wire::Message& message) {
     if (!motor.joint_velocities.allFinite() || !motor.gripper_velocities.allFinite() ||
         (motor.joint_angles && !motor.joint_angles->allFinite()) ||
         (motor.head_velocity && !std::isfinite(*motor.head_velocity))) {
-      return "a motor is told what is no number";
+      return "a motor command contains a number that is not finite";
     }
   }
   const brain::BrainError error = brain::DecodeError(message);

@@ -8,7 +8,7 @@ namespace smile::fuzz {
 /// What is wrong with how we take these bytes as a message from a brain, in words; empty
 /// when all is well.
 ///
-/// What is no message has the reason told. A message comes back from its own bytes the same, and
+/// Invalid bytes are refused with a reason. A message comes back from its own bytes the same, and
 /// every number that is taken from it for the robot is finite.
 std::string FaultWithBrainMessage(std::string_view bytes);
 

@@ -15,7 +15,7 @@ scene::SurfaceMesh ImportHostileMesh(std::string_view bytes);
 
 /// What is wrong with how we take these bytes, in words; empty when all is well.
 ///
-/// Bytes that are no mesh have the reason told. A mesh has numbers and corners that exist, comes
+/// Invalid bytes are refused with a reason. A mesh has numbers and corners that exist, comes
 /// back from an STL file the same, and a small one can be felt: convex pieces of finite size.
 std::string FaultWithMesh(std::string_view bytes);
 

@@ -14,7 +14,7 @@ robot::RobotReading ReadHostileRobot(std::string_view text);
 
 /// What is wrong with how we take these texts, in words; empty when all is well.
 ///
-/// Texts that are no robot have the reason told. A robot has numbers that are some, masses, indexes
+/// Invalid texts are refused with a reason. A robot has numbers that are some, masses, indexes
 /// that exist, stands within its limits, and is the same again from the files that are kept of it.
 std::string FaultWithRobot(std::string_view text);
 

@@ -13,7 +13,7 @@ scene_xml::SceneReading ReadHostileScene(std::string_view text);
 
 /// What is wrong with how we take this text, in words; empty when all is well.
 ///
-/// A text that is no scene has its reasons told, each with a file and a line. A scene comes back
+/// An invalid text is refused with reasons, each with a file and a line. A scene comes back
 /// from its own file the same, and what physics and cameras are made of has only finite numbers.
 std::string FaultWithScene(std::string_view text);
 

@@ -174,9 +174,9 @@ TEST_F(BrainAsUsed, CrashesLoopsAndInvalidRepliesDoNoHarm) {
 }
 
 TEST_F(BrainAsUsed, AMissingBrainIsReported) {
-  const Answer answer = Smile("run pair.xml --brain nobody --seconds 1");
+  const Answer answer = Smile("run pair.xml --brain absent --seconds 1");
   EXPECT_EQ(answer.exit_code, 1);
-  EXPECT_NE(answer.err.find("nobody"), std::string::npos) << answer.err;
+  EXPECT_NE(answer.err.find("absent"), std::string::npos) << answer.err;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Brains that are slow, that fail, that somebody looks at with a debugger.
+// Brains that are slow, that fail, that run in a debugger.
 
 #include "program.h"
 
@@ -17,17 +17,18 @@ class BrainTrouble : public ProgramTest {
               lines);
   }
 
-  /// The program waits for its brain, as `smile run ... --attach` says; meanwhile somebody types
-  /// what it told, and `typed` at the debugger's prompt. `before` has the line typed in `$line`.
+  /// The program waits for its brain, as `smile run ... --attach` says. Meanwhile a shell runs the
+  /// line that the program printed, and types `typed` at the debugger's prompt. `before` has the
+  /// printed line in `$line`.
   Answer Attached(const std::string& brain, const std::string& typed,
                   const std::string& before = "") const {
     Write("typed", typed);
     return Shell("timeout 60 " SMILE_PROGRAM
                  " run pair.xml --attach --record demo --seconds 0.1 --json --brain " +
                  brain +
-                 " >result.json 2>told.txt & simulator=$!\n"
-                 "for k in $(seq 600); do grep -q '^cd ' told.txt && break; sleep 0.05; done\n"
-                 "line=$(grep '^cd ' told.txt)\n" +
+                 " >result.json 2>stderr.txt & simulator=$!\n"
+                 "for k in $(seq 600); do grep -q '^cd ' stderr.txt && break; sleep 0.05; done\n"
+                 "line=$(grep '^cd ' stderr.txt)\n" +
                  before +
                  "(eval \"$line\") <typed >debugger.txt 2>&1\n"
                  "wait $simulator");
@@ -109,7 +110,7 @@ TEST_F(BrainTrouble, APythonBrainStopsAtABreakPointAndTheSimulationWaits) {
                                                        ":5\nc\nc\np 'time is', sensor.simTime\n"
                                                        "motor.headVelocity = 0.5\n"
                                                        "cl 1\nc\nq\n");
-  EXPECT_EQ(answer.exit_code, 0) << Read("told.txt") << Read("debugger.txt");
+  EXPECT_EQ(answer.exit_code, 0) << Read("stderr.txt") << Read("debugger.txt");
   EXPECT_EQ(Json::parse(Read("result.json"))["brain"]["status"], "exited");
   EXPECT_NE(Read("debugger.txt").find("('time is', 0.0166"), std::string::npos)
       << Read("debugger.txt");
@@ -125,7 +126,7 @@ TEST_F(BrainTrouble, AnOctaveBrainStopsAtABreakPointAndTheSimulationWaits) {
                                  "dbstop in act at 2\nsmile_brain\n"
                                  "printf('time is %d\\n', sensor.simTime)\nk = 2;\n"
                                  "dbclear all\ndbcont\nexit\n");
-  EXPECT_EQ(answer.exit_code, 0) << Read("told.txt") << Read("debugger.txt");
+  EXPECT_EQ(answer.exit_code, 0) << Read("stderr.txt") << Read("debugger.txt");
   EXPECT_NE(Read("debugger.txt").find("time is 0"), std::string::npos) << Read("debugger.txt");
   EXPECT_NE(Read("demo/commands.jsonl").find("\"head\":0.5"), std::string::npos);
 }
@@ -168,11 +169,11 @@ TEST_F(BrainTrouble, AnAttachedProgramThatIsNoBrainIsRejected) {
                "python3 noise.py 'GET / HTTP/1.1, and so on for some more words'\n"
                "python3 noise.py &\n"
                "for k in $(seq 600); do [ -e quiet ] && break; sleep 0.05; done\n");
-  EXPECT_EQ(answer.exit_code, 0) << Read("told.txt") << Read("debugger.txt");
+  EXPECT_EQ(answer.exit_code, 0) << Read("stderr.txt") << Read("debugger.txt");
   EXPECT_EQ(Json::parse(Read("result.json"))["ticks"], 6);
-  const std::string told = Read("told.txt");
+  const std::string messages = Read("stderr.txt");
   for (const char* why : {"closed its connection", "sent an invalid message", "it sent nothing"}) {
-    EXPECT_NE(told.find(why), std::string::npos) << told;
+    EXPECT_NE(messages.find(why), std::string::npos) << messages;
   }
 }
 
@@ -188,8 +189,8 @@ TEST_F(BrainTrouble, AnAttachedBrainThatHangsUpIsNoticed) {
   WriteStep("  os._exit(1)\n");
   const Answer answer = Attached("brain/think.py", "c\n");
   EXPECT_EQ(answer.exit_code, 1);
-  EXPECT_NE(Read("told.txt").find("closed its connection during the callback"), std::string::npos)
-      << Read("told.txt") << Read("debugger.txt");
+  EXPECT_NE(Read("stderr.txt").find("closed its connection during the callback"), std::string::npos)
+      << Read("stderr.txt") << Read("debugger.txt");
 }
 
 }  // namespace

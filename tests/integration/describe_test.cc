@@ -1,4 +1,4 @@
-// What `smile describe` tells of a demonstration, and `smile imitate` of who did not do as shown.
+// The descriptions of `smile describe`, and the reasons for failure that `smile imitate` reports.
 
 #include "program.h"
 

@@ -17,7 +17,8 @@ class Evaluate : public ProgramTest {
     WriteBrain("idle", "");
   }
 
-  /// A program that tells in started.txt of what layout it was started, does this, and ends.
+  /// Writes a program that logs the layout it was started with in started.txt, runs `lines`, and
+  /// ends.
   void WriteBrain(const std::string& name, const std::string& lines) const {
     Write(name + "/" + name + ".py",
           "import os, signal, time\n"
@@ -79,7 +80,7 @@ TEST_F(Evaluate, ComparesDemonstratorsInCopiesThatItKeeps) {
   ASSERT_EQ(
       Smile("run pair.xml --commands lift.jsonl --record shown --size 160x120 --rate 4").exit_code,
       0);
-  // It brings the simulator down where somebody is seen, and where there are texts.
+  // It kills the simulator if the demonstration contains a visible demonstrator or texts.
   WriteBrain("shy",
              "  if 'forearm' in open(aux.demonstration + '/demo.json').read() or "
              "os.path.exists(aux.demonstration + '/0.txt'):\n"
@@ -192,7 +193,7 @@ TEST_F(Evaluate, ImpossiblePlansAreReportedBeforeAnyRun) {
     EXPECT_NE(answer.err.find(message), std::string::npos) << answer.err;
   }
   const std::string idle = "evaluate lifted --scene pair.xml --brain idle/idle.py --out ev ";
-  for (const char* arguments : {"--scenes 0", "--no-symbols", "--demonstrators nobody"}) {
+  for (const char* arguments : {"--scenes 0", "--no-symbols", "--demonstrators absent"}) {
     EXPECT_EQ(Smile(idle + arguments).exit_code, 2) << arguments;
   }
   EXPECT_FALSE(Exists("ev"));

@@ -212,7 +212,7 @@ TEST_P(Examples, EndAsTheyShouldAndReplayIdentically) {
   const std::string script = GetParam().script;
   std::string scene = GetParam().scene;
   if (scene.empty()) scene = std::filesystem::path(script).filename().string();
-  // Few and small pictures: nobody looks at them.
+  // Few and small pictures: no check reads them.
   const Answer run = Smile("run '" + Shipped("scenes/" + scene + ".xml") + "' --commands '" +
                            Shipped("examples/" + script + ".jsonl") +
                            "' --record demo --rate 0.5 --size 80x60 --json " + GetParam().options);

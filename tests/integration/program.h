@@ -88,7 +88,7 @@ inline std::string PairOfBlocks() {
       "<block id=\"b\" color=\"blue\" location=\"(2, -3, 0.5)\"/>");
 }
 
-/// Takes `a` and lets go of it where it is.
+/// Returns commands that grasp `a` and release it where it is.
 inline std::string LiftAndPutBack() {
   return "{\"hand\":\"right\",\"do\":\"grasp\",\"object\":\"a\"}\n"
          "{\"do\":\"wait\",\"seconds\":0.2}\n"

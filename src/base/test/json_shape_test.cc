@@ -37,9 +37,9 @@ TEST(JsonShape, RefusesOtherValues) {
 
 TEST(JsonShape, ReportsMismatchesWithTheirLocation) {
   const auto misfit = [](const JsonShape& shape, const char* text) {
-    std::string told;
-    EXPECT_FALSE(shape.Fits(ParseJson(text), &told));
-    return told;
+    std::string reason;
+    EXPECT_FALSE(shape.Fits(ParseJson(text), &reason));
+    return reason;
   };
   const JsonShape tables = JsonShape::Map(JsonShape::List(Table()));
   EXPECT_EQ(misfit(tables, R"({"a":[],"b":[{"name":"a","kind":"round","place":[0,0,9]}]})"),
@@ -97,13 +97,13 @@ TEST(JsonShape, ReturnsItsTypeScriptType) {
 TEST(JsonShape, DefinesTheTypeThatItsNameStandsFor) {
   const JsonShape point = JsonShape::List(JsonShape::Number(), 2, 2).Called("Point");
   const JsonShape line = JsonShape::Object({{"from", point},
-                                            {"to", point.OrNull(), true, "null: it goes on"},
+                                            {"to", point.OrNull(), true, "null: no end"},
                                             {"via", JsonShape::List(point), false}})
                              .Called("Line");
   EXPECT_EQ(point.TypeScriptDefinition(), "export type Point = [number, number];\n");
   EXPECT_EQ(line.TypeScriptDefinition("It is straight."),
             "/** It is straight. */\nexport interface Line {\n  from: Point;\n"
-            "  /** null: it goes on */\n  to: Point | null;\n  via?: Point[];\n}\n");
+            "  /** null: no end */\n  to: Point | null;\n  via?: Point[];\n}\n");
 }
 
 }  // namespace

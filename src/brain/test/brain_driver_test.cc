@@ -40,7 +40,7 @@ class BrainDriverTest : public ::testing::Test {
     EXPECT_TRUE(std::holds_alternative<Aux>(driver_.Ask(&simulation_).value()));
     driver_.Take(reply, &simulation_);
   }
-  /// A tick, and what the brain was told before it; nullopt if it was not asked.
+  /// Runs a tick. Returns the sensor data sent to the brain before it; nullopt if it was not asked.
   std::optional<Sensor> Step(const StepReply& reply = {}) {
     const std::optional<BrainQuestion> question = driver_.Ask(&simulation_);
     if (question) driver_.Take(reply, &simulation_);

@@ -127,7 +127,7 @@ TEST(DecodeInitReply, RefusesMarkersThatAreNotPoints) {
   EXPECT_EQ(std::get<WireError>(reply).message, "aux.drawMarkers is 1x4, expected Nx3");
 }
 
-/// What a program is told that has an eye and two more cameras.
+/// The auxiliary data of a program with an eye and two more cameras.
 Aux AuxWithCameras() {
   Aux aux{.camera = CameraDescription{.width_px = 640, .height_px = 480}};
   aux.camera_names = {"eye", "head", "overhead"};

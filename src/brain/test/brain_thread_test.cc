@@ -33,7 +33,7 @@ TEST_F(BrainThreadTest, AnswersInItsOwnTime) {
   const BrainAnswer failure = AnswerOf(&thread);
   ASSERT_TRUE(std::holds_alternative<BrainError>(failure));
   EXPECT_EQ(std::get<BrainError>(failure).line, 3);
-  // What nobody may do to a process is an error, too.
+  // A forbidden operation on a process is an error, too.
   thread.Ask(Sensor{});
   EXPECT_TRUE(std::holds_alternative<BrainError>(AnswerOf(&thread)));
 }
@@ -81,7 +81,7 @@ TEST_F(BrainThreadTest, LeavesWhileItStartsOrThinks) {
   starting->Ask(Aux{});
   EXPECT_FALSE(starting->WaitForAnswer(300ms).has_value());
   starting->Leave();
-  // Nobody lived long enough to be asked.
+  // No thread lived long enough to be asked.
   for (int i = 0; i < 20; ++i) {
     starting = std::make_unique<BrainThread>(endless, BrainOptions{}, std::move(starting));
     starting->Ask(Aux{});

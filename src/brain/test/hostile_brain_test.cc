@@ -184,7 +184,7 @@ TEST_F(BrainLeftovers, FoldersOfKilledSimulatorsAreRemoved) {
   BrainProcess brain(Program("calm.py", "def step(*_): pass\n"));
   Started(brain);
   EXPECT_FALSE(fs::exists(stale));
-  EXPECT_TRUE(fs::exists(fresh)) << "perhaps somebody is about to lock it";
+  EXPECT_TRUE(fs::exists(fresh)) << "another process may be about to lock it";
   fs::remove_all(fresh);
 }
 

@@ -18,7 +18,7 @@ namespace smile::classic {
 namespace {
 
 /// A cup and a lamp with its button; the cup is carried off, a scene is loaded in between, a hand
-/// lets go of what nobody saw it take.
+/// releases an object without a recorded grasp.
 const std::vector<ClassicText> kEvening{
     {"0.txt",
      "0,create,Cup,shape,block,label,white\\, chipped,bboxx,2,bboxz,0.5\n"

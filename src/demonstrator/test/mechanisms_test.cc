@@ -88,7 +88,7 @@ TEST_F(MechanismHandsTest, ADestroyedObjectIsRemovedAndFreesTheHand) {
   EXPECT_EQ(hands_->PointAt(kLeft, "base"), "'base' no longer exists: it was destroyed");
   Grasp(kLeft, "nut");
   StepSeconds(1);
-  EXPECT_NEAR(PositionOf("top").z(), 0.05, 0.001) << "nothing carries it any more";
+  EXPECT_NEAR(PositionOf("top").z(), 0.05, 0.001) << "nothing carries it";
 }
 
 TEST_F(MechanismHandsTest, AnEmptyHandPointsAtObjectsAndPointableParts) {

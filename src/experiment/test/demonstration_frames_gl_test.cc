@@ -66,7 +66,7 @@ TEST_F(DemonstrationFrames, AreDrawnWhereTheRecordingHasNoPictures) {
   ASSERT_EQ(drawn.size(), recorded.size());
   for (std::size_t k = 0; k < drawn.size(); ++k) {
     EXPECT_EQ(drawn[k].tick, recorded[k].tick);
-    // A picture that is kept is of the frame in which a move was large enough to be told.
+    // A picture is kept from the frame in which a move was large enough to be reported.
     if (k == 0 || recorded[k].image.color != recorded[k - 1].image.color) {
       EXPECT_EQ(drawn[k].image.color, recorded[k].image.color) << k;
     }

@@ -83,7 +83,7 @@ TEST_F(BrainChoicesTest, AScriptIsAnImitatorIfItsCommentDeclaresIt) {
   Write("own/comment.py", "import os\n  # smile: imitates \r\n");
   Write("own/docstring.py", "\"\"\"Learns.\n\nsmile: imitates\n\"\"\"\n");
   Write("own/octave/agentBehavior.m", "function f()\n% smile: imitates\nend\n");
-  Write("own/other.py", "# This smile: imitates nobody\n# smile: imitates not\n");
+  Write("own/other.py", "# This smile: imitates nothing\n# smile: imitates not\n");
   Write("own/waves/agentBehavior.m", "function f()\nend\n");
   Write("own/x_late.py", std::string(20'000, '\n') + "# smile: imitates\n");
   std::map<std::string, bool> imitates;

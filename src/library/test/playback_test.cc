@@ -44,7 +44,7 @@ TEST_F(PlaybackTest, ShowsEveryMomentOfTheTraceAndStandsStillAtItsEnd) {
   }
   EXPECT_EQ(playback.rate(), 0);
   EXPECT_EQ(playback.seconds(), playback.length());
-  playback.SetRate(2);  // anew
+  playback.SetRate(2);  // again from the start
   playback.Tick();
   ExpectShows(moments[2], playback);
 }

@@ -40,7 +40,7 @@ TEST_F(ControlArbiterTest, LimitsAllClientsToOneRequestPerThreeSeconds) {
   arbiter_.Join(4);
   EXPECT_THROW((void)Ask(4, 7), RequestError);
   EXPECT_THROW((void)Force(4, 7), RequestError) << "it would ask, too";
-  EXPECT_FALSE(Ask(4, 8)) << "a refused request asks nobody";
+  EXPECT_FALSE(Ask(4, 8)) << "a refused request asks no client";
   EXPECT_THROW((void)Force(3, 10), RequestError);
   EXPECT_FALSE(Force(3, 11));
   // The new controller was not asked.

@@ -71,10 +71,10 @@ TEST_F(SeenDemonstratorTest, IsReproducibleFromAnyView) {
     const SeenDemonstrator one(recording, appearance), other(recording, appearance);
     for (const char* camera : {"eye", "nice"}) {
       const RenderRequest request{.camera = camera, .width_px = 160, .height_px = 120};
-      const Image nobody = RecordingRenderer(model, request).Take(*moment);
+      const Image without_demonstrator = RecordingRenderer(model, request).Take(*moment);
       const Image first = RecordingRenderer(model, request, &one).Take(*moment);
       EXPECT_EQ(first.color, RecordingRenderer(model, request, &other).Take(*moment).color);
-      EXPECT_NE(first.color, nobody.color);
+      EXPECT_NE(first.color, without_demonstrator.color);
     }
   }
 }

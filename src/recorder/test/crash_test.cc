@@ -179,9 +179,9 @@ TEST_F(CrashTest, AFullDiskEndsTheRecordingNotTheSimulation) {
       RecordingController controller(simulation.get(), {});
       controller.StartIn(demo, *simulation);
       Work(simulation.get(), 3, 2000);
-      const bool told =
+      const bool is_reported =
           controller.failure() && controller.failure()->find("File too large") != std::string::npos;
-      _exit(told && !controller.is_recording() ? 42 : 1);
+      _exit(is_reported && !controller.is_recording() ? 42 : 1);
     });
     int status = 0;
     ASSERT_EQ(waitpid(child, &status, 0), child);

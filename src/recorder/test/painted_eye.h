@@ -6,7 +6,7 @@
 
 namespace smile::recorder {
 
-/// An eye that paints the number of pictures so far, so that they can be told apart.
+/// An eye that paints the number of pictures so far, so that they are distinguishable.
 class PaintedEye : public sim::Eye {
  public:
   const Image& Draw(const scene::VisualModel&, const sim::ViewSample&) override {

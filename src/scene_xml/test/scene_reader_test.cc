@@ -103,7 +103,7 @@ TEST(SceneReader, ReadsPartsInTheFrameOfTheirComposite) {
   EXPECT_EQ(parts[0].X_PE.translation(), Vector3(-0.02, 0, 0));
   const auto& head = std::get<scene::Composite>(parts[0].shape).parts;
   ASSERT_EQ(head.size(), 1u);
-  EXPECT_EQ(head[0].id, "") << "a part nobody can point at keeps its id, even none";
+  EXPECT_EQ(head[0].id, "") << "a part that cannot be pointed at keeps its id";
   EXPECT_EQ(head[0].X_PE.translation(), Vector3(0, 0.9, 0));
   EXPECT_EQ(parts[1].id, "obj") << "a part one can point at has an id of its own";
 }

@@ -258,7 +258,7 @@ TEST_F(HandsTest, HandsMarkPropertiesOfHeldObjects) {
   const auto attend = [this](std::vector<std::string> properties) {
     return Do(Attend{.hand = kLeft, .properties = std::move(properties)});
   };
-  const auto told_of = [this](const char* id) {
+  const auto attended_of = [this](const char* id) {
     return simulation_->demonstrator().PropertiesThatMatter(*simulation_->tabletop().Find(id));
   };
   using Words = std::vector<std::string>;
@@ -266,7 +266,7 @@ TEST_F(HandsTest, HandsMarkPropertiesOfHeldObjects) {
   ASSERT_EQ(Grab(kLeft, "a"), "");
   const std::uint64_t silent = simulation_->state_hash();
   EXPECT_EQ(attend({"size", "colour", "maker", "color", "size"}), "");
-  EXPECT_EQ(told_of("a"), (Words{"size", "color", "maker"}));
+  EXPECT_EQ(attended_of("a"), (Words{"size", "color", "maker"}));
   EXPECT_EQ(ear_.events.back(), (Event{.kind = EventKind::kAttended,
                                        .hand = kLeft,
                                        .object = "a",
@@ -275,13 +275,13 @@ TEST_F(HandsTest, HandsMarkPropertiesOfHeldObjects) {
             "'a' has no property \"sise\", expected color, shape, size, position, orientation, "
             "order or maker; did you mean \"size\"?");
   EXPECT_EQ(attend(Words(33, "size")), "found 33 properties, expected at most 32");
-  EXPECT_EQ(told_of("a"), (Words{"size", "color", "maker"})) << "a refusal changes nothing";
-  const SimulationState told = simulation_->Save();
+  EXPECT_EQ(attended_of("a"), (Words{"size", "color", "maker"})) << "a refusal changes nothing";
+  const SimulationState saved = simulation_->Save();
   EXPECT_EQ(attend({}), "");
-  EXPECT_EQ(told_of("a"), Words());
+  EXPECT_EQ(attended_of("a"), Words());
   EXPECT_EQ(ear_.events.back().properties, Words());
   EXPECT_EQ(simulation_->state_hash(), silent);
-  simulation_->Restore(told);
+  simulation_->Restore(saved);
   EXPECT_NE(simulation_->state_hash(), silent);
 
   ASSERT_EQ(Grab(kRight, "a"), "");
@@ -291,8 +291,8 @@ TEST_F(HandsTest, HandsMarkPropertiesOfHeldObjects) {
             "'b' has no property \"maker\", expected color, shape, size, position, orientation or "
             "order");
   EXPECT_EQ(attend({"order"}), "");
-  EXPECT_EQ(told_of("a"), (Words{"size", "color", "maker"})) << "it stays after release";
-  EXPECT_EQ(told_of("b"), Words{"order"});
+  EXPECT_EQ(attended_of("a"), (Words{"size", "color", "maker"})) << "it stays after release";
+  EXPECT_EQ(attended_of("b"), Words{"order"});
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ INSTANTIATE_TEST_SUITE_P(Seeds, MechanismsProperty, testing::Range(11u, 16u));
 
 /// Counts events by kind.
 struct Counter : Listener {
-  void OnEvent(const Simulation&, const Event& event) override { ++num_told[event.kind]; }
-  std::map<EventKind, int> num_told;
+  void OnEvent(const Simulation&, const Event& event) override { ++num_events[event.kind]; }
+  std::map<EventKind, int> num_events;
 };
 
 TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
@@ -48,9 +48,9 @@ TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
   EXPECT_GT(num_done[Command(Plane{}).index()], 0);
   EXPECT_GT(num_done[Command(MoveTo{}).index()], 0);
   // Some release because another hand needs them.
-  EXPECT_GT(counter.num_told[EventKind::kReleased], num_done[Command(Release{}).index()]);
-  EXPECT_GT(counter.num_told[EventKind::kFell], 0);
-  EXPECT_GT(counter.num_told[EventKind::kAttended], 0);
+  EXPECT_GT(counter.num_events[EventKind::kReleased], num_done[Command(Release{}).index()]);
+  EXPECT_GT(counter.num_events[EventKind::kFell], 0);
+  EXPECT_GT(counter.num_events[EventKind::kAttended], 0);
   const std::uint64_t end = simulation.state_hash();
 
   for (auto moment = moments.rbegin(); moment != moments.rend(); ++moment) {

@@ -35,7 +35,7 @@ class SessionBrainTest : public SessionFixture {
   }
   std::uint64_t TickNow() { return State()["tick"].get<std::uint64_t>(); }
   std::string Status() { return State()["brain"]["status"].get<std::string>(); }
-  /// The world stands still, and all else goes on.
+  /// The world stands still, and all else continues.
   void ExpectLiveliness() {
     const std::uint64_t tick = TickNow();
     for (int i = 0; i < 6; ++i) EXPECT_FALSE(session_->Tick());

@@ -225,7 +225,7 @@ TEST_F(SessionTest, AddedObjectsAreRecordedAndCanBeUndone) {
   EXPECT_EQ(PositionOf("a"), way);
   EXPECT_EQ(State()["hands"]["left"]["object"], "a");
   TickOnce();
-  EXPECT_GT((PositionOf("a") - way).norm(), 0.01) << "it goes on as fast as it was";
+  EXPECT_GT((PositionOf("a") - way).norm(), 0.01) << "it continues as fast as it was";
   EXPECT_EQ(State()["recording"]["segments"].back()["deed"]["words"], "added " + id);
   Command(R"({"do":"undo"})");
   EXPECT_EQ(Latest("scene")["objects"].size(), 2u);
@@ -545,7 +545,7 @@ TEST_F(SessionTest, ARageIsNoPartOfWhatWasDone) {
     Command(R"({"do":"start","name":"take"})");
     TickSeconds(0.2);
     Command(R"({"do":"finish"})");
-    // The log tells all from the first command on, the trace has a hash of the state for each tick.
+    // The log contains all from the first command on, the trace a hash of the state for each tick.
     logs.push_back(ReadFile(root_ / "recordings/take/commands.jsonl", 1 << 20) +
                    ReadFile(root_ / "recordings/take/trace.bin", 1 << 24));
     Command(R"({"do":"undo"})");
@@ -574,7 +574,7 @@ TEST_F(SessionTest, WrongRequestsNameTheField) {
             std::string::npos);
 }
 
-/// JSON that nobody would send, made of what requests are made of.
+/// JSON that no client would send, made of the parts of requests.
 Json RandomJson(std::mt19937_64* random, int depth) {
   const auto lot = [random](int count) {
     return static_cast<int>((*random)() % static_cast<unsigned>(count));

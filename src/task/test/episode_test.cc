@@ -99,14 +99,14 @@ TEST_F(EpisodeProperty, AnObserverReportsWhatTheRecordingShows) {
     for (unsigned ticks = random() % 3 * 4; ticks > 0; --ticks) simulation.Tick();
   }
   EXPECT_GT(num_redone, 0);
-  const std::vector<ContactEvent> told = observer.episode().contacts;
+  const std::vector<ContactEvent> observed = observer.episode().contacts;
   const std::vector<ContactEvent> shown =
       EpisodeOf(recording::OpenRecording(root_ / "demo")).contacts;
-  EXPECT_GT(told.size(), 5u);
-  ASSERT_EQ(told.size(), shown.size());
-  for (std::size_t i = 0; i < told.size(); ++i) {
-    EXPECT_EQ(told[i].event, shown[i].event);
-    EXPECT_EQ(told[i].tick, shown[i].tick);
+  EXPECT_GT(observed.size(), 5u);
+  ASSERT_EQ(observed.size(), shown.size());
+  for (std::size_t i = 0; i < observed.size(); ++i) {
+    EXPECT_EQ(observed[i].event, shown[i].event);
+    EXPECT_EQ(observed[i].tick, shown[i].tick);
   }
 }
 

@@ -139,7 +139,7 @@ TEST_F(StructureTest, IsAchievedByItselfAndNotByAnIdleRun) {
     EXPECT_LT(itself.mean_error().distance, 1e-9) << scene;
     EXPECT_TRUE(itself.order.is_kept()) << scene;
     EXPECT_EQ(FailureReasonOf(structure, episode, itself, {.status = "exited"}), std::nullopt);
-    // Who watches sees what the recording tells.
+    // The observer sees what the recording contains.
     EXPECT_EQ(CompareWith(structure, observed_).order, itself.order) << scene;
 
     Episode idle = episode;

@@ -151,7 +151,7 @@ class WebClient {
   template <typename Address>
   void ConnectTo(const Address& address) const {
     if (connect(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-      throw std::runtime_error("nobody listens");
+      throw std::runtime_error("no server listens");
     }
   }
 

@@ -58,7 +58,7 @@ TEST_F(ValveTest, AForcedStateIsShownUntilItsBondIsLooser) {
   EXPECT_EQ(StateOf("lamp"), "4");
   EXPECT_EQ(Fasten("valve"), "");
   EXPECT_EQ(StateOf("lamp"), "4") << "forced";
-  EXPECT_EQ(Lamp(), (ControlState{.state = 3, .override_state = 4})) << "and goes on beneath";
+  EXPECT_EQ(Lamp(), (ControlState{.state = 3, .override_state = 4})) << "and continues beneath";
   EXPECT_EQ(Loosen("ball"), "");
   EXPECT_EQ(StateOf("lamp"), "3");
   EXPECT_EQ(Fasten("ball"), "");

@@ -76,7 +76,7 @@ TEST_F(BondsTest, ReleasingAScrewDoesNotPushTheNut) {
   }
   EXPECT_LT(farthest, 0.001) << "m";
   EXPECT_LT(fastest, 1.1) << "m/s; it falls 5 cm at most";
-  EXPECT_LT(PositionOf("screw").z(), 0.14) << "nothing holds it any more";
+  EXPECT_LT(PositionOf("screw").z(), 0.14) << "nothing holds it";
 }
 
 TEST_F(BondsTest, AGuestReachesLessThanTwoUnits) {

@@ -26,7 +26,9 @@ std::string Listed(const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < names.size() && i < kMaxListed; ++i) {
     list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
   }
-  if (names.size() > kMaxListed) list += std::to_string(names.size() - kMaxListed) + " more";
+  if (names.size() > kMaxListed) {
+    list += " and " + std::to_string(names.size() - kMaxListed) + " more";
+  }
   return list;
 }
 

@@ -130,6 +130,18 @@ TEST_F(SpawnTest, ReportsWhyNothingIsAdded) {
   EXPECT_EQ(RefusalOf(std::string(kMaxSceneText, ' ')), "the objects to add are longer than 1 MiB");
 }
 
+TEST_F(SpawnTest, ARefusalListsTenObjectsAtMost) {
+  std::string row;
+  for (int i = 0; i < 13; ++i) {
+    row += "<block id=\"c" + std::to_string(10 + i) + "\" xspan=\"0.5\" location=\"(" +
+           std::to_string(i - 6) + ",3,0.5)\"/>";
+  }
+  ASSERT_EQ(Add(row), std::nullopt);
+  EXPECT_EQ(Add(row),
+            "the objects to add have ids that were used before: c10, c11, c12, c13, c14, c15, "
+            "c16, c17, c18, c19 and 3 more");
+}
+
 TEST_F(SpawnTest, RemoveRemovesFreeObjects) {
   ASSERT_FALSE(simulation_->Apply(Grasp{.hand = HandName::kLeft, .object = "a"}));
   EXPECT_EQ(*simulation_->Apply(Remove{.object = "a"}),

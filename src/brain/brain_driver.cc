@@ -69,7 +69,8 @@ std::array<std::string, kLimbCount> HeldObjects(const sim::Simulation& simulatio
 }
 
 /// Throws std::invalid_argument unless the robot has two arms of seven joints, the shape of all
-/// matrices in the protocol.
+/// matrices in the protocol. Checked before the first question only: a model is immutable, so the
+/// arms cannot change during a run.
 void RequireTwoArms(const sim::Simulation& simulation) {
   const world::RobotBody* robot = simulation.robot();
   bool has_arms = robot != nullptr && robot->num_arms() == kLimbCount;
@@ -100,11 +101,17 @@ std::map<std::string, Eigen::RowVector3d, std::less<>> TrackersOf(
   for (int arm = 0; arm < kLimbCount; ++arm) {
     const std::string side = arm == 0 ? "l" : "r";
     const auto& joints = robot.model().arms[arm].joints;
+    // An arm's joints are S0, S1, E0, E1, W0, W1, W2: these three carry the shoulder, elbow and
+    // wrist.
     for (const auto& [name, index] : {std::pair("S1", 1), std::pair("E1", 3), std::pair("W1", 5)}) {
       // Frame 0 of a robot is its base; link i has frame i + 1.
       trackers[side + "-" + name] = InUnits(poses[1 + joints[index]].translation(), simulation);
     }
+    // The opening is the free width between the pads; the finger's axis lies half a thickness
+    // beyond it, on the y axis of the tool. The fingers extend along its z axis.
     const double y = robot.GripperOpening(arm) / 2 + kHalfThickness;
+    // Names as in `lg-rf`: left gripper, right finger, far end (`n` is the end near the wrist).
+    // Scripts of 2015 read them, so both places and names are part of the interface.
     for (const auto& [finger, sign] : {std::pair("l", 1.0), std::pair("r", -1.0)}) {
       for (const auto& [end, z] : {std::pair("n", -kHalfLength), std::pair("f", kHalfLength)}) {
         trackers[side + "g-" + finger + end] =
@@ -146,6 +153,8 @@ std::string_view ToString(BrainStatus status) {
   return "";
 }
 
+// Lock-step: the simulation stands still while the brain computes, so that the speed of neither the
+// machine nor the script affects the run.
 BrainStatus BrainDriver::Drive(BrainProcess* process, sim::Simulation* simulation) {
   const std::optional<BrainQuestion> question = Ask(simulation);
   return question ? Take(process->Answer(*question), simulation) : status_;
@@ -168,12 +177,16 @@ std::optional<BrainQuestion> BrainDriver::Ask(sim::Simulation* simulation) {
 }
 
 BrainStatus BrainDriver::Take(BrainAnswer answer, sim::Simulation* simulation) {
+  // The variant holds exactly one alternative, so exactly one of these functions runs. Commands
+  // that they apply are logged with the present tick, before the tick that follows.
   if (const auto* init = std::get_if<InitReply>(&answer)) Begin(*init, simulation);
   if (const auto* step = std::get_if<StepReply>(&answer)) MakeStep(*step, simulation);
   if (auto* error = std::get_if<BrainError>(&answer)) Fail(std::move(*error), simulation);
   return status_;
 }
 
+// Everything here is constant during a run, except for the pose of the camera, which each picture
+// repeats. Angles and velocities are in SI units, lengths in units.
 Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
   const robot::RobotModel& model = simulation.robot()->model();
   Aux aux;
@@ -190,6 +203,7 @@ Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
   aux.robot_files = simulation.model().robot_placement()->files;
   aux.robot_gripper = simulation.model().robot_placement()->gripper;
   if (options_.eye != nullptr) {
+    // Without an eye, a brain receives no names of cameras, so it can request none of them.
     aux.camera = DescribeCamera(EyeView(simulation, options_.eye->spec()), simulation);
     aux.camera_names = CameraNames(simulation.model());
   }
@@ -227,6 +241,10 @@ Sensor BrainDriver::Sense(const sim::Simulation& simulation) {
   return sensor;
 }
 
+// The demonstration advances in simulated time, not step by step: a frame is due at the tick at
+// which it was recorded, counted from the end of init. A brain that measures `timeElapsed` thereby
+// sees the pace of the demonstrator, and between two frames the simulation ticks without a
+// question.
 std::optional<Sensor> BrainDriver::Watch(const sim::Simulation& simulation) {
   const std::uint64_t tick = simulation.tick();
   if (tick < begin_tick_)
@@ -247,6 +265,8 @@ std::optional<Sensor> BrainDriver::Watch(const sim::Simulation& simulation) {
 void BrainDriver::TakeNextFrame(sim::Simulation* simulation) {
   try {
     frame_ = options_.frames();
+    // Recordings come from outside: an oversized frame must fail here with a reason, before it is
+    // encoded.
     if (frame_ && frame_->image.color.size() > kMaxPictureBytes) {
       throw std::runtime_error("its pictures are too large for a message, expected at most " +
                                std::to_string(kMaxPictureBytes >> 20) + " MiB");
@@ -257,9 +277,12 @@ void BrainDriver::TakeNextFrame(sim::Simulation* simulation) {
           .message = std::string("the demonstration cannot be shown: ") + error.what()},
          simulation);
   }
+  // The source may hold a whole recording and a renderer in memory; the brain is done watching.
   if (!frame_) options_.frames = nullptr;
 }
 
+// The schedule counts pictures from the first acting step instead of adding periods to the last
+// picture: errors do not accumulate, and a period of 0 makes each step due.
 bool BrainDriver::IsPictureDue(const sim::Simulation& simulation) const {
   if (options_.eye == nullptr || wishes_.channels == sim::Channels{.rgb = false}) return false;
   const double period = wishes_.image_seconds.value_or(options_.image_seconds);
@@ -268,6 +291,8 @@ bool BrainDriver::IsPictureDue(const sim::Simulation& simulation) const {
   return seconds + 1e-9 >= static_cast<double>(num_images_) * period;
 }
 
+// Pictures hold meters and world poses of the model; they become units here, at the boundary, and
+// only for the channels that the brain requested: others would cost time and bandwidth.
 void BrainDriver::Look(const sim::Simulation& simulation, Sensor* sensor) {
   const scene::VisualModel& model = simulation.model().visual_model();
   const auto add = [&](const sim::EyeSpec& spec, const std::string& name) {
@@ -279,6 +304,7 @@ void BrainDriver::Look(const sim::Simulation& simulation, Sensor* sensor) {
          .image = InUnits(image, wishes_.channels, simulation.scene().meters_per_unit),
          .name = name});
   };
+  // The eye comes first, since brain_values.h promises this order.
   sim::EyeSpec spec = options_.eye->spec();
   add(spec, "");
   for (const std::string& camera : wishes_.cameras) {
@@ -325,6 +351,8 @@ void BrainDriver::MakeStep(const StepReply& reply, sim::Simulation* simulation) 
     if (is_watching) TakeNextFrame(simulation);
     return;
   }
+  // `exit` also ends a demonstration that has frames left. The final motor values of an acting
+  // brain were applied above, but must not remain in effect: nothing would ever change them.
   frame_.reset();
   status_ = BrainStatus::kExited;
   StopRobot(simulation);
@@ -332,7 +360,8 @@ void BrainDriver::MakeStep(const StepReply& reply, sim::Simulation* simulation) 
 }
 
 /// Applies a brain's motor command. Only changes are applied: velocities stay in effect, so a long
-/// motion is one line of the log.
+/// motion is one line of the log. Converts gripper velocities from units/s to m/s; joints are in
+/// radians on both sides.
 void BrainDriver::Send(const Motor& motor, sim::Simulation* simulation) {
   const double unit = simulation->scene().meters_per_unit;
   sim::JointVelocities velocities{
@@ -342,7 +371,8 @@ void BrainDriver::Send(const Motor& motor, sim::Simulation* simulation) {
                     scene::FromFileUnits(motor.gripper_velocities[1], unit)}},
       .head = motor.head_velocity};
   if (motor.joint_angles) {
-    // Angles take precedence over velocities, as in the original.
+    // Angles take precedence over velocities, as in the original. The joints then hold these
+    // angles: velocities still in effect would move them on.
     velocities.left = velocities.right = std::vector<double>(kJointCount, 0.0);
     const sim::JointAngles angles{.left = RowOf(*motor.joint_angles, 0),
                                   .right = RowOf(*motor.joint_angles, 1)};
@@ -367,6 +397,8 @@ void BrainDriver::Show(robot::FaceExpression face_expression, sim::Simulation* s
 }
 
 void BrainDriver::Fail(BrainError error, sim::Simulation* simulation) {
+  // A failed run stays usable: the robot stops, people see its face, and markers of the brain,
+  // which could no longer remove them, disappear.
   status_ = BrainStatus::kFailed;
   error_ = std::move(error);
   StopRobot(simulation);

@@ -9,6 +9,7 @@ BrainLog::BrainLog(const std::filesystem::path& directory) {
   if (!directory.empty()) path_ = directory / "brain.log";
 }
 
+// A continued recording appends to its log; the limit counts what is there already.
 void BrainLog::Open() {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path_, error);
@@ -27,6 +28,7 @@ void BrainLog::Write(std::string_view line) {
   if (is_full) text = "... further output is not kept";
   text += '\n';
   std::fwrite(text.data(), 1, text.size(), file_.get());
+  // Flushed line by line, so that the log is complete even if the simulator is killed.
   std::fflush(file_.get());
   if (!is_full) return;
   file_.reset();

@@ -1,3 +1,8 @@
+// Translation between the structs of brain_values.h and messages of wire.h, in both directions.
+// Writing trusts its caller and throws on misuse. Reading trusts nothing: a brain is a foreign
+// program, so each array is checked for type, shape and range before a value is used, and the first
+// fault becomes a message that names the variable as the script's author wrote it.
+
 #include "brain/brain_messages.h"
 
 #include <algorithm>
@@ -15,10 +20,13 @@ namespace {
 
 /// Limit of all numbers from brains, far beyond any table [units].
 constexpr double kFarthest = 1e6;
+// Limits on what a brain can make the simulator print, render or wait for.
 constexpr std::size_t kMaxErrorLetters = 2'000;
 constexpr std::size_t kMaxExtraCameras = 8;
 constexpr double kMaxImageSeconds = 3600;
 
+/// Adds a matrix. The protocol's order is column-major; a copy into a column-major matrix converts
+/// Eigen types that are stored by rows.
 template <class Matrix>
 void AddMatrix(MessageWriter& writer, std::string_view name, const Matrix& matrix) {
   const Eigen::Matrix<double, Matrix::RowsAtCompileTime, Matrix::ColsAtCompileTime> column_major =
@@ -48,6 +56,8 @@ void AddLines(MessageWriter& writer, std::string_view field, std::span<const std
     if (name.find('\n') != std::string::npos) {
       throw std::invalid_argument(std::string(field) + ": '" + name + "' contains a line break");
     }
+    // Not before the first name; an empty first name (an empty hand in `heldObject`) is still a
+    // line.
     if (&name != &names.front()) text += "\n";
     text += name;
   }
@@ -73,6 +83,8 @@ void AddAttention(MessageWriter& writer, const Attention& attention) {
   for (const auto& [object, properties] : attention) {
     std::string line = object;
     for (const std::string& property : properties) line += "," + property;
+    // The reader splits at commas and line breaks without any escaping, so a name with one of them
+    // would silently become two.
     const auto num_commas = static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
     if (line.find('\n') != std::string::npos || num_commas != properties.size()) {
       throw std::invalid_argument("'" + object +
@@ -124,6 +136,8 @@ void FillPlanes(const std::uint8_t* pixels, std::size_t width, std::size_t heigh
   });
 }
 
+// Bytes with the flag "fraction": a script sees 0 to 1, while the message takes an eighth of
+// doubles.
 void AddColors(MessageWriter& writer, const std::string& field, const Image& image,
                PixelOrder order) {
   CheckChannel(field, image.color.size(), image, 3);
@@ -148,6 +162,8 @@ void AddValues(MessageWriter& writer, const std::string& field, const std::vecto
   const auto height = static_cast<std::size_t>(image.height_px);
   const std::array dims{static_cast<std::uint32_t>(height), static_cast<std::uint32_t>(width)};
   const bool is_row_major = order == PixelOrder::kRows;
+  // The space is only byte-aligned as far as C++ knows, hence memcpy() instead of a pointer to
+  // double.
   std::byte* out = writer.AddSpace(field, ElementType::kDouble, false, dims, is_row_major).data();
   const auto put = [out, &values](std::size_t to, std::size_t from) {
     const auto number = static_cast<double>(values[from]);
@@ -199,6 +215,8 @@ std::size_t PictureBytes(const Sensor& sensor) {
 }
 
 void AddHeld(MessageWriter& writer, const Sensor& sensor) {
+  // `isHolding` repeats what the names show: in a script, a logical array is easier to test than
+  // texts.
   const std::array dims{1u, static_cast<std::uint32_t>(kLimbCount)};
   const auto flags = writer.AddSpace("isHolding", ElementType::kLogical, false, dims);
   for (std::size_t arm = 0; arm < flags.size(); ++arm) {
@@ -229,6 +247,7 @@ class MatrixReader {
       Fail(array.name + " is " + ShapeText(array.dims) + ", expected " + expected);
       return zeros;
     }
+    // A brain may send either order, whatever was negotiated for pictures.
     Eigen::MatrixXd matrix(array.dims[0], array.dims[1]);
     if (array.is_row_major) {
       matrix = Eigen::Map<const Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(
@@ -251,6 +270,7 @@ class MatrixReader {
     for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
       for (Eigen::Index col = 0; col < matrix.cols(); ++col) {
         const double number = matrix(row, col);
+        // The comparison is also false for NaN. Indices in messages count from 1, as in scripts.
         if (std::abs(number) <= kFarthest) continue;
         Fail(name + "(" + std::to_string(row + 1) + "," + std::to_string(col + 1) + ") is " +
              NumberText(number) + ", expected " +
@@ -293,6 +313,8 @@ std::vector<std::string> ReadWords(const NamedArray& array, MatrixReader& reader
     reader.Fail(array.name + " is " + ShapeText(array.dims) + " characters, expected one line");
     return {};
   }
+  // The last element collects the letters of the present word; separators in a row add no empty
+  // word.
   std::vector<std::string> words(1);
   for (const char letter : text.value_or("")) {
     if (letter != '\n' && letter != ',' && letter != ' ') {
@@ -324,6 +346,7 @@ std::vector<std::string> ReadChoice(const NamedArray& array,
 
 sim::Channels ReadChannels(const NamedArray& array, MatrixReader& reader) {
   constexpr std::array<std::string_view, 3> kNames{"rgb", "depth", "segmentation"};
+  // The default has color on; here only what is named counts, and an empty text turns pictures off.
   sim::Channels channels{.rgb = false};
   for (const std::string& name : ReadChoice(array, kNames, reader)) {
     (name == kNames[0] ? channels.rgb : name == kNames[1] ? channels.depth : channels.id) = true;
@@ -340,6 +363,7 @@ double ReadImageSeconds(const NamedArray& array, MatrixReader& reader) {
   return seconds;
 }
 
+// A brain that waits for a demonstration that never comes would stand still without any hint.
 bool ReadWatch(const NamedArray& array, const Aux& aux, MatrixReader& reader) {
   const bool watch = reader.Read(array, 1, 1)(0, 0) != 0;
   if (watch && aux.demonstration.empty()) {
@@ -351,6 +375,8 @@ bool ReadWatch(const NamedArray& array, const Aux& aux, MatrixReader& reader) {
 /// Reports an error if the requested pictures do not fit into a message.
 void CheckSize(const PictureWishes& wishes, const Aux& aux, MatrixReader& reader) {
   if (!aux.camera) return;
+  // Sizes as sent: three bytes of color, and one double for each depth and id. All requested
+  // cameras have the resolution of the eye and are due at the same time, in one message.
   const std::size_t pixel_bytes =
       3 * wishes.channels.rgb + sizeof(double) * (wishes.channels.depth + wishes.channels.id);
   const std::size_t bytes = pixel_bytes * static_cast<std::size_t>(aux.camera->width_px) *
@@ -412,6 +438,8 @@ std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::st
   writer.AddScalar("numJoints", kJointCount);
   AddMatrix(writer, "minJointAngles", aux.min_joint_angles);
   AddMatrix(writer, "maxJointAngles", aux.max_joint_angles);
+  // Field names are fixed by docs/brain-protocol.md; clients of other versions read them by name,
+  // so new fields may follow anywhere.
   AddMatrix(writer, "maxJointVelocities", aux.max_joint_velocities);
   writer.AddScalar("unit", aux.meters_per_unit);
   AddMatrix(writer, "robotBase", aux.X_WBase);
@@ -462,6 +490,7 @@ std::variant<InitReply, WireError> DecodeInitReply(const Message& message, const
 std::variant<StepReply, WireError> DecodeStepReply(const Message& message) {
   MatrixReader reader("motor."), aux_reader("aux.");
   StepReply reply;
+  // The end of a brain is a type of message, not a field: a client cannot forget to reset it.
   reply.exit = message.type == MessageType::kFinalMotor;
   // Unknown fields are errors, so that misspelled ones are noticed.
   for (const NamedArray& field : message.arrays) {
@@ -471,6 +500,7 @@ std::variant<StepReply, WireError> DecodeStepReply(const Message& message) {
       ReadMotorField(reader, field, &reply.motor);
     }
   }
+  // With `jointAngles` the velocities are ignored, so only then may they be absent.
   if (!message.Find("jointVelocities") && !reply.motor.joint_angles) {
     reader.Fail("jointVelocities is missing, expected 2x7");
   }
@@ -490,6 +520,8 @@ BrainError DecodeError(const Message& message) {
 }
 
 std::string PrintableText(std::string_view text, std::size_t max_letters) {
+  // Cuts by bytes. A cut within a multi-byte letter leaves an incomplete one at the end, which
+  // terminals show as a placeholder.
   std::string printable(text.substr(0, max_letters));
   for (char& letter : printable) {
     const auto code = static_cast<unsigned char>(letter);

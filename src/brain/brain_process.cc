@@ -1,3 +1,8 @@
+// Life of a brain's process: start, connection, hello, init, steps, end. Impl talks to the program
+// through a MessageChannel; the process itself, its output and the place where both meet are
+// objects of their own. Each wait has a limit, so that no misbehavior blocks the simulation, and
+// every path to an error ends in EndWith(), after which nothing of the program is left.
+
 #include "brain/brain_process.h"
 
 #include <signal.h>
@@ -20,6 +25,7 @@
 namespace smile::brain {
 namespace {
 
+// A connection ends a slice early; its length is how late a cancellation may be noticed.
 constexpr int kMeetSliceMs = 20;
 constexpr double kForeverSeconds = 1e6;    ///< the longest value of process::WaitLimit
 constexpr double kGoodbyeSeconds = 1.0;    ///< from BYE to SIGKILL
@@ -50,6 +56,8 @@ std::string SecondsText(double seconds) {
 /// Returns the reason for the author of the program.
 std::string WhyNotRun(const process::CannotRun& refusal) {
   const std::string found = "the brain cannot be run: ";
+  // The two errors that authors of scripts meet: a `#!` line that names a missing interpreter, and
+  // a file that is executable but in no known format.
   switch (refusal.error_number()) {
     case ENOENT:
       return found +
@@ -134,6 +142,8 @@ class BrainProcess::Impl {
 
 OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
   if (state_ != State::kNew) throw std::logic_error("BrainProcess::Init: it was already started");
+  // One limit covers the whole start, from fork to the end of init: which part of it is slow (the
+  // interpreter, imports, the init script) is not known from outside.
   state_ = State::kStarting;
   if (auto error = Start()) return EndWith(std::move(*error));
   const process::WaitLimit limit = LimitOf(options_.start_seconds);
@@ -143,6 +153,7 @@ OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
                     MessageType::kInitDone, Phase::kInit, limit, options_.start_seconds);
   if (auto* error = std::get_if<BrainError>(&answer)) return EndWith(std::move(*error));
   const Message& message = std::get<Message>(answer);
+  // Names of the scripts from now on appear in messages about errors that happen within them.
   init_file_ = message.TextOf("initFile");
   callback_file_ = message.TextOf("callbackFile");
   auto reply = DecodeInitReply(message, aux);
@@ -155,6 +166,8 @@ OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
 
 std::string BrainProcess::Impl::PutOut(const std::vector<robot::RobotFile>& files) const {
   if (files.empty()) return "";
+  // The rendezvous removes its folder with all contents, so these files need no cleanup of their
+  // own.
   const std::filesystem::path folder = rendezvous_->folder() / "robot";
   for (const robot::RobotFile& file : files) {
     MakeDirectories((folder / file.name).parent_path());
@@ -173,10 +186,13 @@ OrError<StepReply> BrainProcess::Impl::Step(const Sensor& sensor) {
   if (const auto* error = std::get_if<WireError>(&reply)) {
     return EndWith(ErrorIn(Phase::kCallback, error->message));
   }
+  // A brain that says it is done still gets its second to end by itself, for example to save files.
   if (std::get<StepReply>(reply).exit) Stop();
   return std::get<StepReply>(reply);
 }
 
+// A polite end first. It may fail at any point (never started, already dead, blocked): EndProcess()
+// then does all that is left to do.
 void BrainProcess::Impl::Stop() {
   if (channel_) {
     const process::WaitLimit limit(kGoodbyeSeconds);
@@ -189,6 +205,7 @@ void BrainProcess::Impl::Stop() {
 }
 
 std::optional<BrainError> BrainProcess::Impl::Start() {
+  // The meeting place exists before the program starts, so a fast program never misses it.
   rendezvous_.emplace(program_.rendezvous);
   if (options_.is_attached) {
     if (options_.on_waiting) options_.on_waiting(HowToAttach(program_, CommandWithAddress()));
@@ -203,6 +220,8 @@ std::optional<BrainError> BrainProcess::Impl::Start() {
     if (command.arguments.front() != program_.main_file) throw;
     return ErrorIn(Phase::kStart, WhyNotRun(refusal));
   }
+  // From the first moment: an interpreter that prints more than a pipe holds would block before its
+  // hello.
   drain_.emplace(child_->TakeOutput(), options_.on_output);
   return std::nullopt;
 }
@@ -210,6 +229,8 @@ std::optional<BrainError> BrainProcess::Impl::Start() {
 process::ChildCommand BrainProcess::Impl::CommandWithAddress() const {
   process::ChildCommand command = program_.command;
   const bool is_socket = program_.rendezvous == Rendezvous::Kind::kSocket;
+  // Variables instead of arguments: the command line of an interpreter belongs to the brain's
+  // author.
   command.environment.insert(command.environment.end(),
                              {{"SMILE_BRAIN_TRANSPORT", is_socket ? "socket" : "pipes"},
                               {"SMILE_BRAIN_ADDRESS", rendezvous_->address()},
@@ -219,6 +240,8 @@ process::ChildCommand BrainProcess::Impl::CommandWithAddress() const {
 }
 
 std::optional<BrainError> BrainProcess::Impl::Meet(const process::WaitLimit& limit) {
+  // The limit also counts as canceled when the child has ended, so that a program that dies before
+  // it connects is reported at once, not after the whole timeout.
   while (!(channel_ = rendezvous_->Meet(kMeetSliceMs))) {
     if (limit.HasPassed()) return ExplainTimeout(Phase::kStart, options_.start_seconds);
     if (limit.IsCancelled()) {
@@ -229,6 +252,7 @@ std::optional<BrainError> BrainProcess::Impl::Meet(const process::WaitLimit& lim
 }
 
 std::optional<BrainError> BrainProcess::Impl::Greet(const process::WaitLimit& limit) {
+  // More than one round only under a debugger; without one, the first connection decides.
   while (true) {
     if (auto error = Meet(limit)) return error;
     auto received = channel_->Receive(LimitOfHello(limit));
@@ -242,6 +266,8 @@ std::optional<BrainError> BrainProcess::Impl::Greet(const process::WaitLimit& li
                                                           std::to_string(wire::kProtocolVersion) +
                                                           " of the protocol");
     if (!options_.is_attached || limit.IsCancelled()) return error;
+    // The only other reason to cancel a hello is LimitOfHello(): a visitor waits behind a silent
+    // client.
     if (fault && fault->kind == ChannelFault::Kind::kCancelled) {
       error = ErrorIn(Phase::kStart, "it sent nothing, and another client has connected");
     }
@@ -250,6 +276,8 @@ std::optional<BrainError> BrainProcess::Impl::Greet(const process::WaitLimit& li
   }
 }
 
+// Under a debugger people take their time, so a hello has no timeout of its own. But the listener
+// accepts one client at a time: a stray connection that never speaks must give way to the next.
 process::WaitLimit BrainProcess::Impl::LimitOfHello(const process::WaitLimit& limit) const {
   if (!options_.is_attached) return limit;
   return process::WaitLimit(
@@ -265,6 +293,7 @@ bool BrainProcess::Impl::TakeHello(const Message& hello) {
       numbers->front() != wire::kProtocolVersion) {
     return false;
   }
+  // Capabilities are optional fields, so that the protocol gains features without a new version.
   has_guard_ = IsTrue(hello, "guard");
   if (IsTrue(hello, "rows")) pixel_order_ = PixelOrder::kRows;
   return true;
@@ -273,6 +302,8 @@ bool BrainProcess::Impl::TakeHello(const Message& hello) {
 OrError<Message> BrainProcess::Impl::Ask(const std::vector<std::byte>& question,
                                          MessageType expected, Phase phase,
                                          const process::WaitLimit& limit, double limit_seconds) {
+  // Question and answer share one limit: a brain that does not read is as late as one that
+  // computes.
   if (const auto fault = channel_->Send(question, limit)) {
     return ExplainFault(*fault, phase, limit_seconds);
   }
@@ -350,6 +381,7 @@ BrainError BrainProcess::Impl::ErrorIn(Phase phase, std::string message) const {
   return {.phase = phase, .message = std::move(message), .file = Displayed(ScriptOf(phase))};
 }
 
+// The output is complete only after the process has ended and the drain has read the rest.
 BrainError BrainProcess::Impl::EndWith(BrainError error) {
   EndProcess();
   if (drain_) error.output = drain_->LastLines();
@@ -357,6 +389,8 @@ BrainError BrainProcess::Impl::EndWith(BrainError error) {
 }
 
 void BrainProcess::Impl::EndProcess() {
+  // The order matters: the output is drained after its last writer has died, and the folder goes
+  // last, since the program uses files in it.
   if (state_ != State::kNew) state_ = State::kEnded;
   channel_.reset();
   if (child_) child_->End();
@@ -372,6 +406,7 @@ std::string BrainProcess::Impl::ScriptOf(Phase phase) const {
 
 /// Returns a path for people, relative to the working directory if possible: `wave/waveInit.m`.
 std::string BrainProcess::Impl::Displayed(const std::string& file) const {
+  // The added empty part gives the path a trailing slash, so that `/a/b` is no prefix of `/a/bc`.
   const std::string prefix = (program_.working_directory / "").string();
   return PrintableText(file.starts_with(prefix) ? file.substr(prefix.size()) : file, 1000);
 }
@@ -385,6 +420,7 @@ BrainProcess::~BrainProcess() = default;
 OrError<InitReply> BrainProcess::Init(const Aux& aux) { return impl_->Init(aux); }
 OrError<StepReply> BrainProcess::Step(const Sensor& sensor) { return impl_->Step(sensor); }
 BrainAnswer BrainProcess::Answer(const BrainQuestion& question) {
+  // Both replies are alternatives of the wider BrainAnswer, and so is the error in either.
   const auto widened = [](auto reply) {
     return std::visit([](auto& either) { return BrainAnswer(std::move(either)); }, reply);
   };

@@ -7,6 +7,8 @@ namespace smile::brain {
 
 BrainThread::BrainThread(const std::filesystem::path& brain, BrainOptions options,
                          std::unique_ptr<BrainThread>&& before)
+    // The thread is the last member: all others exist when it starts. It is also the thread that
+    // starts the process, which ends with the thread of its start (see BrainProcess).
     : process_(brain, WithEnd(std::move(options))),
       before_(std::move(before)),
       thread_([this] { WorkerLoop(); }) {}
@@ -19,6 +21,7 @@ BrainThread::~BrainThread() {
 // Cancels the start and callbacks once Leave() was called.
 BrainOptions BrainThread::WithEnd(BrainOptions options) {
   options.is_cancelled = [this, is_cancelled = std::move(options.is_cancelled)] {
+    // Read by the worker while it waits for the program, without the lock: hence atomic.
     return is_leaving_ || (is_cancelled && is_cancelled());
   };
   return options;
@@ -42,6 +45,8 @@ std::optional<BrainAnswer> BrainThread::WaitForAnswer(std::chrono::nanoseconds t
 void BrainThread::Leave() {
   {
     const std::lock_guard lock(mutex_);
+    // Under the lock, although atomic: otherwise, the worker could test it, find it false, and miss
+    // the notification before it starts to wait.
     is_leaving_ = true;
   }
   changed_.notify_all();
@@ -51,6 +56,7 @@ void BrainThread::WorkerLoop() {
   // Ends the former program first: two brains must not run at the same time.
   before_.reset();
   while (const auto question = AwaitQuestion()) PutAnswer(AnswerTo(*question));
+  // At the end of its own thread, not in the destructor: nothing waits for it but the thread.
   process_.Stop();
 }
 

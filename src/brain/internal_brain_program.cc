@@ -1,3 +1,8 @@
+// Finds out what a path is (a folder of scripts, a Python file, an executable), which interpreter
+// runs it, and with which command and environment. Reads the environment of this process
+// (SMILE_OCTAVE, SMILE_MATLAB, SMILE_PYTHON, SMILE_BRAIN_MEX_DIR, VIRTUAL_ENV, PYTHONPATH, PATH),
+// but starts nothing.
+
 #include "brain/internal_brain_program.h"
 
 #include <unistd.h>
@@ -22,6 +27,8 @@ constexpr const char* kMainScript = "agentBehavior.m";
 /// needs quoting.
 constexpr const char* kStartClient =
     "addpath(getenv('SMILE_BRAIN_MEX')); addpath(getenv('SMILE_BRAIN_CLIENT')); smile_brain";
+// For a debugger: the same paths and the brain's own folder, so that breakpoints can be set in its
+// scripts before it runs.
 constexpr const char* kPrepareClient =
     "addpath(getenv('SMILE_BRAIN_MEX')); addpath(getenv('SMILE_BRAIN_CLIENT')); "
     "addpath(getenv('SMILE_BRAIN_FOLDER'));";
@@ -40,7 +47,9 @@ bool IsExecutable(const fs::path& file) {
   return fs::is_regular_file(file, error) && ::access(file.c_str(), X_OK) == 0;
 }
 
-/// Returns the program that an environment variable names; nullopt if the variable is not set.
+/// Returns the program that an environment variable names; nullopt if the variable is not set. A
+/// variable that names no program is an error, not ignored: a typing mistake would otherwise
+/// silently run another interpreter.
 std::optional<fs::path> NamedProgram(const char* variable) {
   const char* named = std::getenv(variable);
   if (named == nullptr || *named == '\0') return std::nullopt;
@@ -51,6 +60,8 @@ std::optional<fs::path> NamedProgram(const char* variable) {
 std::optional<fs::path> ProgramOnPath(const std::string& name) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path ? path : "/usr/local/bin:/usr/bin:/bin");
+  // An empty entry of PATH means the current directory to a shell; it is skipped here, as it would
+  // run whatever lies there.
   for (std::string folder; std::getline(folders, folder, ':');) {
     const fs::path candidate = fs::path(folder) / name;
     if (!folder.empty() && IsExecutable(candidate)) return fs::absolute(candidate);
@@ -96,11 +107,14 @@ void UseScripts(BrainTransport transport, BrainProgram* program) {
   const char* mex = matlab ? "smilelink.mexa64" : "smilelink.mex";
   const bool has_mex = fs::exists(mex_folder / mex);
   if (transport == BrainTransport::kMex && !has_mex) {
+    // Only an explicit request fails; kAutomatic uses pipes without the compiled client.
     throw std::runtime_error((mex_folder / mex).string() + ": not found");
   }
   const bool uses_mex = has_mex && transport != BrainTransport::kPlain;
   program->rendezvous = uses_mex ? Rendezvous::Kind::kSocket : Rendezvous::Kind::kPipes;
 
+  // Octave's options keep startup files, history and the banner out: a brain runs the same for each
+  // user. A debugger session keeps its history and prompt.
   const fs::path client = DataFile("matlab/client");
   if (matlab) {
     program->command.arguments = {matlab->string(), "-batch", kStartClient};
@@ -125,6 +139,9 @@ std::string PythonPath() {
 
 void UsePython(const fs::path& file, BrainProgram* program) {
   const std::string python = FindPython().string();
+  // Unbuffered (-u), since a pipe would otherwise hold back the output until the end.
+  // PYTHONSAFEPATH keeps the working directory off the module path: a file there named like a
+  // standard module would replace it.
   program->command.arguments = {python, "-u", "-m", "smile.brain"};
   program->debug_arguments = {python, "-m", "pdb", "-m", "smile.brain"};
   program->debug_hint = kPythonHint + file.string() + ":1  and then  c";
@@ -134,6 +151,7 @@ void UsePython(const fs::path& file, BrainProgram* program) {
 }
 
 void UseExecutable(const fs::path& file, BrainTransport transport, BrainProgram* program) {
+  // A compiled program has no plain client to prefer, so the socket is the default.
   program->rendezvous =
       transport == BrainTransport::kPlain ? Rendezvous::Kind::kPipes : Rendezvous::Kind::kSocket;
   program->command.arguments = {file.string()};
@@ -147,6 +165,8 @@ std::string ShellQuoted(const std::string& text) {
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
   if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
   std::string quoted = "'";
+  // Within single quotes a shell interprets nothing; a single quote itself must leave and reenter
+  // them.
   for (const char letter : text) quoted += letter == '\'' ? "'\\''" : std::string(1, letter);
   return quoted + "'";
 }
@@ -166,6 +186,8 @@ BrainProgram FindBrainProgram(const fs::path& brain, BrainTransport transport) {
     Reject(brain,
            "no such brain, expected a folder with agentBehavior.m, a Python file or a program");
   }
+  // For a file, the brain's folder is the one that contains it. In both cases the program starts in
+  // the parent of that folder, so `wave/waveInit.m` is how it and its messages name a script.
   const bool is_folder = fs::is_directory(path, error);
   BrainProgram program;
   program.folder = is_folder ? path : path.parent_path();

@@ -14,15 +14,19 @@
 namespace smile::brain {
 namespace {
 
+// Length of a poll(): the longest delay until a cancellation is noticed.
 constexpr int kSliceMs = 50;
+// The largest pipe that Linux grants without privileges (fs.pipe-max-size by default).
 constexpr int kPipeBytes = 1 << 20;
 constexpr auto kWatchfulTime = std::chrono::microseconds(50);
 
 /// Blocks SIGPIPE in this thread during its lifetime: writing to a pipe without reader then returns
-/// an error code.
+/// an error code. Sockets have MSG_NOSIGNAL for this purpose; pipes have nothing. A handler for the
+/// whole process would be a side effect on the programs that use this library.
 class BrokenPipeIsQuiet {
  public:
   BrokenPipeIsQuiet() {
+    // A signal that was pending before is not ours: it must not be removed at the end.
     sigset_t pending;
     sigpending(&pending);
     was_pending_ = sigismember(&pending, SIGPIPE);
@@ -51,6 +55,8 @@ ChannelFault SystemFault() { return {ChannelFault::Kind::kClosed, std::strerror(
 /// Waits a slice of time for `events`; returns a fault when waiting is over. Events that have
 /// occurred by then still count.
 std::optional<ChannelFault> WaitASlice(int fd, short events, const process::WaitLimit& limit) {
+  // The limit is evaluated before the poll, and the poll decides after it: an answer that arrived
+  // at the last moment counts, also when a busy machine woke this thread late.
   const bool is_cancelled = limit.IsCancelled();
   const bool is_over = is_cancelled || limit.HasPassed();
   pollfd watched{fd, events, 0};
@@ -85,6 +91,7 @@ std::optional<ChannelFault> MessageChannel::Send(std::span<const std::byte> fram
                                                  const process::WaitLimit& limit) {
   while (!frame.empty()) {
     const ssize_t count = WriteSome(frame);
+    // A full socket or pipe takes a part; the rest follows when poll() reports room.
     if (count >= 0) {
       frame = frame.subspan(static_cast<std::size_t>(count));
     } else if (errno == EAGAIN) {
@@ -111,6 +118,7 @@ std::variant<std::size_t, ChannelFault> MessageChannel::ReadSome() {
 std::variant<wire::Message, ChannelFault> MessageChannel::Receive(const process::WaitLimit& limit) {
   const auto watchful_until = process::WaitLimit::Clock::now() + kWatchfulTime;
   while (true) {
+    // One read may bring several messages, so what is already in the inbox comes first.
     if (auto received = inbox_.TakeMessage()) {
       if (const auto* message = std::get_if<wire::MessageView>(&*received)) return Copied(*message);
       return ChannelFault{ChannelFault::Kind::kNonsense,

@@ -23,6 +23,7 @@ OutputDrain::OutputDrain(process::UniqueFd pipe, std::function<void(std::string_
     : pipe_(std::move(pipe)),
       on_line_(std::move(on_line)),
       second_began_(std::chrono::steady_clock::now()) {
+  // A second pipe wakes the thread from poll(), which a condition variable could not do.
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) {
     throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
@@ -52,12 +53,15 @@ std::vector<std::string> OutputDrain::LastLines() const {
 }
 
 void OutputDrain::Run() {
+  // Runs until Finish() closes the writing end of the wake-up pipe.
   pollfd watched[] = {{pipe_.get(), POLLIN, 0}, {wake_read_.get(), POLLIN, 0}};
   while (watched[1].revents == 0) {
     if (::poll(watched, 2, -1) < 0 && errno != EINTR) break;
     // At end of file the pipe is always readable; from then on only the wake-up is polled.
     if (watched[0].revents != 0 && !ReadAvailable(kMaxLastBytes)) watched[0].fd = -1;
   }
+  // The program has ended by now, but the pipe may still hold its last output. Descendants that
+  // survive may keep the pipe open, so the end of file cannot be waited for.
   if (watched[0].fd >= 0) ReadAvailable(kMaxLastBytes);
   if (!line_.empty()) EndLine();
   ReportSkippedLines();
@@ -106,6 +110,8 @@ void OutputDrain::HandOn(const std::string& line) {
   if (now - second_began_ >= std::chrono::seconds(1)) {
     ReportSkippedLines();
     second_began_ = now;
+    // A fixed window per second is enough: it bounds the load on clients, and its edges do not
+    // matter.
     lines_this_second_ = 0;
   }
   if (++lines_this_second_ > kMaxLinesPerSecond) {

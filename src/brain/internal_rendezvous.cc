@@ -22,6 +22,8 @@ namespace {
 
 constexpr std::string_view kPrefix = "smile-brain-";
 constexpr std::string_view kFolderName = "/smile-brain-XXXXXX";
+// A folder exists for a moment before it is locked. Another simulator that starts right then must
+// not take it for an abandoned one.
 constexpr auto kLockTime = std::chrono::minutes(1);  ///< allowed from making a folder to locking it
 constexpr std::string_view kSocketName = "/socket";
 
@@ -41,6 +43,7 @@ std::string FolderTemplate() {
 
 /// Opens and locks a folder; empty if another process has locked it.
 process::UniqueFd Locked(const std::filesystem::path& folder) {
+  // O_NOFOLLOW: the temporary directory is shared, and another user may put a link there.
   process::UniqueFd fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (!fd || ::flock(fd.get(), LOCK_EX | LOCK_NB) != 0) return {};
   return fd;
@@ -55,6 +58,7 @@ void RemoveStaleFolders(const std::filesystem::path& base) {
     const std::filesystem::path& folder = entry->path();
     if (!folder.filename().string().starts_with(kPrefix)) continue;
     struct stat status = {};
+    // Same precaution: only real directories that belong to this user are ever removed.
     if (::lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) ||
         status.st_uid != ::geteuid()) {
       continue;
@@ -71,6 +75,7 @@ void RemoveStaleFolders(const std::filesystem::path& base) {
 Rendezvous::Rendezvous(Kind kind) : kind_(kind) {
   std::string name = FolderTemplate();
   RemoveStaleFolders(std::filesystem::path(name).parent_path());
+  // mkdtemp() creates it with mode 0700: no other user can connect to the brain's socket.
   if (!::mkdtemp(name.data())) Fail(name);
   folder_ = name;
   try {
@@ -84,6 +89,7 @@ Rendezvous::Rendezvous(Kind kind) : kind_(kind) {
 }
 
 Rendezvous::~Rendezvous() {
+  // The system removes the lock with the descriptor, after the folder.
   std::error_code ignored;
   std::filesystem::remove_all(folder_, ignored);
 }
@@ -105,6 +111,8 @@ void Rendezvous::Listen() {
   path.copy(name.sun_path, sizeof name.sun_path - 1);
   if (!listener_ ||
       ::bind(listener_.get(), reinterpret_cast<const sockaddr*>(&name), sizeof name) != 0 ||
+      // A backlog of 1: one brain connects; the queue only has to hold the next one under a
+      // debugger.
       ::listen(listener_.get(), 1) != 0) {
     Fail(path);
   }
@@ -115,6 +123,8 @@ void Rendezvous::MakePipes() {
     ::unlink((folder_ / name).c_str());
     if (::mkfifo((folder_ / name).c_str(), 0600) != 0) Fail(folder_ / name);
   }
+  // Non-blocking, since opening a pipe for reading otherwise waits until the brain opens it for
+  // writing.
   from_brain_ = process::UniqueFd(
       ::open((folder_ / "from_brain").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (!from_brain_) Fail(folder_ / "from_brain");
@@ -124,6 +134,7 @@ std::optional<MessageChannel> Rendezvous::Meet(int slice_ms) {
   if (kind_ == Kind::kSocket) {
     pollfd watched{listener_.get(), POLLIN, 0};
     ::poll(&watched, 1, slice_ms);
+    // Fails with EAGAIN when poll() timed out; that is the same answer: nothing has connected yet.
     process::UniqueFd socket(::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC));
     if (!socket) return std::nullopt;
     return MessageChannel(std::move(socket));

@@ -49,6 +49,8 @@ class Gaussian {
     generator_ = Generator(state);
   }
 
+  // Box-Muller gives two independent deviates for two uniform numbers; the second is kept for the
+  // next call.
   double Next() {
     has_spare_ = !has_spare_;
     if (!has_spare_) return spare_;
@@ -66,6 +68,7 @@ class Gaussian {
 
 void AddToColors(double deviation, Gaussian gaussian, std::span<std::uint8_t> colors) {
   for (std::uint8_t& color : colors) {
+    // Clamped like a real sensor that saturates. Rounding to nearest keeps the mean.
     const double noisy = color + 255 * deviation * gaussian.Next();
     color = static_cast<std::uint8_t>(std::lround(std::clamp(noisy, 0.0, 255.0)));
   }
@@ -82,6 +85,7 @@ void AddToDepths(double deviation, Gaussian gaussian, std::span<float> depths) {
 }  // namespace
 
 void AddNoise(const SensorNoise& noise, std::uint64_t tick, Sensor* sensor) {
+  // `which` is the index of the picture in this step: each camera has noise of its own.
   const auto gaussian = [&](Measurement what, std::uint64_t which) {
     return Gaussian(noise.seed, tick, what, which);
   };

@@ -1,3 +1,6 @@
+// Loop of a brain in C++: reads a message, calls the brain, sends the answer. Everything about
+// bytes and sockets is in SimulatorConnection, which the clients for Python and Octave share.
+
 #include "brain_client/brain.h"
 
 #include <array>
@@ -53,9 +56,11 @@ class ProtocolSession {
   std::vector<std::byte> AnswerTo(wire::Message message) {
     const std::uint32_t sequence = message.sequence;
     try {
+      // The simulator sends only INIT and STEP here; BYE ended the loop before.
       return message.type == MessageType::kInit ? Init(std::move(message))
                                                 : Step(std::move(message));
     } catch (const std::exception& error) {
+      // The brain's exceptions travel to the simulator, which shows them and ends this process.
       return ErrorFrame(sequence, error.what());
     } catch (...) {
       return ErrorFrame(sequence, "unknown exception, not a std::exception");
@@ -65,6 +70,8 @@ class ProtocolSession {
   std::vector<std::byte> Init(wire::Message message) {
     MessageWriter writer(MessageType::kInitDone, message.sequence);
     aux_ = Aux(std::move(message));
+    // Outputs have their full size and are zero from the start, so that a brain may set single
+    // elements.
     const auto limbs = static_cast<Eigen::Index>(aux_.Number("numLimbs"));
     const auto joints = static_cast<Eigen::Index>(aux_.Number("numJoints"));
     motor_.joint_velocities.setZero(limbs, joints);
@@ -82,6 +89,7 @@ class ProtocolSession {
   std::vector<std::byte> Step(wire::Message message) {
     const std::uint32_t sequence = message.sequence;
     brain_->Step(Sensor(std::move(message)), motor_, aux_);
+    // After the step, since it is the step that sets `exit`.
     MessageWriter writer(aux_.exit ? MessageType::kFinalMotor : MessageType::kMotor, sequence);
     AddMatrix(writer, "jointVelocities", motor_.joint_velocities);
     AddMatrix(writer, "gripperVelocities", motor_.gripper_velocities);
@@ -91,6 +99,8 @@ class ProtocolSession {
     return writer.Finish();
   }
 
+  // Markers stay until the brain sends others, so only changes are sent; an empty matrix removes
+  // them.
   void AddNewMarkers(MessageWriter* writer) {
     const Eigen::MatrixX3d markers = aux_.draw_markers.value_or(Eigen::MatrixX3d(0, 3));
     if (markers.rows() == sent_markers_.rows() && markers == sent_markers_) return;

@@ -18,6 +18,7 @@ namespace {
 
 const wire::NamedArray& Fields::At(std::string_view name) const {
   if (const wire::NamedArray* array = message_.Find(name)) return *array;
+  // The list of what exists is the quickest help for a misspelled name.
   std::string names;
   for (const wire::NamedArray& array : message_.arrays) {
     names += (names.empty() ? "" : ", ") + array.name;
@@ -37,6 +38,7 @@ Eigen::MatrixXd Fields::Matrix(std::string_view name) const {
   const wire::NamedArray& array = At(name);
   const auto numbers = array.Numbers();
   if (!numbers || array.dims.size() != 2) Reject(array, "a matrix");
+  // The message describes its own order: which one is used depends on what the client asked for.
   if (array.is_row_major) {
     return Eigen::Map<const Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(
         numbers->data(), array.dims[0], array.dims[1]);
@@ -66,6 +68,7 @@ Image Fields::Picture(std::string_view name) const {
                       std::as_writable_bytes(std::span(image.color)).begin());
     return image;
   }
+  // Planes by columns (Matlab's order) become rows of interleaved pixels (the order of Image).
   wire::CopyToRowMajor(array.dims, 1, array.data, std::as_writable_bytes(std::span(image.color)));
   return image;
 }

@@ -1,3 +1,7 @@
+// An outline is a string of all that decides the structure of a message: two are equal exactly if
+// the clients may keep their arrays and only overwrite numbers. Strings compare fast and reuse
+// memory.
+
 #include "brain_client/message_outline.h"
 
 namespace smile::brain_client {
@@ -14,6 +18,7 @@ bool MessageOutline::Changes(const wire::MessageView& message) {
   outline_.clear();
   Append(&outline_, message.type);
   for (const wire::ArrayView& array : message.arrays) {
+    // Lengths precede what varies, so that no two different messages have equal outlines.
     Append(&outline_, array.name.size());
     outline_ += array.name;
     Append(&outline_, array.type);
@@ -25,6 +30,7 @@ bool MessageOutline::Changes(const wire::MessageView& message) {
       outline_.append(reinterpret_cast<const char*>(array.data.data()), array.data.size());
     }
   }
+  // After the swap `outline_` holds the former outline, and its memory serves the next call.
   outline_.swap(last_);
   return outline_ != last_;
 }

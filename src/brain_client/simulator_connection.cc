@@ -21,11 +21,13 @@ SimulatorConnection::SimulatorConnection(const std::string& address, Options opt
     : options_(std::move(options)), inbox_(options_.make_room) {
   sockaddr_un name = {};
   name.sun_family = AF_UNIX;
+  // A path that does not fit would be cut without notice and name another socket.
   if (address.size() >= sizeof name.sun_path) FailToConnect(ENAMETOOLONG, address);
   address.copy(name.sun_path, sizeof name.sun_path - 1);
   socket_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
   if (socket_ < 0 ||
       ::connect(socket_, reinterpret_cast<const sockaddr*>(&name), sizeof name) != 0) {
+    // Saved, since close() may change it.
     const int reason = errno;
     if (socket_ >= 0) ::close(socket_);
     FailToConnect(reason, address);
@@ -46,6 +48,8 @@ void SimulatorConnection::Greet(const Introduction& introduction) {
 
 void SimulatorConnection::Send(std::span<const std::byte> frame) {
   while (!frame.empty()) {
+    // The socket blocks: there is nothing else to do for a brain, and the simulator ends brains
+    // that are late. MSG_NOSIGNAL turns a dead simulator into an error code instead of SIGPIPE.
     const ssize_t count = ::send(socket_, frame.data(), frame.size(), MSG_NOSIGNAL);
     if (count < 0 && errno == EINTR) {
       if (options_.on_signal) options_.on_signal();
@@ -57,6 +61,7 @@ void SimulatorConnection::Send(std::span<const std::byte> frame) {
 }
 
 bool SimulatorConnection::HasArrivals(int milliseconds) const {
+  // Bytes that were read already do not show up in poll().
   if (inbox_.HasBytes()) return true;
   pollfd watched{socket_, POLLIN, 0};
   return ::poll(&watched, 1, milliseconds) > 0;
@@ -74,6 +79,7 @@ std::optional<wire::MessageView> SimulatorConnection::Receive() {
       if (options_.on_signal) options_.on_signal();
       continue;
     }
+    // End of file, or a reset by a simulator that was killed: for the brain, both mean the end.
     if (count <= 0) return std::nullopt;
     inbox_.Fill(static_cast<std::size_t>(count));
   }

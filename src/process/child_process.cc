@@ -1,3 +1,7 @@
+// fork() and exec() with all the care that a program with threads needs: between the two, the child
+// calls only async-signal-safe functions on memory that the parent prepared. The chain is simulator
+// -> smile-supervisor -> program (see supervisor/supervisor.cc).
+
 #include "process/child_process.h"
 
 #include <fcntl.h>
@@ -18,7 +22,9 @@ namespace smile::process {
 namespace {
 
 constexpr int kFirstOwnFd = 3;
+// Sleeping and looking is simple, and a program's end that is noticed 2 ms late does not matter.
 constexpr int kPollSliceMs = 2;
+// Longer than the supervisor's own limit (kKillTime), so that it ends by itself.
 constexpr double kSupervisorSeconds = 2;  ///< for ending all that it keeps; a busy machine is slow
 
 [[noreturn]] void Fail(const std::string& program, const char* what, int error) {
@@ -51,6 +57,7 @@ struct Launch {
 /// @throws std::runtime_error if it is in neither place.
 std::string FindSupervisor() {
   std::error_code error;
+  // Beside the program after installation; tests and tools of the build run from other folders.
   const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
   const auto beside = self.parent_path() / "smile-supervisor";
   if (std::filesystem::exists(beside, error)) return beside.string();
@@ -61,6 +68,8 @@ std::string FindSupervisor() {
 
 /// Runs in the child; calls only async-signal-safe functions, since the parent has threads.
 [[noreturn]] void RunChild(const Launch& launch) {
+  // A group of its own: Ctrl+C in the terminal reaches the simulator only, which then ends the
+  // brain properly.
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);            // by which a supervisor ends all it keeps
   bool is_ready = ::getppid() == launch.parent;  // else the parent has died already
@@ -102,6 +111,7 @@ std::vector<std::string> EnvironmentWith(
   std::vector<std::string> lines;
   for (char** line = environ; *line; ++line) {
     const std::string_view inherited(*line);
+    // A name must not occur twice: which of two values getenv() returns is not specified.
     bool is_replaced = false;
     for (const auto& [name, value] : added) is_replaced |= inherited.starts_with(name + "=");
     if (!is_replaced) lines.emplace_back(inherited);
@@ -112,6 +122,8 @@ std::vector<std::string> EnvironmentWith(
 
 /// fork() with all signals blocked, so that none of the parent's handlers runs in the child.
 pid_t ForkQuietly(const Launch& launch) {
+  // All signals, in the calling thread only: fork() copies just this thread, with its mask.
+  // RunChild() resets handlers before it unblocks.
   sigset_t all, before;
   sigfillset(&all);
   ::pthread_sigmask(SIG_SETMASK, &all, &before);
@@ -124,6 +136,7 @@ pid_t ForkQuietly(const Launch& launch) {
 }
 
 std::string DescribeEnd(int status) {
+  // The supervisor ends the way its program ended, so this is the status of the program.
   if (WIFSIGNALED(status)) {
     return "it was ended by signal " + std::to_string(WTERMSIG(status)) + " (" +
            ::strsignal(WTERMSIG(status)) + ")";
@@ -142,6 +155,8 @@ ChildProcess::ChildProcess(const ChildCommand& command) {
   if (!input) Fail(program, "/dev/null", errno);
   Pipe output = MakePipe(program);
   Pipe failure = MakePipe(program);
+  // Everything that allocates happens before the fork, including the check that the supervisor
+  // exists.
   std::vector<std::string> arguments{FindSupervisor(), std::to_string(failure.write_end.get())};
   arguments.insert(arguments.end(), command.arguments.begin(), command.arguments.end());
   pid_ = ForkQuietly({.arguments = Pointers(arguments),
@@ -155,7 +170,7 @@ ChildProcess::ChildProcess(const ChildCommand& command) {
   ::setpgid(pid_, pid_);  // parent and child both do it, so it is done whichever runs first
 
   // Blocks until the pipe closes, that is until both programs have been executed, or one reports
-  // its failure.
+  // its failure. The parent's copy must be closed, or the read would wait for itself.
   failure.write_end.Close();
   int error = 0;
   ssize_t count = 0;
@@ -175,6 +190,7 @@ bool ChildProcess::HasEnded() const {
   siginfo_t info = {};
   // WNOWAIT leaves the child in place, so that its number is not reused.
   const int result = ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT);
+  // With WNOHANG and no change of state, waitid() succeeds and leaves si_pid at 0.
   return result == 0 ? info.si_pid == pid_ : errno == ECHILD;
 }
 
@@ -193,7 +209,9 @@ void ChildProcess::SignalGroup(int signal_number) const {
 
 const std::string& ChildProcess::End() {
   if (pid_ < 0) return how_it_ended_;
-  // Until the child is collected, its number is not reused, so no other process is hit.
+  // Until the child is collected, its number is not reused, so no other process is hit. SIGHUP
+  // asks the supervisor to end all its descendants and then itself. Only a supervisor that does not
+  // manage this in time is killed, and its program with it (parent-death signal).
   ::kill(pid_, SIGHUP);
   ::kill(pid_, SIGCONT);  // a program may have stopped its supervisor
   if (!WaitForEnd(WaitLimit(kSupervisorSeconds))) ::kill(pid_, SIGKILL);

@@ -23,8 +23,12 @@
 
 namespace {
 
+// A process that waits for a device cannot be killed before the device answers; ending must not
+// wait for that.
 constexpr auto kKillTime = std::chrono::milliseconds(1500);
 
+// These are blocked at all times and fetched one by one with sigwaitinfo(): no handlers, hence no
+// code that runs at arbitrary points.
 sigset_t KeptSignals() {
   sigset_t signals;
   sigemptyset(&signals);
@@ -32,6 +36,9 @@ sigset_t KeptSignals() {
   return signals;
 }
 
+// A group of its own for the program, so that SIGINT and SIGUSR2 reach all of it but not the
+// supervisor. The program dies with its supervisor; the check of the parent covers a supervisor
+// that died before prctl().
 [[noreturn]] void BecomeProgram(char** command, pid_t supervisor, int failure) {
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -49,6 +56,7 @@ sigset_t KeptSignals() {
 /// @returns whether the program has ended.
 bool CollectUpTo(pid_t program) {
   for (;;) {
+    // Looks without collecting (WNOWAIT), then collects unless it is the program.
     siginfo_t info = {};
     if (::waitid(P_ALL, 0, &info, WEXITED | WNOHANG | WNOWAIT) != 0) return true;
     if (info.si_pid == 0 || info.si_pid == program) return info.si_pid == program;
@@ -62,11 +70,14 @@ int WaitForTheEnd(pid_t program) {
   for (;;) {
     const int number = ::sigwaitinfo(&signals, nullptr);
     if (number == SIGTERM || number == SIGHUP) return number;
+    // Several SIGCHLD may merge into one, so CollectUpTo() collects all that have ended.
     if (number == SIGCHLD && CollectUpTo(program)) return number;
     if (number == SIGINT || number == SIGUSR2) ::kill(-program, number);
   }
 }
 
+// /proc lists children by the thread that made them; the supervisor has one thread, whose id is
+// that of the process. Orphans are adopted by it, too.
 void KillChildren() {
   const std::string self = std::to_string(::getpid());
   std::ifstream children("/proc/self/task/" + self + "/children");
@@ -79,6 +90,8 @@ int EndAll(pid_t program) {
   int status = SIGKILL;
   const auto deadline = std::chrono::steady_clock::now() + kKillTime;
   ::kill(-program, SIGKILL);
+  // Repeated: each process that dies turns its own children into children of this one. ECHILD means
+  // that none is left.
   while (std::chrono::steady_clock::now() < deadline) {
     KillChildren();
     int ended_status = 0;
@@ -106,6 +119,8 @@ void RemoveScratch() {
   if (!WIFSIGNALED(status)) ::_exit(WEXITSTATUS(status));
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
+  // To die of the same signal: without a core file of the supervisor, unblocked, with the default
+  // action.
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -120,7 +135,9 @@ void RemoveScratch() {
 int main(int argc, char** argv) {
   if (argc < 3) return 2;
   const int failure = std::atoi(argv[1]);
+  // The program must not inherit it: the simulator waits until all copies are closed.
   ::fcntl(failure, F_SETFD, FD_CLOEXEC);
+  // From now on, orphaned descendants become children of this process instead of init's.
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
   const sigset_t signals = KeptSignals();
   ::sigprocmask(SIG_BLOCK, &signals, nullptr);
@@ -138,6 +155,7 @@ int main(int argc, char** argv) {
 
   const int reason = WaitForTheEnd(program);
   const int status = EndAll(program);
+  // SIGTERM means that the simulator died; otherwise, it removes the folder itself.
   if (reason == SIGTERM) RemoveScratch();
   EndLike(status);
 }

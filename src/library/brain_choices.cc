@@ -1,3 +1,7 @@
+// Finds the brains of some folders and gives each the shortest name that is unique: `wave.py`, or
+// `matlab/learner` where another folder also has a `learner`. Lists and names are computed from the
+// files each time; nothing is registered anywhere.
+
 #include "library/brain_choices.h"
 
 #include <unistd.h>
@@ -17,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Length of the beginning of a script that is searched for the declaration.
+/// Length of the beginning of a script that is searched for the declaration. Executables are read,
+/// too; this bounds the time that a large one takes.
 constexpr std::size_t kMaxDeclarationBytes = 16u << 10;
 
 /// Former paths of shipped brains, and the present ones.
@@ -40,6 +45,8 @@ bool IsPlainFile(const fs::path& path) {
 
 /// Returns the brain at a path, a file or a folder; nullopt if it is none.
 std::optional<BrainChoice> ProgramAt(const fs::path& path) {
+  // In the order in which brain::FindBrainProgram() decides, so that a listed brain starts as its
+  // kind says. A folder NAME with NAME.py is known by the folder and started by the file.
   const fs::path octave = path / "agentBehavior.m";
   if (IsPlainFile(octave)) {
     return BrainChoice{.kind = "octave", .path = path, .imitates = DeclaresImitation(octave)};
@@ -58,6 +65,8 @@ std::optional<BrainChoice> ProgramAt(const fs::path& path) {
 /// Adds the programs of a folder, sorted by name, except those that are listed already.
 void AddProgramsOf(const fs::path& folder, std::vector<FoundProgram>* all) {
   std::error_code error;
+  // A map, since the order of a directory iterator is arbitrary. A folder that does not exist gives
+  // an error code, hence no entries.
   std::map<std::string, FoundProgram> found;
   for (const auto& entry : fs::directory_iterator(fs::absolute(folder).lexically_normal(), error)) {
     std::optional<BrainChoice> choice = ProgramAt(entry.path());
@@ -87,6 +96,7 @@ fs::path LastPartsOf(const fs::path& path, std::ptrdiff_t num_parts) {
 /// Returns the shortest end of a path that is unique among all programs.
 std::string ProgramNameOf(const fs::path& path, const std::vector<FoundProgram>& all) {
   const std::ptrdiff_t num_parts = std::distance(path.begin(), path.end());
+  // Quadratic in the number of brains, of which there are a few dozen.
   for (std::ptrdiff_t count = 1; count < num_parts; ++count) {
     const fs::path name = LastPartsOf(path, count);
     const auto has_it = [&](const FoundProgram& one) {
@@ -118,6 +128,7 @@ std::vector<BrainChoice> BrainsIn(const std::vector<fs::path>& folders) {
 }
 
 const BrainChoice* BrainNamed(const std::vector<BrainChoice>& choices, const std::string& name) {
+  // Exact names first: `learner` must not find `old/learner` if a brain has the very name.
   const auto exact = std::ranges::find(choices, name, &BrainChoice::name);
   if (exact != choices.end()) return &*exact;
   const auto last = std::ranges::find_if(
@@ -132,12 +143,15 @@ const BrainChoice* BrainNamed(const std::vector<BrainChoice>& choices, const std
 fs::path PresentBrainPath(const fs::path& brain) {
   std::error_code error;
   if (fs::exists(brain, error)) return brain;
+  // People complete folders with a slash at the end.
   const fs::path path = brain.has_filename() ? brain : brain.parent_path();
   for (const auto& [former, present] : kRenamedBrains) {
     const fs::path end = former;
     const std::ptrdiff_t num_parts = std::distance(end.begin(), end.end());
     if (LastPartsOf(path, num_parts) != end) continue;
     fs::path folder = path;
+    // The present path begins in the same folder as the former one, for example that of an
+    // installation.
     for (std::ptrdiff_t i = 0; i < num_parts; ++i) folder = folder.parent_path();
     if (fs::exists(folder / present, error)) return folder / present;
   }

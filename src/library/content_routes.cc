@@ -1,3 +1,8 @@
+// Routes of the studio's HTTP server for what does not change with the simulation: lists, scenes,
+// recordings, thumbnails. A path comes from any client; names in it reach the file system only
+// through SceneCatalog::FileOf() and Library::DirectoryOf(), which let none lead out of its folder.
+// Called on several threads of the server at a time.
+
 #include "library/content_routes.h"
 
 #include <charconv>
@@ -26,6 +31,7 @@ std::optional<std::string> Between(std::string_view begin, std::string_view text
 /// Returns the number that a text consists of; nullopt for any other text.
 std::optional<std::size_t> NumberIn(const std::string& text) {
   std::size_t number = 0;
+  // No sign, blank or suffix: one number has one path, and so one entry in the cache.
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return number;
@@ -48,6 +54,7 @@ std::optional<web_server::HttpResponse> ContentRoutes::Get(const std::string& pa
     return web_server::HttpResponse{.type = "application/json", .body = ToText(answer)};
   }
   if (const auto scene = Between("/scenes/", path, "")) return GetScene(*scene);
+  // The prefix decides; what follows it is split by the two functions below.
   const auto recording = Between("/recordings/", path, "");
   if (!recording) return std::nullopt;
   try {
@@ -82,6 +89,7 @@ std::optional<web_server::HttpResponse> ContentRoutes::GetRecording(const std::s
     return web_server::HttpResponse{
         .type = "application/zip", .body = library_.ZipOf(*id), .file_name = *id + ".zip"};
   }
+  // An id contains no slash, so nothing of the path is ambiguous.
   if (const auto id = Between("", name, "/picture.png")) return PictureOf(*id, std::nullopt);
   const std::size_t slash = name.find('/');
   if (slash == std::string::npos) return std::nullopt;
@@ -93,7 +101,8 @@ std::optional<web_server::HttpResponse> ContentRoutes::GetRecording(const std::s
 
 std::optional<web_server::HttpResponse> ContentRoutes::PictureOf(
     const std::string& id, std::optional<std::size_t> segment) {
-  // A trace only grows or is replaced, so its stamp shows if the thumbnail is up to date.
+  // A trace only grows or is replaced, so its stamp shows if the thumbnail is up to date. Throws
+  // for an unknown id before anything is queued.
   const std::filesystem::path directory = library_.DirectoryOf(id);
   const std::string stamp = StampOf(directory / "trace.bin");
   const std::string which = segment ? std::to_string(*segment) : "end";

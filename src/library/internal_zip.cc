@@ -17,6 +17,7 @@
 namespace smile::library {
 namespace {
 
+// Far above ordinary recordings; bounds the time that a folder full of foreign files takes.
 constexpr std::size_t kMaxZippedFiles = 100'000;
 
 /// Returns all regular files below a directory, sorted; throws std::runtime_error if they exceed
@@ -26,6 +27,8 @@ std::vector<std::filesystem::path> PlainFilesBelow(const std::filesystem::path& 
   std::vector<std::filesystem::path> files;
   std::uint64_t bytes = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
+    // The status of the link itself: a link could pack files from anywhere on the machine. The
+    // iterator follows no links to directories either.
     if (!std::filesystem::is_regular_file(entry.symlink_status())) continue;
     files.push_back(entry.path());
     bytes += entry.file_size();
@@ -35,6 +38,7 @@ std::vector<std::filesystem::path> PlainFilesBelow(const std::filesystem::path& 
                                directory.string());
     }
   }
+  // The order of a directory is arbitrary; that of an archive should not be.
   std::ranges::sort(files);
   return files;
 }
@@ -46,7 +50,8 @@ la_ssize_t TakeBytes(archive*, void* zip, const void* bytes, std::size_t count) 
 }
 
 /// Sets the locale of this thread to UTF-8 during its lifetime, whatever the user's language:
-/// libarchive then marks names as UTF-8.
+/// libarchive then marks names as UTF-8. uselocale() acts on this thread only, so other threads and
+/// the rest of the program are not affected. Without a C.UTF-8 locale nothing changes.
 class Utf8Names {
  public:
   Utf8Names()
@@ -73,6 +78,8 @@ class Zipper {
     Check(archive_write_open(archive_.get(), zip, nullptr, &TakeBytes, nullptr));
   }
 
+  // Names keep their relative path below the directory's own name, so that unpacking makes one
+  // folder.
   void Add(const std::string& name, const std::string& text, std::time_t changed) {
     const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(
         archive_entry_new2(archive_.get()), &archive_entry_free);
@@ -104,6 +111,8 @@ std::string Zipped(const std::filesystem::path& directory, std::uint64_t max_byt
   const Utf8Names names;
   std::string zip;
   Zipper zipper(&zip);
+  // The whole archive is made in memory: the server sends complete responses, and max_bytes bounds
+  // it.
   std::uint64_t left = max_bytes;
   for (const auto& path : PlainFilesBelow(directory, max_bytes)) {
     // The file may have grown since it was listed; `left` limits all files together.

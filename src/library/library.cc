@@ -1,3 +1,7 @@
+// The library has no index file: the folders are the truth, and people may change them by other
+// means at any time. Each call looks at the file system; only what is expensive to read (titles,
+// durations) is cached, under a stamp of the files it came from.
+
 #include "library/library.h"
 
 #include <algorithm>
@@ -23,17 +27,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Bounds the time of a list in a folder that is not a library, such as a home directory.
 constexpr std::size_t kMaxDirectories = 10'000;  ///< examined in a folder
+// The longest file name on Linux.
 constexpr std::size_t kMaxIdBytes = 255;
 
 /// Returns a text that changes whenever the listed facts of a recording change.
 std::string ListingStampOf(const fs::path& directory) {
+  // Title and notes are in demo.json, the duration in frames.csv; folders of segments change the
+  // stamp of the directory.
   return StampOf(directory / "demo.json") + ";" + StampOf(directory / "frames.csv") + ";" +
          StampOf(directory);
 }
 
 /// Visits the entries of a folder, at most `most`. The order is that of the file system, which is
-/// stable while nothing changes there.
+/// stable while nothing changes there. Errors end the visit silently: a folder that does not exist
+/// yet contains no recordings.
 template <class Visit>
 void ForEachIn(const fs::path& folder, std::size_t most, const Visit& visit) {
   std::error_code error;
@@ -46,6 +55,8 @@ void ForEachIn(const fs::path& folder, std::size_t most, const Visit& visit) {
 
 /// True for names that cannot lead out of a folder; ids come from clients.
 bool IsPlainName(const std::string& id) {
+  // No slash, hence no parent and no absolute path; no leading dot, hence neither `..` nor the bin
+  // itself.
   return !id.empty() && id.size() <= kMaxIdBytes && id.front() != '.' &&
          id.find('/') == std::string::npos && id.find('\0') == std::string::npos;
 }
@@ -68,6 +79,8 @@ std::string TimeText(std::int64_t nanoseconds) {
 /// Returns the tick of the last frame of the classic view; nullopt if it has none. Reads only the
 /// end of frames.csv, since listing must be fast.
 std::optional<std::uint64_t> LastFrameTick(const fs::path& directory) {
+  // Lines are a few dozen bytes; the last complete one lies in this tail. A line without its line
+  // end is still being written and does not count. Its second cell is the tick.
   constexpr std::streamoff kTail = 4096;
   std::ifstream file(directory / "frames.csv", std::ios::binary | std::ios::ate);
   if (!file) return std::nullopt;
@@ -91,6 +104,7 @@ std::optional<std::uint64_t> LastFrameTick(const fs::path& directory) {
 /// Returns the number of segments of the classic view, which are numbered from 0 and have a folder
 /// of pictures each.
 int NumSegments(const fs::path& directory) {
+  // A bound for a damaged folder; no recording comes near it.
   constexpr int kMostSegments = 100'000;
   int count = 0;
   while (count < kMostSegments && StateOf(directory / std::to_string(count)).is_directory) ++count;
@@ -109,6 +123,8 @@ Json EntryOf(const fs::path& directory) {
             {"seconds", last > first ? sim::SecondsOf(last - first) : 0.0},
             {"segments", NumSegments(directory)}};
   } catch (const std::exception& error) {
+    // A damaged recording stays in the list, with its fault: it must not hide the others, and
+    // people may want to delete it.
     return {{"error", error.what()}};
   }
 }
@@ -120,6 +136,7 @@ Json EntryOf(const fs::path& directory) {
 /// Returns a lock that excludes recording there; nullopt if the recording has no log. Throws
 /// LibraryError if it is being recorded.
 std::optional<recording::AppendFile> Hold(const fs::path& directory) {
+  // Opening the log takes its lock, which a recorder of any process holds while it records.
   if (!StateOf(directory / "commands.jsonl").is_file) return std::nullopt;
   try {
     return recording::AppendFile(directory / "commands.jsonl", recording::AppendFile::kExisting);
@@ -131,12 +148,15 @@ std::optional<recording::AppendFile> Hold(const fs::path& directory) {
 
 void Move(const fs::path& from, const fs::path& to) {
   std::error_code error;
+  // Within one file system, so it is atomic: a recording is in one place or the other, never in
+  // both.
   fs::rename(from, to, error);
   if (error) throw LibraryError(from.string() + " cannot be moved: " + error.message());
 }
 
 /// Returns an id without the number that it got in the bin.
 std::string NameOutsideOfBin(const std::string& id) {
+  // Only `~` and digits at the end are removed; a name that contains other tildes keeps them.
   const std::size_t mark = id.rfind('~');
   const bool is_numbered = mark != std::string::npos && mark > 0 && mark + 1 < id.size() &&
                            id.find_first_not_of("0123456789", mark + 1) == std::string::npos;
@@ -166,6 +186,8 @@ std::vector<Library::Place> Library::Places() const {
       places.push_back(std::move(place));
     });
   }
+  // Newest first (a and b are swapped for the time); equal times, which copied files may have, are
+  // ordered by directory, so that the list is stable.
   std::ranges::sort(places, [](const Place& a, const Place& b) {
     return std::tie(b.recorded, a.directory) < std::tie(a.recorded, b.directory);
   });
@@ -176,6 +198,7 @@ std::vector<Library::Place> Library::Places() const {
 Json Library::List() const {
   const std::vector<Place> places = Places();
   Json list = Json::array();
+  // Rebuilt with each list, so that the cache forgets recordings that disappeared.
   std::map<std::string, Listed> listed;
   const std::lock_guard lock(mutex_);
   for (const Place& place : places) {
@@ -196,6 +219,7 @@ Json Library::List() const {
 }
 
 std::string Library::Stamp() const {
+  // A hash of names and stamps, not of contents: it is asked for again and again to notice changes.
   StateHash hash;
   for (const fs::path& folder : {root_, bin()}) {
     hash.Add(StampOf(folder));
@@ -235,6 +259,7 @@ std::string Library::Bin(const std::string& id) const {
   std::error_code error;
   fs::create_directory(bin(), error);
   if (error) throw LibraryError(bin().string() + " cannot be created: " + error.message());
+  // Recordings of the same name meet in the bin: each gets the next free number.
   for (int number = 1;; ++number) {
     const std::string name = id + "~" + std::to_string(number);
     // Unique in both folders, as ids are looked up in both.
@@ -249,6 +274,8 @@ std::string Library::Unbin(const std::string& id) const {
   if (directory.parent_path().filename() != bin().filename()) {
     throw LibraryError(Quoted(id) + " is not in the bin");
   }
+  // The name is only chosen here. If another recording takes it in between, Move() fails: rename()
+  // replaces no directory that contains files.
   const fs::path back = recording::NewDirectory(root_, NameOutsideOfBin(id));
   Move(directory, back);
   return back.filename().string();

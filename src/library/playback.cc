@@ -1,3 +1,7 @@
+// Random access to a trace, which is a stream of differences from tick to tick: bookmarks at equal
+// distances hold complete states, from which reading continues. Time is a real number of ticks
+// (at_), so that slow playback advances by fractions; the shown tick is the nearest one.
+
 #include "library/playback.h"
 
 #include <algorithm>
@@ -14,7 +18,8 @@
 namespace smile::library {
 namespace {
 
-/// Maximal number of bookmarks of a recording of any length.
+/// Maximal number of bookmarks of a recording of any length. A spacing of one second reaches 34
+/// minutes; beyond, it doubles. A bookmark holds one complete tick.
 constexpr std::size_t kMaxBookmarks = 2048;
 
 }  // namespace
@@ -56,9 +61,11 @@ class Playback::Impl {
 
   void Seek(double seconds) {
     if (std::isnan(seconds)) throw std::invalid_argument("seconds is NaN, expected a time");
+    // Infinity is allowed and means an end; NaN is not, as clamp() would pass it on.
     GoTo(std::clamp(seconds, 0.0, length()) * sim::kTicksPerSecond);
   }
 
+  // Called 60 times per second of wall-clock time, so the rate is the number of ticks per call.
   void Tick() {
     if (rate_ == 0) return;
     GoTo(std::min(at_ + rate_, static_cast<double>(num_ticks_)));
@@ -94,6 +101,7 @@ class Playback::Impl {
     NoteFalls(0, trace_.events_before_start());
     while (const auto moment = trace_.Next()) {
       NoteFalls(moment->tick, moment->events);
+      // A recording may begin at any tick of its simulation.
       if (bookmarks_.empty()) first_tick_ = moment->tick;
       num_ticks_ = moment->tick - first_tick_;
       if (num_ticks_ % spacing != 0) continue;

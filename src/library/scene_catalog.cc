@@ -1,3 +1,7 @@
+// Scenes by name, read from the folder each time, so that people may edit and add files while the
+// studio runs. Titles come from the first comment of a file: no index has to be kept in agreement
+// with the scenes.
+
 #include "library/scene_catalog.h"
 
 #include <algorithm>
@@ -15,6 +19,7 @@ namespace {
 /// Returns the beginning of a file; empty if it cannot be read.
 std::string BeginningOf(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
+  // Titles are within the first lines; scenes may be long.
   std::string text(2048, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
@@ -33,6 +38,7 @@ std::string CommentOf(const std::filesystem::path& path) {
 /// Returns the first sentence, or its first part that can stand alone.
 std::string_view FirstPhraseOf(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
+    // A stop counts only before a blank or at the end: `0.5` and `robot:arm` do not end a phrase.
     const bool is_stop = std::string_view(".:;").find(text[i]) != std::string_view::npos;
     if (is_stop && (i + 1 == text.size() || text[i + 1] == ' ')) return text.substr(0, i);
     if (text[i] == '(') return text.substr(0, i);
@@ -53,6 +59,7 @@ std::string SceneTitleOf(const std::filesystem::path& path) {
   std::string_view text = Trimmed(comment);
   if (text.starts_with(kAuthor)) text.remove_prefix(kAuthor.size());
   const std::string_view title = Trimmed(FirstPhraseOf(text));
+  // A longer "phrase" is a comment of another kind; the name of the file then says more.
   const bool is_fit = !title.empty() && title.size() <= kMaxTitle;
   return is_fit ? std::string(title) : path.stem().string();
 }
@@ -64,6 +71,8 @@ Json SceneCatalog::List() const {
   std::error_code error;
   for (std::filesystem::directory_iterator it(folder_, error), end; !error && it != end;
        it.increment(error)) {
+    // Names are collected first, sorted, and only then read: the order of the iterator is
+    // arbitrary.
     if (it->path().extension() != ".xml" || names.size() >= kMaxScenes) continue;
     if (FileOf(it->path().stem().string())) names.push_back(it->path().stem().string());
   }

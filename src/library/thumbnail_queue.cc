@@ -1,3 +1,6 @@
+// One worker thread, because an OpenGL context belongs to the thread that made it. `mutex_` guards
+// everything except the job in progress; rendering happens without it.
+
 #include "library/thumbnail_queue.h"
 
 #include <stdexcept>
@@ -23,6 +26,7 @@ ThumbnailQueue::~ThumbnailQueue() {
   {
     const std::lock_guard lock(mutex_);
     is_closing_ = true;
+    // Waiting calls of Get() then throw std::future_error.
     jobs_.clear();  // breaks their promises
   }
   changed_.notify_all();
@@ -30,6 +34,7 @@ ThumbnailQueue::~ThumbnailQueue() {
 }
 
 ThumbnailQueue::Picture ThumbnailQueue::Get(const std::string& key, const Render& render) {
+  // Waits outside the lock.
   return Enqueue(key, render).get();
 }
 
@@ -39,6 +44,8 @@ std::shared_future<ThumbnailQueue::Picture> ThumbnailQueue::Enqueue(const std::s
   // Finished and pending pictures share one map: equal requests wait for the same future.
   const auto known = pictures_.find(key);
   if (known != pictures_.end()) return known->second;
+  // A page with many thumbnails requests them all at once; a client that asks for more is refused,
+  // so that others do not wait behind it.
   if (is_closing_ || jobs_.size() >= kMaxJobs) {
     throw std::runtime_error("too many pictures are requested at once");
   }
@@ -48,6 +55,7 @@ std::shared_future<ThumbnailQueue::Picture> ThumbnailQueue::Enqueue(const std::s
 }
 
 void ThumbnailQueue::WorkerLoop() {
+  // Made and destroyed in this thread; its context opens with the first picture.
   ThumbnailRenderer renderer;
   while (auto job = TakeJob()) Run(*std::move(job), &renderer);
 }
@@ -67,6 +75,8 @@ void ThumbnailQueue::Run(Job job, ThumbnailRenderer* renderer) {
     const std::lock_guard lock(mutex_);
     kept_.push_back(job.key);
     kept_bytes_ += SizeOf(picture);
+    // First in, first out: a picture is cheap to make again, and keys contain stamps, so old
+    // entries are mostly of files that have changed since.
     while (kept_.size() > kMaxKept || kept_bytes_ > kMaxKeptBytes) {
       const auto oldest = pictures_.find(kept_.front());
       // The newest is not set yet; waiting for its future here would block forever.

@@ -11,6 +11,7 @@ namespace smile::library {
 std::string ThumbnailRenderer::RenderScene(const std::filesystem::path& file,
                                            const scene_xml::SceneReaderOptions& reader) {
   const model::Model model(scene_xml::LoadScene(file, reader));
+  // The objects as the file places them, without a simulation.
   return Render(model, recording::VisualStateAt(recording::StartOf(model), model));
 }
 
@@ -37,6 +38,7 @@ std::optional<std::string> ThumbnailRenderer::RenderRecording(
 std::string ThumbnailRenderer::Render(const model::Model& model, const scene::VisualState& state) {
   // Made in the worker thread, to which its OpenGL context belongs.
   if (!renderer_) renderer_ = std::make_unique<camera::Renderer>();
+  // Frames the objects from near. The robot is left out: it would hide small scenes or shrink them.
   const CameraView view = picture::FindView(
       "close", model.scene(), model::EyeSpec{.width_px = kWidth, .height_px = kHeight}, {});
   camera::RenderOptions options{.style = camera::RenderStyle::kPresentation};

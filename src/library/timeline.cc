@@ -1,3 +1,7 @@
+// Converts the history of a recording into JSON for the page. `segments` are the steps that led to
+// the final state; `steps` contain all branches, including those that were undone, with the index
+// of the step that each one follows.
+
 #include "library/timeline.h"
 
 #include <vector>

@@ -1,3 +1,7 @@
+// The chain from the base to the tool, prepared once for many evaluations: joints that are not part
+// of the arm are fixed at their positions and folded into constant transforms, and each axis is
+// laid along z. What remains per joint is one constant transform and a rotation of two columns.
+
 #include "motion/arm_kinematics.h"
 
 #include <algorithm>
@@ -62,6 +66,7 @@ ArmKinematics::ArmKinematics(const robot::RobotModel& model, const robot::Arm& a
     const LinkSpec& link = model.links[carrier];
     const auto joint = std::ranges::find(arm.joints, carrier);
     if (joint == arm.joints.end()) {
+      // A fixed joint, or one outside the arm such as that of a torso.
       X = X * link.X_PJ * MotionOf(link, q_others[carrier]);
       continue;
     }
@@ -73,6 +78,8 @@ ArmKinematics::ArmKinematics(const robot::RobotModel& model, const robot::Arm& a
     X = X_JZ.inverse();
   }
   X_LastTool_ = X * tool.X_LF;
+  // A joint of the arm that does not carry the tool would have an all-zero column in each Jacobian,
+  // and the inverse kinematics would never move it.
   if (steps_.size() != arm.joints.size()) {
     throw std::invalid_argument("arm " + arm.name + " has joints that do not move its tool");
   }
@@ -97,6 +104,8 @@ RigidTransform ArmKinematics::ToolPose(std::span<const double> q, ArmJacobian* J
   for (const Step& step : steps_) {
     p += R * step.X_BeforeJoint.translation();
     R = Matrix3(R * step.X_BeforeJoint.rotation());
+    // Axis and origin of the joint in the world. The column temporarily holds both: six numbers are
+    // what the second loop needs.
     const Vector3 axis = R.col(2);
     if (J) J->col(step.column) << p, axis;  // completed below, when the tool's place is known
     if (step.turns) {

@@ -36,6 +36,8 @@ TrajectoryChannel GripperChannel(const robot::RobotModel& model, int arm) {
 std::vector<TrajectoryChannel> ChannelsOf(const robot::RobotModel& model) {
   std::vector<TrajectoryChannel> channels;
   std::vector<bool> has_channel(model.links.size());
+  // The order is that of the columns in exported files. A joint that two lists name, for example a
+  // head that is also a joint of the model, gets one column.
   const auto add_joint = [&](int joint) {
     if (has_channel[joint]) return;
     channels.push_back(JointChannel(model, joint));
@@ -64,6 +66,7 @@ double PositionOf(const TrajectoryChannel& channel, const robot::RobotModel& mod
                   std::span<const double> q) {
   if (!channel.is_gripper()) return q[channel.joint];
   const robot::Gripper& gripper = *model.arms[channel.gripper_of].gripper;
+  // Positions of fingers are distances from closed, so their sum is what opened.
   return q[gripper.left_finger] + q[gripper.right_finger] + gripper.closed_opening;
 }
 

@@ -1,3 +1,7 @@
+// One attempt of the inverse kinematics; motion/inverse_kinematics.cc chooses the starts. Each
+// iteration linearizes the pose error at the present configuration and moves the joints so that the
+// error would vanish, damped near singular configurations, where an undamped step would be huge.
+
 #include "motion/internal_damped_least_squares.h"
 
 #include <Eigen/Cholesky>
@@ -43,6 +47,7 @@ Vector3 TurnBetween(const Matrix3& R_from, const Vector3& to) {
 }  // namespace
 
 void CheckGoal(const RigidTransform& X_WG_goal) {
+  // Callers compute goals with a few multiplications of rotations, whose rounding stays far below.
   constexpr double kLoose = 1e-6;
   const Matrix3& R = X_WG_goal.rotation();
   const bool is_pose = X_WG_goal.translation().allFinite() && R.allFinite() &&
@@ -85,6 +90,7 @@ DampedLeastSquares::DampedLeastSquares(const ArmKinematics& arm, const RigidTran
 
 DampedLeastSquares::Error DampedLeastSquares::ErrorOf(const RigidTransform& X_WG) const {
   const Vector3 displacement = X_WG_goal_.translation() - X_WG.translation();
+  // Rotation vectors along the world's axes, as the Jacobian's angular rows are.
   const Vector3 rotation = options_.any_turn
                                ? TurnBetween(X_WG.rotation(), X_WG_goal_.rotation().col(2))
                                : RotationVectorBetween(Quaternion(X_WG.rotation()), q_WG_goal_);
@@ -101,6 +107,8 @@ void DampedLeastSquares::HoldAtLimits(const ArmVector& q, const Vector6& error,
                                       ArmJacobian* J) const {
   for (int i = 0; i < arm_->num_joints(); ++i) {
     const JointLimits& limit = arm_->limits()[i];
+    // The projection of the error on the joint's column: the direction in which the joint would
+    // reduce it.
     const double push = J->col(i).dot(error);
     if ((q[i] <= limit.lower && push < 0) || (q[i] >= limit.upper && push > 0)) {
       J->col(i).setZero();
@@ -119,6 +127,7 @@ bool DampedLeastSquares::Run(ArmVector* q, int* iterations_left) const {
     const RigidTransform X_WG = arm_->ToolPose(configuration(), &J);
     const Error error = ErrorOf(X_WG);
     if (error.is_met) return true;
+    // Counted across all attempts: the caller's limit bounds the time of the whole search.
     if (--*iterations_left < 0) return false;
     const double size = error.weighted.squaredNorm();
     // Progress: the count of iterations without it starts again.
@@ -134,12 +143,15 @@ bool DampedLeastSquares::Run(ArmVector* q, int* iterations_left) const {
       const Vector3 z = X_WG.rotation().col(2);
       J.bottomRows<3>() -= z * (z.transpose() * J.bottomRows<3>()).eval();
     }
+    // After weighting and projection, since the signs of the columns' projections depend on both.
     HoldAtLimits(*q, error.weighted, &J);
     Matrix6 A = (kDampingShare * size + kLeastDamping) * Matrix6::Identity();
     for (int i = 0; i < J.cols(); ++i) A.noalias() += J.col(i) * J.col(i).transpose();
+    // A is a sum of squares plus a positive multiple of the identity, so Cholesky cannot fail.
     const Vector6 pull = A.llt().solve(error.weighted);
     ArmVector step = J.transpose() * pull;
     const double longest = step.cwiseAbs().maxCoeff();
+    // All joints are scaled alike, to keep the direction; the clamp after it acts on single joints.
     if (longest > kLongestStep) step *= kLongestStep / longest;
     for (int i = 0; i < step.size(); ++i) {
       (*q)[i] = std::clamp((*q)[i] + step[i], arm_->limits()[i].lower, arm_->limits()[i].upper);

@@ -30,6 +30,7 @@ double SlownessNeeded(const TrajectoryPoint& from, const TrajectoryPoint& to,
                       std::span<const JointLimits> limits, double speed) {
   double needed = 0;
   for (std::size_t i = 0; i < limits.size(); ++i) {
+    // The second derivative of a cubic is linear, so its extremes are at the ends.
     const Cubic cubic{from.positions[i], to.positions[i], from.velocities[i], to.velocities[i],
                       to.seconds - from.seconds};
     const double max_second_derivative =
@@ -42,6 +43,8 @@ double SlownessNeeded(const TrajectoryPoint& from, const TrajectoryPoint& to,
 
 void SlowDownToLimits(std::span<const JointLimits> limits, double speed,
                       std::vector<TrajectoryPoint>* points) {
+  // One factor for the whole motion keeps its path and its rest at both ends. Scaling single spans
+  // would make velocities jump between them.
   double factor = 1;
   for (std::size_t k = 1; k < points->size(); ++k) {
     factor = std::max(factor, SlownessNeeded((*points)[k - 1], (*points)[k], limits, speed));

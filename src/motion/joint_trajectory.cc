@@ -50,6 +50,7 @@ TrajectoryPoint SampleAt(const JointTrajectory& trajectory, double seconds) {
   if (after == points.end()) return AtRest(points.back());
 
   const TrajectoryPoint &from = *(after - 1), &to = *after;
+  // Positive, as upper_bound() has found a later point after an earlier one.
   const double span = to.seconds - from.seconds;
   const double u = (seconds - from.seconds) / span;
   TrajectoryPoint sample{.seconds = seconds};
@@ -69,6 +70,7 @@ std::vector<JointLimits> LimitsOf(const robot::RobotModel& model, std::span<cons
       throw std::invalid_argument("there is no joint " + std::to_string(joint));
     }
     const scene::LinkSpec& link = model.links[joint];
+    // Accelerations are not part of a URDF; see kSecondsToFullSpeed.
     limits.push_back({.lower = link.lower,
                       .upper = link.upper,
                       .max_velocity = link.max_velocity,

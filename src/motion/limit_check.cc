@@ -1,3 +1,7 @@
+// Exact check of limits. Within a span each joint follows a cubic, whose value, velocity and
+// acceleration can be extreme only at the ends or where a derivative vanishes: a few evaluations
+// per span replace dense sampling, and no excess between two samples is missed.
+
 #include "motion/limit_check.h"
 
 #include <algorithm>
@@ -58,6 +62,7 @@ class WorstBreach {
     const double beyond = std::max(value - upper_, lower_ - value);
     // Relative to the limit's size, with a floor for limits near zero.
     const double size = std::max({1e-3, std::abs(lower_), std::abs(upper_)});
+    // Of equal violations the first one counts, as only a larger one replaces it.
     if (beyond <= std::max(beyond_, kRoundingShare * size)) return;
     beyond_ = beyond;
     breach_ = LimitBreach{seconds, joint_, quantity_, value, limit, slides_};
@@ -84,7 +89,8 @@ std::vector<double> TurningPoints(const Cubic& cubic) {
   const auto add = [&](double u) {
     if (u > 0 && u < 1) shares.push_back(u);  // false for NaN, too
   };
-  // Extreme of the derivative.
+  // Divisions by zero below give infinities or NaN, which `add` drops: a cubic may be a parabola or
+  // a line. First the extreme of the derivative.
   add(-b / (2 * a));
   const double root = std::sqrt(std::max(0.0, b * b - 4 * a * c));
   // Both roots, neither as a difference of nearly equal numbers.
@@ -125,6 +131,7 @@ std::vector<LimitBreach> CheckLimits(const JointTrajectory& trajectory,
                          limit.max_velocity);
     WorstBreach acceleration(name, limit.slides, LimitedQuantity::kAcceleration,
                              -limit.max_acceleration, limit.max_acceleration);
+    // A trajectory of one point has no span.
     if (!points.empty()) {
       position.See(points[0].seconds, points[0].positions[i]);
       velocity.See(points[0].seconds, points[0].velocities[i]);
@@ -145,6 +152,8 @@ std::vector<LimitBreach> CheckLimits(const JointTrajectory& trajectory,
       if (worst->breach()) breaches.push_back(*worst->breach());
     }
   }
+  // Stable: simultaneous violations stay in the order of joints and quantities, so messages are
+  // deterministic.
   std::ranges::stable_sort(breaches, {}, &LimitBreach::seconds);
   return breaches;
 }

@@ -44,6 +44,7 @@ class ToolLine {
       const Vector3 z_from = from_.rotation().col(2), z_to = to_.rotation().col(2);
       q_to_ = SmallestRotation(z_from, z_to) * q_from_;
     }
+    // At most pi: the tool rotates the shorter way round.
     turn_ = RotationVectorBetween(q_from_, q_to_);
   }
 
@@ -52,6 +53,7 @@ class ToolLine {
 
   RigidTransform At(double fraction) const {
     const Vector3 p = from_.translation() + fraction * (to_.translation() - from_.translation());
+    // An axis would be a division by zero.
     if (angle() == 0) return {from_.rotation(), p};
     const Quaternion turned(Eigen::AngleAxisd(fraction * angle(), turn_ / angle()));
     return {turned * q_from_, p};
@@ -90,16 +92,22 @@ std::variant<JointPath, LineFault> Follow(const ArmKinematics& arm, const ArmVec
   for (int k = 1; k <= num_spans; ++k) {
     const bool is_end = k == num_spans;
     const double fraction = static_cast<double>(k) / num_spans;
+    // The goal itself, without the rounding of an interpolation, so that the tool ends where it was
+    // sent.
     const RigidTransform X_WG = is_end ? X_WG_goal : line.At(fraction);
     const auto fault = [&](const std::string& reason) {
       return LineFault{static_cast<double>(k - 1) / num_spans, X_WG, reason};
     };
+    // Started at the place before, the solver stays in the same branch of solutions. It would find
+    // other branches only from other starts, which are deliberately not tried: they are not
+    // connected.
     ArmVector q = path.q.back();
     int iterations_left = kIterationsPerPlace;
     if (!DampedLeastSquares(arm, X_WG, options).Run(&q, &iterations_left)) {
       return fault("the arm cannot follow further: out of reach, or a joint is at its limit");
     }
     Eigen::Index joint = 0;
+    // Near a singular configuration the solver may still leave the branch within one place.
     const double jump = (q - path.q.back()).cwiseAbs().maxCoeff(&joint);
     if (jump > kLongestJump) return fault(arm.joint_names()[joint] + " would have to jump");
     path.q.push_back(q);
@@ -112,6 +120,7 @@ void SetDerivatives(JointPath* path) {
   const int n = path->num_spans();
   for (int k = 0; k <= n; ++k) {
     const int before = std::max(0, k - 1), after = std::min(n, k + 1);
+    // By the fraction of the line: places are 1 / n apart, one span at the ends and two in between.
     path->derivatives.push_back((path->q[after] - path->q[before]) * n / (after - before));
   }
 }
@@ -122,6 +131,7 @@ double LargestDeviation(const ArmKinematics& arm, const ToolLine& line, const Jo
   const int n = path.num_spans();
   for (int k = 0; k < n; ++k) {
     ArmVector q = path.q[k];
+    // In the middle between two places, where a cubic through exact ends deviates most.
     for (int i = 0; i < q.size(); ++i) {
       q[i] = Cubic{path.q[k][i], path.q[k + 1][i], path.derivatives[k][i],
                    path.derivatives[k + 1][i], 1.0 / n}
@@ -138,7 +148,8 @@ std::vector<PathPlace> PlacesOf(const JointPath& path) {
   const int n = path.num_spans();
   std::vector<PathPlace> places;
   for (int k = 0; k <= n; ++k) {
-    // Central second difference; the ends use that of their neighbors.
+    // Central second difference; the ends use that of their neighbors. n is at least kFewestPlaces,
+    // so there is always a neighbor on both sides of the middle.
     const int middle = std::clamp(k, 1, n - 1);
     const Eigen::VectorXd d2q_ds2 =
         (path.q[middle + 1] - 2 * path.q[middle] + path.q[middle - 1]) * n * n;
@@ -188,6 +199,8 @@ std::variant<JointTrajectory, LineFault> MoveAlongLine(const ArmKinematics& arm,
     JointPath& path = std::get<JointPath>(followed);
     SetDerivatives(&path);
     if (LargestDeviation(arm, line, path) > kLineTolerance) {
+      // The deviation of cubics shrinks quickly with the distance of places, so doubling ends soon,
+      // if the joints move smoothly at all.
       if (num_spans * 2 <= kMostPlacesInTheEnd) continue;
       return LineFault{0, X_WG_goal, "the joints cannot keep the tool on the line"};
     }

@@ -24,6 +24,8 @@ std::vector<std::vector<double>> Distinct(std::span<const std::vector<double>> w
   std::vector<std::vector<double>> distinct;
   for (std::size_t k = 0; k < waypoints.size(); ++k) {
     CheckConfiguration(waypoints[k], limits, "waypoint " + std::to_string(k));
+    // Equal neighbors would be spans without length, whose secants are 0 / 0. The message counts
+    // waypoints as the caller does, hence the check before.
     if (distinct.empty() || distinct.back() != waypoints[k]) distinct.push_back(waypoints[k]);
   }
   return distinct;
@@ -33,6 +35,8 @@ std::vector<std::vector<double>> Distinct(std::span<const std::vector<double>> w
 /// [s].
 double Between(const std::vector<double>& from, const std::vector<double>& to,
                std::span<const JointLimits> limits) {
+  // The path parameter is thereby about time: a path velocity of 1 is full speed for the slowest
+  // joint, and tangents have the scale of velocities.
   double longest = 0;
   for (std::size_t i = 0; i < limits.size(); ++i) {
     longest = std::max(longest, std::abs(to[i] - from[i]) / limits[i].max_velocity);
@@ -65,6 +69,8 @@ class MonotonePath {
         const double fraction = static_cast<double>(part) / between;
         PathPlace place = PlaceIn(k, fraction, s + fraction * spans_[k]);
         if (part == 0 && k > 0) {  // also the end of the span before
+          // A waypoint is one place with two second derivatives: those of a piecewise cubic jump
+          // there.
           places.back().d2q_ds2_after = place.d2q_ds2_after;
         } else {
           places.push_back(std::move(place));
@@ -80,6 +86,7 @@ class MonotonePath {
     return (waypoints_[k + 1][i] - waypoints_[k][i]) / spans_[k];
   }
   double TangentAt(std::size_t k, std::size_t i) const {
+    // At both ends the path velocity is 0, so any tangent gives rest there; the secant is monotone.
     if (k == 0) return Secant(0, i);
     if (k == spans_.size()) return Secant(k - 1, i);
     return MonotoneTangent(Secant(k - 1, i), Secant(k, i), spans_[k - 1], spans_[k]);
@@ -111,6 +118,7 @@ std::vector<TrajectoryPoint> MoveThrough(std::span<const std::vector<double>> wa
   CheckSpeed(speed);
   if (waypoints.empty()) throw std::invalid_argument("no waypoints are given");
   const std::vector<std::vector<double>> distinct = Distinct(waypoints, limits);
+  // A straight motion has a closed form; no discretization can be as fast or as exact.
   if (distinct.size() < 3) return MoveStraight(distinct.front(), distinct.back(), limits, speed);
   return TimeParameterize(MonotonePath(distinct, limits).Places(), limits, speed);
 }

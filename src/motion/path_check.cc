@@ -39,6 +39,8 @@ std::string Tell(const robot::RobotModel& model, const physics::LinkOverlap& ove
 /// Returns the number of checks between two points. No joint moves farther than the length of its
 /// cubic's control polygon.
 int NumLooks(const TrajectoryPoint& from, const TrajectoryPoint& to) {
+  // A cubic is a Bezier curve; its inner control points lie a third of the time along the end
+  // velocities. The curve is never longer than the polygon of its control points.
   const double third = (to.seconds - from.seconds) / 3;
   double longest = 0;
   for (std::size_t i = 0; i < from.positions.size(); ++i) {
@@ -55,6 +57,7 @@ std::optional<InvalidMoment> FirstTouch(const robot::RobotModel& model,
                                         const JointTrajectory& trajectory, std::vector<double> q,
                                         double until, physics::ArticulationProbe* probe) {
   const std::vector<int> joints = JointsOf(model, trajectory);
+  // Moves only the trajectory's joints in q; all others keep the positions of the caller.
   const auto look = [&](double seconds) -> std::optional<InvalidMoment> {
     const TrajectoryPoint now = SampleAt(trajectory, seconds);
     for (std::size_t i = 0; i < joints.size(); ++i) q[joints[i]] = now.positions[i];
@@ -68,6 +71,8 @@ std::optional<InvalidMoment> FirstTouch(const robot::RobotModel& model,
     const int num_looks = NumLooks(points[k - 1], points[k]);
     const double span = points[k].seconds - points[k - 1].seconds;
     for (int look_number = 1; look_number <= num_looks; ++look_number) {
+      // The exact time of a point, not a sum of fractions: its rounding could exceed the last
+      // point.
       const double seconds = look_number == num_looks
                                  ? points[k].seconds
                                  : points[k - 1].seconds + span * look_number / num_looks;
@@ -84,6 +89,7 @@ std::optional<InvalidMoment> FirstBreach(const JointTrajectory& trajectory,
                                          std::span<const JointLimits> limits) {
   if (CheckLimits(trajectory, limits).empty()) return std::nullopt;
   const auto& points = trajectory.points;
+  // The last round checks the last point alone, which matters for a trajectory of a single point.
   for (std::size_t k = 0; k < points.size(); ++k) {
     JointTrajectory span{trajectory.joint_names, {points[k]}};
     if (k + 1 < points.size()) span.points.push_back(points[k + 1]);

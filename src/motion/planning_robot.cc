@@ -61,6 +61,7 @@ const ArmKinematics& PlanningRobot::Find(std::string_view arm) const {
 }
 
 RigidTransform PlanningRobot::FromUnits(const Eigen::Matrix4d& pose, const char* what) const {
+  // An exact comparison for the last row: it is typed as integers, never computed.
   const Matrix3 R = pose.topLeftCorner<3, 3>();
   const bool is_pose =
       pose.allFinite() && pose.row(3) == Eigen::RowVector4d(0, 0, 0, 1) &&
@@ -71,6 +72,8 @@ RigidTransform PlanningRobot::FromUnits(const Eigen::Matrix4d& pose, const char*
         std::string(what) +
         " is not a pose, expected 4x4 with a rotation, a position and a last row 0 0 0 1");
   }
+  // A conversion to a quaternion and back gives the exact rotation near the caller's rounded
+  // matrix.
   return {Quaternion(R).normalized(),
           scene::FromFileUnits(Vector3(pose.topRightCorner<3, 1>()), meters_per_unit_)};
 }
@@ -113,6 +116,7 @@ std::optional<std::vector<double>> PlanningRobot::NamedPose(std::string_view arm
   const robot::NamedPose* pose = robot::FindPose(model_, name);
   if (!pose) return std::nullopt;
   std::vector<double> q;
+  // A named pose covers all joints of the robot; here are those of the arm, in the order of q.
   for (const std::string& joint : JointNames(arm)) {
     q.push_back(pose->q[robot::FindJoint(model_, joint).value()]);
   }
@@ -161,6 +165,7 @@ std::variant<JointTrajectory, LineFault> PlanningRobot::MoveLine(std::string_vie
 std::optional<InvalidMoment> PlanningRobot::FirstInvalid(
     const JointTrajectory& trajectory, std::span<const double> q_both,
     std::optional<std::pair<double, double>> table) const {
+  // Joints outside the arms, such as the head and the fingers, stay at the start.
   std::vector<double> q = model_.q_start;
   if (!q_both.empty()) {
     const std::vector<std::string> names = JointNames(kBoth);

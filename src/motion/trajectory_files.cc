@@ -1,3 +1,7 @@
+// Trajectories as files: CSV as people edit it in spreadsheets, and JSON as ROS tools write it. The
+// readers are strict, since a robot will execute what they return. CSV errors are collected for all
+// lines, as people mend a table at once; JSON is written by programs, so its first error is enough.
+
 #include "motion/trajectory_files.h"
 
 #include <algorithm>
@@ -18,7 +22,9 @@
 namespace smile::motion {
 namespace {
 
+// Enough for kMaxTrajectoryPoints points of kMaxTrajectoryJoints joints; bounds memory and time.
 constexpr std::size_t kMaxFileBytes = 32u << 20;
+// A file of another kind would otherwise produce one finding per line.
 constexpr std::size_t kMaxFindings = 100;
 constexpr std::int64_t kNanoseconds = 1'000'000'000;
 
@@ -39,6 +45,8 @@ std::vector<std::string_view> CellsOf(std::string_view line) {
 /// Returns the number that a whole cell spells, if it is within the bounds.
 std::optional<double> NumberIn(std::string_view cell) {
   double number = 0;
+  // from_chars() ignores the locale, in which 0,5 may be a number. The comparison below is false
+  // for NaN, which from_chars() accepts.
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
   const bool is_whole = error == std::errc() && end == cell.data() + cell.size();
   if (!is_whole || !(std::abs(number) <= kMaxTrajectoryNumber)) return std::nullopt;
@@ -89,6 +97,7 @@ class CsvReader {
                      ", expected time and the names of joints: time,left_s0");
       return;
     }
+    // Names are checked against no robot here: that is up to the command that executes the file.
     trajectory_.joint_names.assign(cells.begin() + 1, cells.end());
     if (std::string fault = FaultOfNames(trajectory_.joint_names); !fault.empty()) {
       Note(line, std::move(fault));
@@ -103,6 +112,7 @@ class CsvReader {
     }
     std::vector<double> numbers;
     for (const std::string_view cell : cells) {
+      // One finding per line: a shifted line would give one per cell.
       const auto number = NumberIn(cell);
       if (!number)
         return Note(line, "found " + Quoted(cell) + ", expected a number of at most 1e6");
@@ -141,6 +151,7 @@ class RosNode {
     return {value_.at(key), place_.empty() ? key : place_ + "." + key};
   }
   bool Has(const char* key) const { return value_.is_object() && value_.contains(key); }
+  // Unknown keys are errors: a misspelled "velocities" would silently become a motion without any.
   void ExpectKeys(std::initializer_list<const char*> keys) const {
     if (!value_.is_object()) Fail("is not an object");
     for (const auto& item : value_.items()) {
@@ -168,6 +179,8 @@ class RosNode {
     }
     return numbers;
   }
+  // Unsigned first: the library keeps negative and fractional numbers as other types, and numbers
+  // beyond 2^63 would overflow in the cast.
   std::int64_t Whole(std::int64_t most) const {
     if (!value_.is_number_unsigned() ||
         value_.get<std::uint64_t>() > static_cast<std::uint64_t>(most)) {
@@ -188,6 +201,7 @@ class RosNode {
 /// there is only one rounding.
 double SecondsIn(const RosNode& time) {
   time.ExpectKeys({"secs", "nsecs"});
+  // Bounds first: the product of the largest allowed seconds and 1e9 fits into 64 bits.
   const std::int64_t whole =
       time.Member("secs").Whole(static_cast<std::int64_t>(kMaxTrajectorySeconds));
   const std::int64_t rest = time.Member("nsecs").Whole(kNanoseconds - 1);
@@ -246,11 +260,13 @@ std::string ToRosJson(const JointTrajectory& trajectory) {
   for (const TrajectoryPoint& point : trajectory.points) {
     points.push_back({{"positions", point.positions},
                       {"velocities", point.velocities},
+                      // Empty arrays mean "not specified" in ROS.
                       {"accelerations", Json::array()},
                       {"effort", Json::array()},
                       {"time_from_start", RosTime(point.seconds)}});
   }
   const Json json = {
+      // A stamp of zero means "now" to ROS controllers: begin on arrival.
       {"header", {{"seq", 0}, {"stamp", {{"secs", 0}, {"nsecs", 0}}}, {"frame_id", "base"}}},
       {"joint_names", trajectory.joint_names},
       {"points", std::move(points)}};

@@ -17,6 +17,7 @@ bool IsName(const std::string& name) {
   if (name.empty() || name.size() > kMaxName || name.front() == ' ' || name.back() == ' ') {
     return false;
   }
+  // A comma or a line break would split a cell of a CSV table in two.
   const bool is_plain = std::ranges::none_of(name, [](char letter) {
     return letter == ',' || static_cast<unsigned char>(letter) < ' ' || letter == '\x7f';
   });
@@ -33,6 +34,7 @@ std::string FaultOfNumbers(const std::vector<double>& numbers, std::size_t expec
            std::to_string(expected);
   }
   for (const double number : numbers) {
+    // False for NaN and infinity, which are reported as well.
     if (std::abs(number) <= kMaxTrajectoryNumber) continue;
     return "one of the " + std::string(what) + " is " + NumberText(number) +
            ", expected at most 1e6";
@@ -43,6 +45,7 @@ std::string FaultOfNumbers(const std::vector<double>& numbers, std::size_t expec
 /// Returns the tangent at a point, limited to keep the cubics monotone where the data are; `before`
 /// and `after` are the slopes of the secants.
 double LimitedTangent(double before, double after, double central) {
+  // A local extreme, or a plateau: any other tangent would overshoot it.
   if (before * after <= 0) return 0;
   // Three times the smaller slope is the limit of Fritsch and Carlson for monotonicity.
   const double most = 3 * std::min(std::abs(before), std::abs(after));

@@ -1,3 +1,8 @@
+// Reads recordings of the 2015 program, from anywhere: two passes over all texts. The first parses
+// each line by itself (internal_classic_line.h) and collects what is malformed. The second follows
+// the recording line by line and rejects the first contradiction, since everything after it would
+// be reported wrongly. Pictures are listed and measured, but not decoded.
+
 #include "classic/classic_reader.h"
 
 #include <algorithm>
@@ -34,6 +39,7 @@ ClassicFile ReadSegment(const ClassicText& source, const ClassicLimits& limits,
     std::string_view line = text.substr(start, end - start);
     start = end + 1;
     ++number;
+    // Recordings from Windows end lines with CR LF.
     if (line.ends_with('\r')) line.remove_suffix(1);
     try {
       if (line.size() > limits.max_line_bytes) {
@@ -75,6 +81,7 @@ bool IsDestroy(const ClassicLine& line) {
 /// begins its segment.
 void PutDestroyFirst(ClassicFile* segment) {
   auto& lines = segment->lines;
+  // The first line that is not a delete, if the segment begins with deletes.
   const auto action = std::ranges::find_if_not(lines, [](const ClassicLine& line) {
     return std::holds_alternative<ClassicDelete>(line.what);
   });
@@ -92,6 +99,7 @@ class Consistency {
     segment_ = segment;
     PutDestroyFirst(segment);
     if (!is_first && (segment->lines.empty() || !BeginsSegment(segment->lines[0]))) {
+      // A segment after the first one exists only because of what its first line reports.
       Fail(segment->lines.empty() ? 0 : segment->lines[0].number,
            "found no action, expected grasp, release, destroy, trigger, pointTo, fasten, loosen, "
            "create or delete in the first line of a segment");
@@ -119,7 +127,8 @@ class Consistency {
   }
   [[noreturn]] void Fail(const std::string& message) const { Fail(line_->number, message); }
 
-  /// True for an object that a hand holds when the recording begins.
+  /// True for an object that a hand holds when the recording begins. Segment 0 describes the start;
+  /// a grasp in it, at frame 0, happened before the recording.
   static bool IsHold(const ClassicLine& line) {
     return line.frame == 0 && ActionIn(line)->kind == sim::EventKind::kGrasped;
   }
@@ -131,6 +140,7 @@ class Consistency {
 
   /// Sets the object of a destroy action, which only the following delete specifies.
   void FindDestroyed(std::size_t i) {
+    // PutDestroyFirst() has put the action directly before its deletes.
     const auto* gone = i + 1 < segment_->lines.size()
                            ? std::get_if<ClassicDelete>(&segment_->lines[i + 1].what)
                            : nullptr;
@@ -142,6 +152,8 @@ class Consistency {
     if (!present_.insert(create->object).second) {
       Fail(Quoted(create->object) + " is created, but already exists");
     }
+    // An object may be created again after its deletion, hence two sets: what exists now, and what
+    // the limit counts.
     created_.insert(create->object);
     if (created_.size() > limits_.max_objects) {
       Fail("contains more than " + std::to_string(limits_.max_objects) + " objects");
@@ -160,6 +172,7 @@ class Consistency {
     object_of_[control->control] = control->object;
   }
   void Follow(ClassicControlChange* change) { change->object = ObjectOf(change->control); }
+  // A change names its control only; the object comes from the control's initialization.
   const std::string& ObjectOf(const std::string& control) const {
     const auto found = object_of_.find(control);
     if (found != object_of_.end()) return found->second;
@@ -168,7 +181,8 @@ class Consistency {
   void Follow(ClassicAction* action) {
     using enum sim::EventKind;
     if (action->kind == kReleased || action->kind == kDestroyed) {
-      // A release does not name its object: it is the one that this hand grasped last.
+      // A release does not name its object: it is the one that this hand grasped last. A release
+      // without an earlier grasp is accepted; it names no object (docs/importing.md).
       const auto held = held_.find(action->hand);
       if (held != held_.end()) {
         if (action->object.empty()) action->object = held->second;
@@ -225,6 +239,7 @@ std::filesystem::directory_iterator FilesIn(const std::filesystem::path& directo
 /// Reads 0.txt, 1.txt, … without gaps, all together within the limit of bytes.
 std::vector<ClassicText> ReadTexts(const std::filesystem::path& directory,
                                    const ClassicLimits& limits) {
+  // A set, since a directory lists 10.txt before 2.txt or in any other order.
   std::set<std::uint64_t> numbers;
   for (const auto& entry : FilesIn(directory)) {
     const auto number = NumberOf(entry.path(), ".txt");
@@ -243,6 +258,7 @@ std::vector<ClassicText> ReadTexts(const std::filesystem::path& directory,
                             std::to_string(texts.size()) + ".txt");
     }
     const auto path = directory / (std::to_string(number) + ".txt");
+    // ReadFile() fails beyond the bytes that are left, so all texts together stay within the limit.
     texts.push_back({path.string(), ReadFile(path, bytes_left)});
     bytes_left -= texts.back().text.size();
   }
@@ -260,6 +276,7 @@ void FindPictures(const std::filesystem::path& directory, const ClassicLimits& l
   std::error_code error;
   for (std::size_t segment = 0; segment < recording->segments.size(); ++segment) {
     const std::filesystem::directory_entry folder(directory / std::to_string(segment), error);
+    // Pictures are optional, and so are their folders.
     if (!folder.exists(error)) continue;
     RequireNoLink(folder);
     if (!folder.is_directory(error))
@@ -286,6 +303,7 @@ void MeasurePictures(const std::filesystem::path& directory, ClassicRecording* r
   for (const ClassicPicture& picture : recording->pictures) {
     const auto path =
         directory / std::to_string(picture.segment) / (std::to_string(picture.frame) + ".png");
+    // Films and the eye of the imported recording have one size.
     const std::optional<PngSize> size = ReadPngSize(path);
     if (!size) Refuse(path, "is not a readable PNG of at most 8192 pixels per side");
     const bool is_first = recording->picture_width_px == 0;
@@ -307,6 +325,8 @@ std::uint64_t ClassicRecording::last_frame() const {
   for (const ClassicFile& segment : segments) {
     if (!segment.lines.empty()) last = std::max(last, segment.lines.back().frame);
   }
+  // Frames never decrease, so the last line of a segment has its greatest frame; pictures may
+  // follow it.
   for (const ClassicPicture& picture : pictures) last = std::max(last, picture.frame);
   return last;
 }
@@ -345,6 +365,7 @@ ClassicRecording ReadClassic(const std::filesystem::path& directory, const Class
   if (!std::filesystem::is_directory(directory, error)) {
     Refuse(directory, "is not a directory, expected the directory of a classic recording");
   }
+  // Our recordings have the same texts; importing one would lose its commands and physics.
   if (recording::IsRecording(directory)) {
     Refuse(directory, "has a demo.json: it is already a recording and does not need an import");
   }

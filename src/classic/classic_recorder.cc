@@ -1,3 +1,7 @@
+// The classic view is written in step with the simulation and must be able to go back: after an
+// undo, Return() removes the files and lines after a mark. Therefore all state that later lines
+// depend on is in one struct, and files are append-only with known sizes.
+
 #include "classic/classic_recorder.h"
 
 #include <algorithm>
@@ -52,6 +56,7 @@ ClassicRecorder::ClassicRecorder(const std::filesystem::path& directory,
       model_(std::move(model)),
       first_tick_(first.tick),
       index_(directory / "frames.csv") {
+  // Indices of objects are stable: added ones follow at the end.
   state_.written.resize(first.objects.size());
   state_.is_gone.resize(first.objects.size());
   index_.Append("frame,tick,image\n");
@@ -62,6 +67,7 @@ ClassicRecorder::ClassicRecorder(const std::filesystem::path& directory,
 
 void ClassicRecorder::OpenSegment() {
   MakeDirectories(recording::SegmentPictures(directory_, state_.segment));
+  // Without symbols there are folders of pictures only.
   if (options_.has_symbols) text_.emplace(recording::SegmentText(directory_, state_.segment));
 }
 
@@ -74,6 +80,8 @@ void ClassicRecorder::WriteCreate(model::ObjectIndex index) {
   WriteLine(line);
 }
 
+// RecordedState() gives the position of a switch but the state of other controls, as the original
+// wrote them.
 void ClassicRecorder::WriteControl(model::ControlIndex index, const model::ControlState& state) {
   const model::Control& control = model_->control(index);
   WriteLine("initializeControl," + control.id() + "," + scene::KindOf(*control.part) + "," +
@@ -165,7 +173,8 @@ void ClassicRecorder::Note(const sim::Event& event) {
   if (event.kind == kAdded || event.kind == kRemoved || event.kind == kCleared) {
     return BeginWithoutHand(event);
   }
-  // The action is the first line of its segment.
+  // The action is the first line of its segment. A picture of a frame belongs to the segment that
+  // is open at its time.
   if (BeginsAction(event)) {
     ++state_.segment;
     OpenSegment();
@@ -180,6 +189,7 @@ void ClassicRecorder::Note(const sim::Event& event) {
       // A fallen object gets a last position with the next frame, then it is deleted from the view.
       state_.falling.push_back(IndexOf(event.object));
       break;
+    // A destroyed object is deleted in the segment that its action has just opened.
     case kDestroyed:
       if (!event.hand) break;
       WriteLine("delete," + event.object);
@@ -203,7 +213,8 @@ std::string ClassicRecorder::PathOf(std::uint64_t frame) const {
 }
 
 void ClassicRecorder::WriteFrame(const recording::TraceTick& now) {
-  // Lines only for objects that moved; a picture only if anything changed.
+  // Lines only for objects that moved; a picture only if anything changed. Every object is asked,
+  // also after the first change: each gets its own line.
   bool has_changed = std::exchange(state_.has_news, false);
   for (const auto i : IndexRange<model::ObjectIndex>(now.objects.size())) {
     if (!now.objects[i].is_present || state_.is_gone[i]) continue;
@@ -233,6 +244,8 @@ bool ClassicRecorder::WriteMove(model::ObjectIndex i, const recording::TracePose
       .angles_deg = FixedAxesAngles(X_WB.rotation()),
       .is_awake = pose.is_awake};
   std::optional<Written>& last = state_.written[i];
+  // An object that comes to rest gets one more line, so that its last line is where it stays,
+  // although it moved less than the threshold since.
   const bool fell_asleep = last && last->is_awake && !now.is_awake;
   // Compared to the last line, not to the last tick: detects moves between two frames and slow
   // drift.
@@ -252,6 +265,8 @@ bool ClassicRecorder::WriteMove(model::ObjectIndex i, const recording::TracePose
 // sizes at the mark.
 void ClassicRecorder::Return(const Mark& mark) {
   for (std::uint64_t frame = mark.state.frame; frame < state_.frame; ++frame) {
+    // Frames after the mark may have pictures in the mark's own segment; later segments are removed
+    // as a whole, below.
     std::filesystem::remove(recording::SegmentPictures(directory_, mark.state.segment) /
                             (std::to_string(frame) + ".png"));
   }

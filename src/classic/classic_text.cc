@@ -1,3 +1,6 @@
+// Formats of single values in classic texts. They match the 2015 program to the letter, so that its
+// tools read our recordings and comparisons of files are possible.
+
 #include "classic/classic_text.h"
 
 #include <charconv>
@@ -7,7 +10,7 @@ namespace smile::classic {
 
 std::string ClassicNumber(double number) {
   // The original prints Java floats: shortest digits of single precision, plain from 1e-3 to below
-  // 1e7.
+  // 1e7. Rounded to float first: the shortest text of the double would have more digits.
   const auto value = static_cast<float>(number);
   if (std::isnan(value)) return "NaN";
   if (std::isinf(value)) return value < 0 ? "-Infinity" : "Infinity";
@@ -25,6 +28,7 @@ std::string ClassicNumber(double number) {
   const std::size_t e = text.find('e');
   std::string mantissa = text.substr(0, e);
   if (mantissa.find('.') == std::string::npos) mantissa += ".0";
+  // std::stoi() drops the plus sign and leading zeros of the exponent.
   return mantissa + "E" + std::to_string(std::stoi(text.substr(e + 1)));
 }
 

@@ -12,6 +12,7 @@
 namespace smile::classic {
 namespace {
 
+// Enough for weeks of recording; a larger file is not an index.
 constexpr std::size_t kMaxIndexBytes = 256u << 20;
 
 /// Removes a number and the letter after it from the front of a text; nullopt, with the text
@@ -37,6 +38,8 @@ FrameEntry ReadEntry(const std::filesystem::path& csv, int number, std::string_v
   FrameEntry entry{.tick = tick.value_or(0), .image = std::string(rest)};
   if (rest.empty()) return entry;
   const auto segment = TakeNumber(&rest, '/'), picture = TakeNumber(&rest, '.');
+  // The path is not used as it is written: only this form is accepted, so it cannot lead out of the
+  // recording.
   if (!segment || *segment > 1'000'000'000 || !picture || rest != "png") {
     fail("a picture like 3/14.png");
   }
@@ -69,6 +72,7 @@ std::vector<FrameEntry> ReadFrameIndex(const std::filesystem::path& csv) {
 
 recording::TraceTick ReadMomentOf(const FrameEntry& frame, const std::filesystem::path& csv,
                                   recording::TraceReader* trace) {
+  // The trace is a stream; a frame's tick is at or after the last one that was read.
   auto moment = trace->Next();
   while (moment && moment->tick < frame.tick) moment = trace->Next();
   if (moment && moment->tick == frame.tick) return *std::move(moment);

@@ -1,3 +1,7 @@
+// Import in three steps: read and check everything, rehearse the playback against the scene, then
+// write. A bad recording is thus rejected before the first file is made, and BeginningMark marks a
+// directory whose writing was interrupted.
+
 #include "classic/import_classic.h"
 
 #include <map>
@@ -31,6 +35,7 @@ using Places = std::map<std::string, std::size_t>;
 /// missing.
 Places PlacesIn(const scene::SceneSpec& scene, const ClassicRecording& recording,
                 const std::filesystem::path& classic) {
+  // All missing ids are reported together: usually it is the wrong scene, and the list shows it.
   Places in_scene, places;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) in_scene[scene.objects[i].id()] = i;
   std::string missing;
@@ -57,6 +62,7 @@ Places PlacesOfPlaceholders(const ClassicRecording& recording) {
 /// Returns remarks on what placeholder objects cannot represent.
 std::vector<std::string> RemarksOnPlaceholders(const ClassicRecording& recording,
                                                const scene::SceneSpec& scene) {
+  // Counts controls, not lines about them: a control that changes often is still one.
   std::set<std::string> controls;
   std::size_t num_bonds = 0;
   for (const ClassicFile& segment : recording.segments) {
@@ -106,6 +112,7 @@ void WriteTrace(const std::filesystem::path& path, ClassicPlayer player,
     const auto add_events = [&trace](const std::vector<sim::Event>& events) {
       for (const sim::Event& event : events) trace.Add(event);
     };
+    // The state of this frame; it fills the ticks up to the next one.
     last = std::move(next->moment);
     last.tick = frame * kTicksPerFrame;
     // In the first frame, the holds precede the start and the events follow it.
@@ -140,6 +147,8 @@ void CopyView(const std::filesystem::path& classic, const ClassicRecording& reco
   recording::AppendFile index(directory / "frames.csv");
   index.Append("frame,tick,image\n");
   const std::uint64_t last_frame = recording.last_frame();
+  // The original has no index: a frame exists if it lies between 0 and the last one, with or
+  // without lines.
   for (std::uint64_t frame = 0; frame <= last_frame; ++frame) {
     const auto image = image_of.find(frame);
     index.Append(std::to_string(frame) + "," + std::to_string(frame * kTicksPerFrame) + "," +
@@ -157,6 +166,7 @@ recording::DemoInfo InfoOfImport(const ClassicRecording& recording, const model:
                            .origin = recording::Origin::kImported,
                            .frames_per_second = kFramesPerSecond};
   if (recording.pictures.empty()) return info;
+  // The original did not record the camera; views need some eye with the size of the pictures.
   info.eye = model::EyeView(
       model, {},
       {.width_px = recording.picture_width_px, .height_px = recording.picture_height_px});
@@ -165,6 +175,7 @@ recording::DemoInfo InfoOfImport(const ClassicRecording& recording, const model:
 
 /// Returns the name of a folder: `demo` for `demo`, `demo/` and, inside it, `.`.
 std::string NameOfFolder(const std::filesystem::path& folder) {
+  // `demo/` and `.` have no file name of their own.
   const auto path = std::filesystem::weakly_canonical(folder);
   return path.filename().string();
 }

@@ -1,3 +1,7 @@
+// Parser of single lines: fields separated by commas, `frame,event,…`. The lines come from outside,
+// and their texts end up in XML files, pages and terminals: characters, lengths and numbers are
+// checked here, once.
+
 #include "classic/internal_classic_line.h"
 
 #include <algorithm>
@@ -17,6 +21,7 @@ using sim::EventKind;
 constexpr std::size_t kMaxIdBytes = 100;
 /// Far beyond the table: in the original, objects that fell off it continue to fall.
 constexpr double kMaxPosition = 1e9;  ///< [units]
+// Angles need not be normalized; this limit rejects nonsense.
 constexpr double kMaxAngle_deg = 1e6;
 constexpr std::uint64_t kMaxTightness = 1'000'000;
 constexpr std::size_t kMaxAttended = 256, kMaxDescriptions = 256;
@@ -36,6 +41,7 @@ Letter FirstLetter(std::string_view text) {
   // The first byte determines the length; 0xC0, 0xC1 and those above 0xF4 never occur (RFC 3629).
   const std::size_t num_bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
   if (first < 0xC2 || first > 0xF4 || text.size() < num_bytes) return {};
+  // The first byte of n bytes begins with n ones and a zero; what remains are bits of the code.
   std::uint32_t code = first & (0x7Fu >> num_bytes);
   for (std::size_t i = 1; i < num_bytes; ++i) {
     const auto next = static_cast<unsigned char>(text[i]);
@@ -63,6 +69,8 @@ void RequireText(std::string_view text) {
 
 /// Splits a line at its commas; a comma after a backslash is part of its field.
 std::vector<std::string> SplitFields(std::string_view line) {
+  // The inverse of ClassicValue(): only commas are escaped, a backslash before anything else is
+  // itself.
   std::vector<std::string> fields(1);
   for (char letter : line) {
     if (letter != ',') {
@@ -167,6 +175,7 @@ ClassicAction TakeAction(EventKind kind, Fields* fields) {
       break;
     case EventKind::kAttended:
       action.object = fields->TakeId("an object");
+      // More properties than the limit remain in the line, and RequireEnd() rejects them.
       while (fields->remaining() > 0 && action.properties.size() < kMaxAttended) {
         action.properties.push_back(fields->Take("a property"));
       }
@@ -193,6 +202,7 @@ decltype(ClassicLine::what) TakeWhat(const std::string& event, Fields* fields) {
     change.state = fields->Take("a state");
     return change;
   }
+  // Collected for the message about an unknown event.
   std::vector<std::string_view> known{"create", "delete", "move", "initializeControl",
                                       "changeControlState"};
   for (const ClassicWord& action : kClassicWords) {

@@ -1,3 +1,7 @@
+// Follows the lines of a checked recording and keeps the state that a trace needs. The texts
+// contain no physics: poses jump from line to line, and controls and bonds have the states that
+// were written.
+
 #include "classic/internal_classic_player.h"
 
 #include <utility>
@@ -24,6 +28,7 @@ ClassicPlayer::ClassicPlayer(const ClassicRecording& recording, const model::Mod
 
 std::optional<ClassicFrame> ClassicPlayer::Next() {
   if (frame_ > last_frame_) return std::nullopt;
+  // State carries over from frame to frame, events do not.
   now_.holds.clear();
   now_.events.clear();
   // Applies all lines up to this frame; a frame without lines repeats the state before.
@@ -34,6 +39,7 @@ std::optional<ClassicFrame> ClassicPlayer::Next() {
       line_ = 0;
       continue;
     }
+    // A picture may be later than all lines; such frames repeat the last state.
     if (lines[line_].frame > frame_) break;
     std::visit([this](const auto& what) { Follow(what); }, lines[line_].what);
     ++line_;
@@ -55,6 +61,7 @@ void ClassicPlayer::Follow(const ClassicCreate&) {}  // It becomes present with 
 
 void ClassicPlayer::Follow(const ClassicDelete& gone) {
   const model::ObjectIndex object(objects_.at(gone.object));
+  // A second create and move may bring it back.
   now_.moment.objects[object] = {.is_present = false};
   // Bonds of a deleted object end on either side.
   for (model::HostIndex host : model_.hosts()) {
@@ -69,6 +76,7 @@ void ClassicPlayer::Follow(const ClassicMove& move) {
   const RigidTransform X_WB(RotationFromFixedAxes(move.angles_deg),
                             scene::FromFileUnits(move.position, model_.scene().meters_per_unit));
   now_.moment.objects[objects_.at(move.object)] =
+      // The texts do not contain which objects are awake.
       recording::TracePose::At(X_WB, /*is_awake=*/false);
 }
 
@@ -82,6 +90,7 @@ void ClassicPlayer::SetControl(model::ControlIndex index, const std::string& rec
   const model::Control& control = model_.control(index);
   model::ControlState& state = now_.moment.controls[index];
   state.override_state = -1;  // the recorded state is the visible one
+  // Depends on the present state: a switch that leaves a position and returns to it has advanced.
   const auto next = WithRecordedState(control, state, recorded);
   if (!next) Fail("found state " + Quoted(recorded) + ", which " + control.id() + " does not have");
   state = *next;
@@ -117,8 +126,11 @@ void ClassicPlayer::Follow(const ClassicAction& action) {
                    .tightness = action.tightness,
                    .properties = action.properties};
   if (!action.object.empty()) event.object = NameOf(action.object);
+  // Pointing at an object as a whole names it twice; both follow the id of the scene.
   if (action.part == action.object) event.part = event.object;
   if (!action.host.empty()) {
+    // An event without host and guest would not be a valid bond event, so it appears in the texts
+    // only.
     if (!has_scene_) return;
     FollowBond(action, &event);
   }

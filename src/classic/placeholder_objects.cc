@@ -1,3 +1,7 @@
+// Stand-in scene for an imported recording without its own: enough to see where objects were.
+// Values come from descriptions in the texts, so everything is brought into the limits of the scene
+// format; only a size that is no number is an error, with its line.
+
 #include "classic/placeholder_objects.h"
 
 #include <algorithm>
@@ -32,6 +36,7 @@ struct FirstAppearance {
 };
 
 std::map<std::string, FirstAppearance> FirstAppearances(const ClassicRecording& recording) {
+  // insert() keeps the first creation; a second one of the same object is ignored.
   std::map<std::string, FirstAppearance> appearances;
   for (const ClassicFile& segment : recording.segments) {
     for (const ClassicLine& line : segment.lines) {
@@ -64,6 +69,7 @@ double SpanOf(const scene::Description& description, const FirstAppearance& appe
 std::string Letters(std::string_view text) {
   std::string letters(text);
   for (char& letter : letters) {
+    // The cast is required: isalnum() of a negative char is undefined.
     if (std::isalnum(static_cast<unsigned char>(letter)) == 0) letter = '_';
   }
   return letters;
@@ -101,6 +107,7 @@ bool IsRenamed(const std::string& id, std::size_t hash) {
 
 /// Returns an id that is valid in a scene file and unique.
 std::string IdFor(const std::string& object, std::set<std::string>* taken) {
+  // Two ids may become equal by the replacement of letters; a number makes them differ again.
   const std::size_t hash = object.find('#');
   const std::string stem = Letters(object.substr(0, hash));
   std::string id = IsRenamed(object, hash) ? stem + object.substr(hash) : Letters(object);
@@ -112,6 +119,7 @@ std::string IdFor(const std::string& object, std::set<std::string>* taken) {
 
 scene::ObjectSpec Placeholder(const FirstAppearance& appearance, std::size_t index) {
   scene::ObjectSpec object;
+  // Sizes along axes that no description specifies [units].
   Vector3 spans(1, 1, 1);
   object.whole.color = *ParseColor(kPalette[index % kPalette.size()]);
   object.descriptions = DescriptionsOf(*appearance.create);
@@ -125,6 +133,7 @@ scene::ObjectSpec Placeholder(const FirstAppearance& appearance, std::size_t ind
   }
   object.whole.shape = scene::Block{.size = scene::FromFileUnits(spans, scene::kMetersPerUnit)};
   if (appearance.move == nullptr) return object;
+  // Objects that fell off the table of the original continue to fall; a scene file has bounds.
   const Vector3 place = appearance.move->position.cwiseMax(-kMaxLocation).cwiseMin(kMaxLocation);
   object.whole.X_PE = RigidTransform(RotationFromFixedAxes(appearance.move->angles_deg),
                                      scene::FromFileUnits(place, scene::kMetersPerUnit));

@@ -1,3 +1,7 @@
+// Copies a recording file by file, except the pictures, which a caller draws for the same ticks.
+// The trace and not the log is the source: what was recorded is drawn, also where physics would
+// replay differently today.
+
 #include "classic/redraw.h"
 
 #include <array>
@@ -20,6 +24,7 @@
 namespace smile::classic {
 namespace {
 
+// Far above any demo.json.
 constexpr std::size_t kMaxInfoBytes = 1u << 20;
 
 void RequireNoLink(const std::filesystem::path& path) {
@@ -32,6 +37,7 @@ void RequireNoLink(const std::filesystem::path& path) {
 /// recording.
 void CopyOf(const std::filesystem::path& from, const std::filesystem::path& to) {
   RequireNoLink(from);
+  // A missing file is no error: older recordings lack some of them, and not every run has a brain.
   if (std::filesystem::is_directory(from)) {
     MakeDirectories(to);
     for (const auto& entry : std::filesystem::directory_iterator(from)) {
@@ -47,6 +53,7 @@ void CopyOf(const std::filesystem::path& from, const std::filesystem::path& to) 
 /// Makes the folders of all segments and copies the texts, if wanted. Pictures are drawn later.
 void CopyTexts(const std::filesystem::path& from, const std::filesystem::path& to,
                bool has_symbols) {
+  // Segments are numbered without gaps, so the first missing folder ends them.
   for (int segment = 0; std::filesystem::is_directory(recording::SegmentPictures(from, segment));
        ++segment) {
     MakeDirectories(recording::SegmentPictures(to, segment));
@@ -78,6 +85,7 @@ std::size_t DrawAll(const recording::Recording& recording, const std::filesystem
 std::size_t RedrawInto(const recording::Recording& recording,
                        const std::filesystem::path& directory, const RedrawOptions& options,
                        const DrawMoment& draw, const recording::Progress& progress) {
+  // A list instead of everything: what else lies in the folder is not part of the recording.
   constexpr std::array kCopied{"scene.xml",
                                scene_xml::kMeshFolder,
                                recording::kRobotFolder,
@@ -121,6 +129,7 @@ std::size_t Redraw(const recording::Recording& recording, const std::filesystem:
                                 ": has no texts, so a copy cannot have texts");
   }
   std::error_code error;
+  // A directory that existed empty stays; one that this call made is removed after a failure.
   const bool was_there =
       std::filesystem::exists(directory, error) && !recording::IsAbandoned(directory);
   try {

@@ -1,3 +1,7 @@
+// Edits change when commands happen, never what the world does: the edited demonstration is
+// simulated again afterwards, and physics decides. Each edit of time is a monotone map of offsets
+// within a segment, so commands keep their order and pauses remain pauses.
+
 #include "editing/edit.h"
 
 #include <algorithm>
@@ -35,6 +39,8 @@ void CheckNumber(const char* what, int found, int low, int high) {
 /// Returns the segment with this recorded number; throws std::invalid_argument if it never existed
 /// or was dropped.
 SegmentPlace Find(int number, recording::Demonstration* demonstration) {
+  // Numbers are those of the recording, so a list of edits can be read without following what the
+  // earlier ones did.
   CheckNumber("segment", number, 0, demonstration->num_recorded - 1);
   auto& segments = demonstration->segments;
   const auto found =
@@ -54,6 +60,7 @@ using TimeMap = std::function<std::uint64_t(std::uint64_t)>;
 void Warp(const TimeMap& map, recording::EditableSegment* segment) {
   for (recording::SegmentCommand& command : segment->commands) command.offset = map(command.offset);
   for (recording::TickSpan& pause : segment->pauses) pause = {map(pause.begin), map(pause.end)};
+  // A pause that the map has closed must not count in later edits.
   std::erase_if(segment->pauses,
                 [](const recording::TickSpan& pause) { return pause.length() == 0; });
   segment->duration = map(segment->duration);
@@ -84,6 +91,8 @@ void Perform(const Move& move, recording::Demonstration* demonstration) {
   const int first_action = segments.front().number == 0 ? 1 : 0;
   CheckNumber("place", move.place, 1, static_cast<int>(segments.size()) - first_action);
   const SegmentPlace to = segments.begin() + first_action + move.place - 1;
+  // Rotation moves one element and keeps the order of all others; the direction decides which
+  // neighbor takes its place.
   if (from < to) {
     std::rotate(from, from + 1, to + 1);
   } else {
@@ -94,6 +103,7 @@ void Perform(const Move& move, recording::Demonstration* demonstration) {
 void Perform(const Trim& trim, recording::Demonstration* demonstration) {
   recording::EditableSegment& segment = *Find(trim.segment, demonstration);
   const std::uint64_t from = TicksOf(trim.from);
+  // A range may reach beyond the end: that keeps all to the end.
   const std::uint64_t to = std::min(TicksOf(trim.to), segment.duration);
   if (from > to) {
     throw std::invalid_argument("the range to keep is from " + NumberText(trim.from) + " to " +
@@ -116,6 +126,8 @@ void Perform(const MaxPause& longest, recording::Demonstration* demonstration) {
     const auto without_rest_of_pauses = [&](std::uint64_t offset) {
       std::uint64_t removed = 0;
       for (const recording::TickSpan& pause : pauses) {
+        // The part of the pause before this offset; `kept` ticks of it stay. Pauses do not overlap,
+        // so the removed parts add up.
         const std::uint64_t waited = std::clamp(offset, pause.begin, pause.end) - pause.begin;
         removed += waited - std::min(waited, kept);
       }
@@ -128,9 +140,12 @@ void Perform(const MaxPause& longest, recording::Demonstration* demonstration) {
 void Perform(const Retime& retime, recording::Demonstration* demonstration) {
   recording::EditableSegment& segment = *Find(retime.segment, demonstration);
   const std::uint64_t wanted = TicksOf(retime.seconds);
+  // A segment without duration has all commands at its begin; there is nothing to scale, and the
+  // time is added after them.
   if (segment.duration > 0) {
     Warp(Scaled(static_cast<double>(wanted) / static_cast<double>(segment.duration)), &segment);
   }
+  // Scaling may have missed it by rounding.
   segment.duration = wanted;
 }
 
@@ -162,6 +177,8 @@ bool SpeedUp(double factor, sim::Command* command) {
                                  return true;
                                },
                                [&](sim::TakePose& pose) {
+                                 // A fraction of full speed, so it cannot grow further. The segment
+                                 // may then end before the pose is reached.
                                  pose.speed = std::min(1.0, pose.speed * factor);
                                  return true;
                                },
@@ -192,6 +209,7 @@ void Perform(const Speed& speed, recording::Demonstration* demonstration) {
                                 NumberText(kMinFactor) + " to " + NumberText(1 / kMinFactor));
   }
   for (recording::EditableSegment& segment : demonstration->segments) {
+    // Times shrink by the same factor as speeds grow, so motions cover the same paths.
     Warp(Scaled(1 / speed.factor), &segment);
     for (recording::SegmentCommand& command : segment.commands) {
       SpeedUp(speed.factor, demonstration->meters_per_unit, &command);
@@ -202,6 +220,7 @@ void Perform(const Speed& speed, recording::Demonstration* demonstration) {
 }  // namespace
 
 recording::Demonstration Edited(recording::Demonstration demonstration, const Edit& edit) {
+  // One check for all kinds of edits, after the fact.
   const std::uint64_t before = demonstration.duration();
   std::visit([&](const auto& what) { Perform(what, &demonstration); }, edit);
   // An edit may shorten a recording that is longer than the limit, but not lengthen it.

@@ -1,3 +1,6 @@
+// Edits as JSON, from files and from the page. Fields are read by name and remembered; what was not
+// read is an error, so a misspelled optional field cannot be ignored silently.
+
 #include "editing/edit_json.h"
 
 #include <algorithm>
@@ -28,6 +31,7 @@ class EditFields {
   /// Returns a number without a fraction, within the range of int.
   /// @throws std::invalid_argument if it is missing or something else.
   int Integer(const char* key) {
+    // JSON has one type of number: 2.0 is a whole number, too.
     const double number = Number(key);
     constexpr int kMost = std::numeric_limits<int>::max();
     if (number != std::floor(number) || std::abs(number) > kMost) Expected(key, "a whole number");
@@ -86,6 +90,8 @@ Edit ReadRetime(EditFields* in) {
 
 Edit ReadSpeed(EditFields* in) { return Speed{.factor = in->Number("factor")}; }
 
+// One table holds names and readers, so the list in the message cannot differ from what is
+// understood.
 struct EditKind {
   std::string_view name;
   Edit (*read)(EditFields*);
@@ -149,6 +155,7 @@ std::vector<Edit> ParseEdits(const Json& json) {
 
 recording::Demonstration EditedByAll(recording::Demonstration demonstration,
                                      const std::vector<Edit>& edits) {
+  // In order, as each edit sees the effect of those before it.
   for (std::size_t i = 0; i < edits.size(); ++i) {
     demonstration = Of(i, [&] { return Edited(std::move(demonstration), edits[i]); });
   }

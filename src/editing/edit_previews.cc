@@ -1,3 +1,7 @@
+// A preview simulates anyway, so it keeps what it simulated: Save() then only draws pictures. Valid
+// only if neither the edits nor any file of the recording changed since; file states (inode, size,
+// time) are compared, which is cheap for large recordings.
+
 #include "editing/edit_previews.h"
 
 #include <map>
@@ -29,6 +33,7 @@ std::optional<FileStates> StatesOfFilesIn(const fs::path& directory) {
   std::error_code error;
   for (fs::recursive_directory_iterator entry(directory, error), end; !error && entry != end;
        entry.increment(error)) {
+    // The target of a link may change without a trace in this directory.
     if (entry->is_symlink()) return std::nullopt;
     const FileState state = StateOf(entry->path());
     if (!state.is_directory) states[entry->path().lexically_relative(directory)] = state;
@@ -64,6 +69,7 @@ EditReport MakePreview(const recording::Recording& recording,
   for (int segment = 0; fs::is_directory(recording::SegmentPictures(directory, segment));
        ++segment) {
     const fs::path pictures = recording::SegmentPictures(directory, segment);
+    // Redraw() writes each picture anew; those of one pixel are only in its way.
     fs::remove_all(pictures);
     fs::create_directory(pictures);
   }
@@ -87,10 +93,12 @@ EditPreviews::EditPreviews(MakeEye make_eye) : make_eye_(std::move(make_eye)) {}
 EditPreviews::~EditPreviews() = default;
 
 EditReport EditPreviews::Preview(const EditRequest& request, const recording::Progress& progress) {
+  // The former preview goes first: two would need twice the space, and only the newest is kept.
   RemoveOlderThan({});
   // Before anything is read, so that later changes are noticed.
   auto source = StatesOfFilesIn(request.recording);
   const recording::Recording recording = recording::OpenRecording(request.recording);
+  // Invalid edits throw here, before anything is simulated.
   const auto edited = EditedByAll(DemonstrationOf(recording), request.edits);
   bool goes_on = true;
   const recording::Progress watch = [&](double done, double total) {
@@ -133,6 +141,8 @@ std::shared_ptr<const EditPreviews::Kept> EditPreviews::Find(const EditRequest& 
 
 EditReport EditPreviews::Save(const EditRequest& request, const fs::path& directory,
                               const recording::Progress& progress) {
+  // A shared pointer: a new Preview() may replace it meanwhile, but the folder stays until the copy
+  // is done.
   const auto kept = Find(request);
   const recording::Recording recording =
       recording::OpenRecording(kept ? kept->directory() : request.recording);
@@ -153,6 +163,7 @@ EditReport EditPreviews::Save(const EditRequest& request, const fs::path& direct
   classic::Redraw(recording, directory, {.has_symbols = recording.info.has_symbols}, draw,
                   progress);
   const std::lock_guard lock(mutex_);
+  // Unless another thread has made a newer preview.
   if (kept_ == kept) kept_.reset();
   return kept->report;
 }

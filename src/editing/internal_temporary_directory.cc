@@ -11,6 +11,8 @@
 namespace smile::editing {
 
 TemporaryDirectory::TemporaryDirectory() {
+  // mkdtemp() replaces the X and makes the directory for this user only; both in one step, so no
+  // other program can take the name.
   std::string path = (std::filesystem::temp_directory_path() / "smile-edit-XXXXXX").string();
   if (::mkdtemp(path.data()) == nullptr) {
     throw std::runtime_error(path + ": cannot be created: " + std::strerror(errno));
@@ -19,6 +21,7 @@ TemporaryDirectory::TemporaryDirectory() {
 }
 
 TemporaryDirectory::~TemporaryDirectory() {
+  // A destructor must not throw; what remains is in the temporary directory of the system.
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
 }

@@ -1,3 +1,7 @@
+// Simulates an edited demonstration from the start of its recording and compares both ends. The
+// past before the start cannot be edited and must run exactly; in the edited part, a command may
+// have become impossible (its object is gone, a hand is full) and is skipped and reported.
+
 #include "editing/re_simulation.h"
 
 #include <cmath>
@@ -22,6 +26,7 @@ recorder::RecorderOptions OptionsFor(const recording::Recording& recording) {
 /// Reports objects that end elsewhere, and objects that exist only before or only after the edit.
 void CompareObjects(const recording::TraceTick& before, const recording::TraceTick& after,
                     const model::Model& model, EditReport* report) {
+  // Both ticks have the indices of the same model here, see AsOf().
   for (std::size_t i = 0; i < after.objects.size(); ++i) {
     const recording::TracePose &was = before.objects[i], &is = after.objects[i];
     const std::string& id = model.id(model::ObjectIndex(i));
@@ -64,6 +69,7 @@ void CompareControls(const recording::TraceTick& before, const recording::TraceT
                      const model::Model& model, EditReport* report) {
   for (model::ControlIndex i : model.controls()) {
     const model::Control& control = model.control(i);
+    // A missing object is reported as such; its controls would only repeat it.
     if (!before.objects[control.object].is_present || !after.objects[control.object].is_present) {
       continue;
     }
@@ -102,6 +108,8 @@ std::vector<SkippedCommand> RunFor(std::uint64_t ticks, replay::LogPlayer* playe
                                    const recording::Progress& progress) {
   std::vector<SkippedCommand> skipped;
   for (std::uint64_t tick = 0;; ++tick) {
+    // Commands of a tick come before the tick, as in a live simulation; at the end one more round
+    // applies those of the last tick.
     while (auto refused = player->ApplyDue(simulation)) {
       skipped.push_back({refused->command.line, std::move(refused->refusal)});
     }
@@ -149,6 +157,7 @@ EditReport ReSimulate(const recording::Recording& recording, const recording::De
   replay::LogPlayer player(edited.Schedule(), edited.start);
   RunToStart(recording, &player, &simulation);
   if (output) {
+    // Attached only now, so that the new recording begins where the old one did.
     recorder.emplace(output->directory, OptionsFor(recording), output->eye, simulation);
     simulation.AddListener(&*recorder);
   }

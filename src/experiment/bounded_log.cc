@@ -1,3 +1,7 @@
+// What people look for in a long log is its beginning (the cause) and its end (the failure), so the
+// middle is what gets lost. The beginning is flushed at once and can be followed while the program
+// runs.
+
 #include "experiment/bounded_log.h"
 
 #include <algorithm>
@@ -24,10 +28,13 @@ void BoundedLog::Add(std::string_view text) {
   file_ << text.substr(0, beginning) << std::flush;
   begin_bytes_ += beginning;
   unwritten_bytes_ += text.size() - beginning;
+  // Trimmed only at twice the size: erasing at the front moves the rest, which would be slow for
+  // each line.
   if (end_.size() > 2 * kEndBytes) end_.erase(0, end_.size() - kEndBytes);
 }
 
 void BoundedLog::Finish() {
+  // A short log lies in the file already; its bytes in `end_` must not be written twice.
   const std::size_t kept = std::min({unwritten_bytes_, kEndBytes, end_.size()});
   if (unwritten_bytes_ > kept) {
     file_ << "\n... " << unwritten_bytes_ - kept << " bytes are omitted ...\n";

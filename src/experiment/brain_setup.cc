@@ -9,6 +9,8 @@ namespace smile::experiment {
 brain::BrainDriverOptions DriverOptionsFor(const std::filesystem::path& brain,
                                            const std::filesystem::path& demonstration,
                                            sim::Eye* eye) {
+  // Frames are not read before the brain asks for them, see FramesOf(); attention goes to the brain
+  // with its first message.
   brain::BrainDriverOptions options{
       .eye = eye, .has_trackers = brain::MayReadTrackers(brain), .demonstration = demonstration};
   if (!demonstration.empty()) {

@@ -1,3 +1,7 @@
+// Hashes decide whether results of an earlier evaluation are still valid. They cover everything
+// that results may depend on: too wide a hash repeats runs in vain, too narrow a one mixes results
+// that cannot be compared.
+
 #include "experiment/content_hash.h"
 
 #include <algorithm>
@@ -27,6 +31,7 @@ void AddFile(const fs::path& path, StateHash* hash) {
   std::array<char, 1 << 16> buffer;
   while (file) {
     file.read(buffer.data(), buffer.size());
+    // The last piece is shorter; reading past the end sets eof and fail.
     hash->Add(std::string_view(buffer.data(), static_cast<std::size_t>(file.gcount())));
   }
   if (!file.eof()) throw std::runtime_error(path.string() + ": cannot be read");
@@ -42,6 +47,7 @@ bool IsLeftOver(const fs::path& path) {
 std::vector<fs::path> FilesBelow(const fs::path& folder) {
   std::vector<fs::path> files;
   std::uintmax_t bytes = 0;
+  // Size and number are checked while listing, so that a wrong folder is refused before it is read.
   for (fs::recursive_directory_iterator it(folder), end; it != end; ++it) {
     if (!it->is_regular_file() || IsLeftOver(it->path())) continue;
     files.push_back(it->path());
@@ -99,6 +105,8 @@ std::string ContentOf(const scene::SceneSpec& scene) {
   for (const scene_xml::MeshFile& file : scene_xml::MeshFilesOf(scene)) {
     hash.Add(std::string_view(file.name));
     const scene::SurfaceMesh& surface = file.mesh->surface;
+    // Counts separate what follows, so that no two different meshes give the same sequence of
+    // numbers.
     hash.Add(std::uint64_t{surface.vertices.size()});
     for (const Eigen::Vector3f& vertex : surface.vertices) {
       for (float coordinate : vertex) hash.Add(double{coordinate});

@@ -31,6 +31,8 @@ class FrameReader {
         trace_(recording_) {
     const auto has_image = [](const classic::FrameEntry& frame) { return !frame.image.empty(); };
     const auto first = std::find_if(frames_.begin(), frames_.end(), has_image);
+    // Without the eye's description, pictures could not be interpreted: their pose and focal length
+    // are part of each frame.
     const std::optional<model::EyeSpec> spec = EyeOf(recording_.info);
     has_pictures_ = spec && first != frames_.end();
     // Frames before the first picture cannot be shown. Later frames without a picture repeat the
@@ -46,6 +48,8 @@ class FrameReader {
   std::optional<brain::DemonstrationFrame> Next() {
     if (next_ == frames_.size()) return std::nullopt;
     const classic::FrameEntry& frame = frames_[next_++];
+    // Read for each frame, also for pictures from files: the pose of the eye depends on the robot's
+    // joints.
     const recording::TraceTick moment = ReadMomentOf(frame, csv_, &trace_);
     if (!has_pictures_) {
       Draw(moment);
@@ -61,6 +65,7 @@ class FrameReader {
   void Draw(const recording::TraceTick& moment) {
     const Image& drawn = eye_->Draw(recording_.model->visual_model(),
                                     recording::ViewSampleAt(moment, *recording_.model, spec_));
+    // Only color: a demonstration that was filmed has no depth either.
     image_ = {.width_px = drawn.width_px, .height_px = drawn.height_px, .color = drawn.color};
   }
 

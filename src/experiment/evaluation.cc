@@ -1,3 +1,8 @@
+// Runs all pairs of brain (with a version of the demonstration) and seed, each in a process of its
+// own: a crash, a leak or a hang costs one run. The disk is the only memory: a run is done when its
+// folder says so, hence an evaluation can be interrupted at any time and continued by the same
+// command.
+
 #include "experiment/evaluation.h"
 
 #include <algorithm>
@@ -32,6 +37,7 @@ std::vector<std::string> NamesOf(const std::vector<std::string>& brains) {
   constexpr std::string_view kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
   std::vector<std::string> names;
+  // Names become folders beside this one.
   std::set<std::string> taken{kDemonstratorsFolder};
   for (const std::string& brain : brains) {
     const auto path = std::filesystem::absolute(brain).lexically_normal();
@@ -50,6 +56,8 @@ std::vector<std::string> NamesOf(const std::vector<std::string>& brains) {
 /// Finds errors of the plan before any run.
 /// @returns everything the results of a brain depend on, except the program and the seed.
 Json CheckAndDescribe(const EvaluationPlan& plan) {
+  // Called for their exceptions: the same checks happen in each run, but here before the first one,
+  // in seconds instead of hours.
   task::MakeImitationTask("", recording::OpenRecording(plan.demonstration), plan.scene);
   for (const std::string& brain : plan.brains) brain::BrainProcess{brain};
   return {{"format", kRunsFormat},
@@ -75,6 +83,8 @@ std::vector<Showing> ShowingsOf(const EvaluationPlan& plan, const Json& depends_
   const DemonstratorCopies copies{.demonstration = plan.demonstration,
                                   .demonstrators = plan.demonstrators,
                                   .has_symbols = plan.has_symbols,
+                                  // Less than for runs: a copy depends on neither scene nor robot
+                                  // of the imitation.
                                   .depends_on = {{"build", depends_on["build"]},
                                                  {"demo", depends_on["demo"]},
                                                  {"symbols", plan.has_symbols}}};
@@ -102,6 +112,8 @@ struct OpenRun {
 
 report::EvaluatedRun FailedRun(std::uint64_t seed, const PoolEnd& end, double wall_seconds) {
   report::EvaluatedRun run{.seed = seed};
+  // `no_result` means that the program ended by itself but left no result, `crashed` that a signal
+  // ended it.
   if (end.was_late) {
     run.failure_reason = {"hung",
                           "no end after " + NumberText(wall_seconds) + " s of wall-clock time"};
@@ -130,6 +142,7 @@ class StatusCounter {
 
   EvaluationStatus status() const {
     EvaluationStatus status = status_;
+    // Runs that were found on disk took no time now and must not make the estimate too good.
     if (status.done > found_ && status.done < status.runs) {
       const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
       status.seconds_left = passed.count() / static_cast<double>(status.done - found_) *
@@ -151,6 +164,8 @@ class Evaluator {
  public:
   Evaluator(const EvaluationPlan& plan, const EvaluationCallbacks& callbacks)
       : plan_(plan), callbacks_(callbacks) {
+    // The order of these steps matters: an invalid plan leaves no folder, and a second evaluation
+    // in the same folder stops before it moves results aside.
     const Json depends_on = CheckAndDescribe(plan);
     // Locked before anything is written, but after the plan was checked.
     lock_.emplace(plan.out);
@@ -164,6 +179,7 @@ class Evaluator {
   }
 
   void Run() {
+    // The pool refers to jobs by their index, which is that of `open`.
     const std::vector<OpenRun> open = FindOpenRuns();
     std::vector<PoolJob> jobs;
     for (const OpenRun& run : open) jobs.push_back(JobOf(run));
@@ -203,6 +219,7 @@ class Evaluator {
                                        .brain = candidate.brain,
                                        .runs = {},
                                        .demonstrator = candidate.showing.demonstrator};
+      // Runs that were found done may have been kept under another setting than this plan's.
       for (auto& [seed, run] : candidate.runs) {
         candidate.folder.Tidy(plan_.keep, plan_.out, &run);
         evaluated.runs.push_back(run);
@@ -215,11 +232,14 @@ class Evaluator {
  private:
   std::size_t num_runs() const { return candidates_.size() * plan_.num_scenes; }
   std::size_t at_once() const {
+    // hardware_concurrency() may return 0 where it does not know.
     return plan_.jobs > 0 ? plan_.jobs : std::max(1u, std::thread::hardware_concurrency());
   }
 
   void AddCandidate(std::string name, const std::string& brain, const Showing& showing,
                     Json depends_on) {
+    // The folder of a candidate is valid only for exactly this brain and this copy; otherwise, it
+    // moves aside.
     depends_on["brain"] = ContentOfBrain(brain);
     if (!showing.demonstrator.empty()) {
       name += "." + showing.demonstrator;  // no program has a name with a dot
@@ -273,7 +293,9 @@ class Evaluator {
 
   /// The result of a run. One without a result is a failure, too.
   const report::EvaluatedRun& Take(const OpenRun& open, const PoolEnd& end) {
-    // Exit codes 0 and 1 mean that a result was written: success and failure of the imitation.
+    // Exit codes 0 and 1 mean that a result was written: success and failure of the imitation. A
+    // late run may have written a result just before it was ended, but wall-clock time must not
+    // decide whether it counts.
     const bool may_have_result = !end.was_late && (end.exit_code == 0 || end.exit_code == 1);
     report::EvaluatedRun run = FailedRun(open.seed, end, plan_.wall_seconds);
     if (may_have_result) {
@@ -299,6 +321,7 @@ report::Evaluation Evaluate(const EvaluationPlan& plan, const EvaluationCallback
   Evaluator evaluator(plan, callbacks);
   evaluator.Run();
   report::Evaluation evaluation = evaluator.Outcome();
+  // Both files are derived from the runs on disk and are written last.
   WriteFile(plan.out / "evaluation.json", ToText(report::ToJson(evaluation), 2) + "\n");
   WriteFile(plan.out / "report.html", report::PageOf(evaluation));
   return evaluation;

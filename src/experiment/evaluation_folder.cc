@@ -24,6 +24,7 @@ Json ReadOwn(const fs::path& path) {
   try {
     return ParseJson(ReadFile(path, kMaxFileBytes));
   } catch (const InputError&) {
+    // Missing and damaged files mean the same: not done. The run is then repeated.
     return nullptr;
   } catch (const std::invalid_argument&) {
     return nullptr;
@@ -50,7 +51,8 @@ EvaluationFolder::EvaluationFolder(const fs::path& directory, const Json& depend
                                    const Callbacks& callbacks)
     : directory_(directory) {
   std::error_code error;
-  // Results that depend on something else are kept under another name.
+  // Results that depend on something else are kept under another name. Also if `brain.json` itself
+  // is missing: the folder may belong to something else.
   if (fs::exists(directory_, error) && ReadOwn(directory_ / kBrainFile) != depends_on) {
     MoveAside(directory_, callbacks);
   }
@@ -60,6 +62,8 @@ EvaluationFolder::EvaluationFolder(const fs::path& directory, const Json& depend
 
 fs::path EvaluationFolder::FolderOf(std::uint64_t seed) const {
   char name[40];
+  // Four digits, so that lists of folders are in order for the usual seeds; larger seeds are
+  // longer.
   std::snprintf(name, sizeof name, "seed-%04llu", static_cast<unsigned long long>(seed));
   return directory_ / name;
 }
@@ -69,6 +73,8 @@ fs::path EvaluationFolder::ResultOf(std::uint64_t seed) const {
 }
 
 std::optional<report::EvaluatedRun> EvaluationFolder::FindRun(std::uint64_t seed) const {
+  // The mark is written after the result, and holds its hash: a run that was killed between the
+  // two, or whose result was edited, counts as not done.
   const Json mark = ReadOwn(FolderOf(seed) / kRunFile);
   if (mark.is_null() || !fs::exists(ResultOf(seed)) || mark != MarkOf(seed, ResultOf(seed))) {
     return std::nullopt;
@@ -100,6 +106,7 @@ void EvaluationFolder::Tidy(Keep keep, const fs::path& report_folder,
   std::error_code error;
   if (!is_kept) Remove(recording);
   if (fs::exists(recording, error)) {
+    // Relative, so that the folder with its report can be moved or copied.
     run->recording = recording.lexically_relative(report_folder).generic_string();
   }
 }

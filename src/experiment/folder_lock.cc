@@ -14,6 +14,8 @@ namespace smile::experiment {
 
 FolderLock::FolderLock(const std::filesystem::path& folder) {
   MakeDirectories(folder);
+  // The folder itself is locked: no lock file is needed, and the system releases the lock with the
+  // process. O_CLOEXEC keeps it from the runs, which would hold it beyond the evaluation's end.
   folder_ = process::UniqueFd(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!folder_) {
     throw std::runtime_error(folder.string() + ": cannot be opened: " + std::strerror(errno));

@@ -26,9 +26,12 @@ ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
                              .label = "the robot builds",
                              .goal = &imitation_task.structure},
                             callbacks);
-  // Scored from the recording, so that anyone can repeat the score.
+  // Scored from the recording, so that anyone can repeat the score. The recording is also what
+  // people check a score against; state that only lived in memory would escape them.
   const task::Episode outcome = task::EpisodeOf(recording::OpenRecording(plan.record));
   Json result = task::ResultOf(imitation_task, outcome,
+                               // Watching takes as long as the demonstration; what counts is the
+                               // time of acting.
                                {.seconds = run.seconds - run.watched_seconds,
                                 .watched_seconds = run.watched_seconds,
                                 .realtime_factor = run.realtime_factor,

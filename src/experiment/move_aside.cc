@@ -14,6 +14,8 @@ void MoveAside(const std::filesystem::path& named, const Callbacks& callbacks) {
   for (int i = 1;; ++i) {
     const std::filesystem::path aside = path.string() + "." + std::to_string(i);
     if (std::filesystem::exists(aside, error)) continue;
+    // Not atomic with the check before it: a folder that appears in between is replaced only if it
+    // is empty.
     std::filesystem::rename(path, aside, error);
     if (error) {
       throw std::runtime_error(path.string() + ": cannot be moved aside: " + error.message());

@@ -1,3 +1,6 @@
+// A loop in one thread starts programs, reads their output and collects them. Output must be read
+// all the time, since a program blocks when its pipe is full; poll() waits for all pipes together.
+
 #include "experiment/program_pool.h"
 
 #include <poll.h>
@@ -14,6 +17,7 @@
 namespace smile::experiment {
 namespace {
 
+// How late the end of a program, its limit or a cancellation may be noticed.
 constexpr int kSliceMs = 50;
 constexpr double kFarewellSeconds = 10;  ///< for a cancelled program, to write its results
 constexpr double kTidySeconds = 1;
@@ -47,6 +51,8 @@ class PoolRun {
     }
   }
 
+  // A program that is still running here is late: it is asked to end, then killed with all its
+  // descendants.
   PoolEnd End() {
     const bool was_late = !child_.HasEnded();
     if (was_late) Interrupt();  // gives it a chance to tidy up
@@ -54,6 +60,8 @@ class PoolRun {
     const std::string how = child_.End();
     ReadOutput();
     log_.Finish();
+    // The log is finished before its last line is read: ReadOutput() above has added the rest of
+    // the pipe.
     return {.exit_code = child_.exit_code(),
             .was_late = was_late,
             .how = how,
@@ -73,6 +81,7 @@ using PoolRuns = std::vector<std::unique_ptr<PoolRun>>;
 /// Waits until one of them prints something or a slice of time has passed.
 void ListenTo(const PoolRuns& runs) {
   std::vector<pollfd> watched;
+  // A closed pipe has the descriptor -1, which poll() ignores.
   for (const auto& run : runs) watched.push_back({run->output(), POLLIN, 0});
   ::poll(watched.data(), watched.size(), kSliceMs);
   for (const auto& run : runs) run->ReadOutput();
@@ -112,6 +121,7 @@ bool RunAll(const std::vector<PoolJob>& jobs, std::size_t at_once, const PoolCal
         ++i;
         continue;
       }
+      // Removed from the list first: on_end may throw, and then destruction ends the others.
       const std::unique_ptr<PoolRun> run = std::move(runs[i]);
       runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(i));
       const PoolEnd end = run->End();

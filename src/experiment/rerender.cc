@@ -29,6 +29,7 @@ bool IsMarked(const std::filesystem::path& mark, const std::string& text) {
 std::size_t Rerender(const recording::Recording& recording, const std::filesystem::path& out,
                      const classic::RedrawOptions& copy, const Callbacks& callbacks) {
   const model::Model& model = *recording.model;
+  // nullptr without a demonstrator in the pictures.
   const auto demonstrator = picture::DemonstratorOf(recording, copy.demonstrator);
   picture::RecordingRenderer renderer(
       model, RenderRequestOf(EyeOf(recording.info).value_or(model::EyeSpec())), demonstrator.get());
@@ -51,6 +52,8 @@ std::vector<std::filesystem::path> MakeCopies(const DemonstratorCopies& copies,
     std::error_code error;
     const bool exists = std::filesystem::exists(copy, error);
     if (!exists || !IsMarked(mark, text)) {
+      // A copy without a mark was interrupted, or is of another recording: either way not ours to
+      // delete.
       if (exists) MoveAside(copy, callbacks);
       Rerender(recording::OpenRecording(copies.demonstration), copy,
                {.demonstrator = recording::ParseDemonstratorAppearance(look),

@@ -1,3 +1,7 @@
+// A run without a window: one loop in which, for each tick, the script acts, then the brain, then
+// physics; recorder and observer listen to the simulation. The wall clock only delays it (pacing)
+// or ends it (timeouts, cancellation), so equal plans give equal recordings.
+
 #include "experiment/run.h"
 
 #include <algorithm>
@@ -50,6 +54,7 @@ class LiveRun {
                                             .recording = plan.recording,
                                             .eye = takes_pictures ? &*eye_ : nullptr});
     }
+    // The recorder must see the initial state, before anything acts.
     if (!plan.record.empty()) controller_->StartIn(plan.record, simulation_);
     if (plan.continuation) {
       controller_->Continue(plan.continuation->recording, plan.continuation->from, &simulation_,
@@ -95,7 +100,6 @@ class LiveRun {
     process_.emplace(plan_.brain, std::move(options));
   }
 
-  /// Waits until a time, or notes by how much it has passed already.
   /// Reports how long the run has lasted, and how many objects of its goal are in place.
   void ReportProgress() {
     // Comparing takes milliseconds: once per simulated second is often enough for people.
@@ -113,6 +117,7 @@ class LiveRun {
     callbacks_.Report(label_, passed_, plan_.seconds.value_or(0));
   }
 
+  /// Waits until a time, or notes by how much it has passed already.
   template <class Time>
   void WaitUntil(Time due) {
     const std::chrono::duration<double> delay = Clock::now() - due;
@@ -127,6 +132,8 @@ class LiveRun {
     brain::BrainDriverOptions options = DriverOptionsFor(plan_.brain, plan_.demonstration, &*eye_);
     options.image_seconds = plan_.image_seconds;
     options.noise = plan_.noise;
+    // The brain starts here and not with its first step: its init may set the posture of the robot,
+    // which must precede the first tick.
     driver_.emplace(std::move(options));
     DriveBrain();
   }
@@ -184,6 +191,8 @@ class LiveRun {
         std::llround(plan_.seconds.value_or(plan_.max_seconds) * sim::kTicksPerSecond));
     // The time limit of a brain counts from the end of watching.
     if (!plan_.seconds && driver_) limit += driver_->watched_ticks();
+    // By the simulation's clock: after an undo in the script, the run lasts longer in wall-clock
+    // time but ends at the same simulated time.
     if (simulation_.tick() >= first_tick_ + limit) return true;
     // Script before brain, in every tick, so that runs are deterministic.
     if (player_) AdvanceScript();
@@ -191,11 +200,13 @@ class LiveRun {
       DriveBrain();
       if (!is_brain_running()) farewell_ticks_ = kFarewellTicks;
     }
+    // The script continues during these ticks, but the brain has ended.
     if (farewell_ticks_ > 0) {
       --farewell_ticks_;
       return false;
     }
     if (driver_ && driver_->status() == brain::BrainStatus::kFailed) return true;
+    // With an exact length, a run continues although nothing acts.
     if (plan_.seconds) return false;
     return (!player_ || player_->is_finished()) && !is_brain_running();
   }
@@ -256,6 +267,8 @@ Json ToJson(const RunResult& result) {
                {"robot", result.robot},
                {"brain", BrainJson(result)},
                {"recordings", Json::array()}};
+  // Measurements of the machine, left out otherwise: equal runs then have equal JSON, except for
+  // the factor.
   if (result.is_realtime) {
     json["late_ticks"] = result.late_ticks;
     json["worst_delay"] = result.worst_delay;

@@ -68,12 +68,15 @@ void WriteReport(const TaskExperimentPlan& plan, const Json& result, const Callb
 }  // namespace
 
 ImitationResult RunTaskExperiment(const TaskExperimentPlan& plan, const Callbacks& callbacks) {
+  // Earlier results are never overwritten, so a failed experiment costs none.
   MoveAside(plan.out, callbacks);
   MakeDirectories(plan.out);
   RecordDemonstration(plan, plan.out / "demonstration", callbacks);
   if (callbacks.IsCancelled())
     throw std::runtime_error("interrupted; the recording so far is kept");
 
+  // Another table with the objects elsewhere: the robot must reproduce the structure, not the
+  // motions.
   const scene::SceneSpec scene = layout::LaidOut(
       scene_xml::LoadScene(DataFile("scenes/" + plan.task + "_robot.xml")), plan.layout);
   ImitationResult result = Imitate({.task = plan.task,
@@ -84,6 +87,7 @@ ImitationResult RunTaskExperiment(const TaskExperimentPlan& plan, const Callback
                                     .record = plan.out / "imitation",
                                     .robot = plan.robot},
                                    callbacks);
+  // Before films and report, which take longer than the experiment and may be cancelled.
   WriteFile(plan.out / "result.json", ToText(result.json, 2) + "\n");
   if (plan.has_films) FilmBoth(plan.out, callbacks);
   WriteReport(plan, result.json, callbacks);

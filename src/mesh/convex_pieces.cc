@@ -98,6 +98,8 @@ class Decomposition {
   void Split(std::size_t number) {
     const Cell cell = std::move(cells_[number]);
     cells_.erase(cells_.begin() + static_cast<std::ptrdiff_t>(number));
+    // Both halves pass their triangles on from the parent, so that lists become shorter with each
+    // cut.
     const Plane plane = BestPlane(cell);
     for (const bool is_high : {false, true}) {
       LatticeBox box = cell.box;
@@ -126,6 +128,8 @@ class Decomposition {
   /// Returns places to cut at, ascending: in each of kCutsPerAxis equal parts the place with the
   /// most vertices, since the solid's own faces are there.
   std::vector<std::int64_t> PlacesToCut(const Cell& cell, int axis) const {
+    // Cuts through faces of the solid leave boxes that the solid fills exactly; a cut beside them
+    // leaves a sliver on one side.
     const std::int64_t low = cell.box.low[axis], high = cell.box.high[axis];
     if (high - low < 2 * kThinnest) return {};
     std::vector<std::int64_t> vertices;
@@ -261,6 +265,7 @@ class Decomposition {
       if (!best) return;
       Cell& kept = cells_[best->first];
       const Cell& gone = cells_[best->second];
+      // `touching` and `above` of the merged cell are not updated: there are no cuts after merging.
       kept.hull = std::move(joined);
       kept.volume += gone.volume;
       kept.box = {kept.box.low.cwiseMin(gone.box.low), kept.box.high.cwiseMax(gone.box.high)};
@@ -326,6 +331,7 @@ std::vector<scene::Hull> ConvexPieces(const scene::SurfaceMesh& mesh, const Piec
   if (!whole) {
     throw std::invalid_argument("found all triangles in a plane, expected a body with a volume");
   }
+  // A surface that is folded flat, or two that cancel, has a hull but hardly a volume of its own.
   constexpr double kNothing = 1e-4;
   const bool has_inside = solid.is_closed() && solid.volume() > kNothing * whole->volume;
   std::vector<LatticeHull> pieces;

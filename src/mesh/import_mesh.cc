@@ -1,3 +1,7 @@
+// Entry to all mesh formats. A file comes from anywhere, so each reader reports faults as BadMesh,
+// without the file's name; only this file knows where the bytes are from and turns them into an
+// InputError. The readers open nothing themselves.
+
 #include "mesh/import_mesh.h"
 
 #include <algorithm>
@@ -38,6 +42,8 @@ bool IsPlainName(const std::string& name) {
 /// out of it.
 std::string ReadNeighbour(const fs::path& mesh_file, const std::string& name,
                           std::size_t max_bytes) {
+  // A glTF names its buffers. Only plain names are accepted, and the canonical folder of the result
+  // must be that of the mesh: neither `..` nor a link leads elsewhere.
   std::error_code error;
   const fs::path folder = fs::canonical(mesh_file, error).parent_path();
   const fs::path file =
@@ -68,6 +74,7 @@ scene::SurfaceMesh ParseMesh(std::string_view bytes, std::string_view extension,
     if (bytes.size() > limits.max_file_bytes) {
       throw BadMesh("is larger than " + std::to_string(limits.max_file_bytes) + " bytes");
     }
+    // The soup enforces the limits while triangles arrive, so a small file cannot fill the memory.
     TriangleSoup soup(limits, axes);
     ReadInto(bytes, extension, open, limits, &soup);
     return soup.Take();

@@ -1,3 +1,8 @@
+// DAE by the library assimp, which crashes on some damaged files and whose cost is not bounded by
+// the size of a file. Three barriers: CheckCost() refuses what multiplies, a child process with
+// limits of time and memory contains crashes, and the parent checks the answer (floats through a
+// pipe) like any file. Measurements: docs/decisions/meshes.md.
+
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -42,6 +47,7 @@ class MemoryStream : public Assimp::IOStream {
 
   std::size_t Read(void* to, std::size_t size, std::size_t count) override {
     if (size == 0) return 0;
+    // Counts whole elements, as fread() does.
     const std::size_t whole = std::min(count, (bytes_.size() - position_) / size);
     std::memcpy(to, bytes_.data() + position_, whole * size);
     position_ += whole * size;
@@ -52,6 +58,7 @@ class MemoryStream : public Assimp::IOStream {
     const std::size_t base = origin == aiOrigin_CUR   ? position_
                              : origin == aiOrigin_END ? bytes_.size()
                                                       : 0;
+    // An unsigned wrap-around gives a target beyond the size, which is refused.
     const std::size_t target = origin == aiOrigin_END ? base - offset : base + offset;
     if (target > bytes_.size()) return aiReturn_FAILURE;
     position_ = target;
@@ -111,6 +118,7 @@ using Corners = std::vector<TriangleSoup::Corner>;  // three per triangle
 /// Appends the triangles of a node and its children, in the frame of the scene.
 void AddNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& X_SP, Corners* corners) {
   const aiMatrix4x4 X_SN = X_SP * node.mTransformation;
+  // Node transforms may scale by negative factors.
   const bool is_mirrored = aiMatrix3x3(X_SN).Determinant() < 0;
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
     const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
@@ -120,6 +128,7 @@ void AddNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& X_SP, 
       // A mirrored node turns its triangles inside out: swap two corners.
       for (const int c : {0, is_mirrored ? 2 : 1, is_mirrored ? 1 : 2}) {
         const unsigned number = face.mIndices[c];
+        // The library does not check the indices of all files.
         if (number >= mesh.mNumVertices) throw BadMesh("found an invalid corner");
         const aiVector3D p = X_SN * mesh.mVertices[number];
         corners->push_back({p.x, p.y, p.z});
@@ -135,6 +144,7 @@ void AddNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& X_SP, 
 /// @throws BadMesh if it cannot be read.
 Corners CornersOf(std::string_view bytes, MeshAxes axes) {
   Assimp::Importer importer;
+  // Otherwise, the library turns the scene by the file's `up_axis`.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION,
                            axes == MeshAxes::kAsWritten);
   importer.SetIOHandler(new OneFileSystem(bytes));  // owned by the importer from here on
@@ -176,6 +186,8 @@ std::string ReadAll(int from, std::size_t max_bytes) {
 
 /// Returns the private memory of this process in bytes: heap, stack and static data.
 std::size_t BytesInUse() {
+  // The limit of the kernel counts all private memory, also what the child inherited from the
+  // parent; so the child may use that and kMaxMore.
   std::size_t pages[6] = {};  // the sixth number of statm, see proc(5)
   std::ifstream statm("/proc/self/statm");
   for (std::size_t& count : pages) statm >> count;
@@ -188,6 +200,8 @@ void LimitThisProcess() {
   const rlimit seconds{2, 2}, no_core{0, 0};
   const std::size_t bytes = BytesInUse() + kMaxMore;
   const rlimit memory{bytes, bytes};
+  // Processor time, so that a busy machine does not change what is readable. RLIMIT_DATA makes
+  // allocations fail, which the library reports as bad_alloc.
   setrlimit(RLIMIT_CPU, &seconds);
   setrlimit(RLIMIT_CORE, &no_core);
   setrlimit(RLIMIT_DATA, &memory);
@@ -217,6 +231,7 @@ void ReadCollada(std::string_view bytes, TriangleSoup* soup) {
   }
   CheckCost(bytes);
   // The library crashes on some damaged files (seen with 5.2.5): run it in a process of its own.
+  // Only the calling thread exists in the child; glibc keeps malloc() usable there.
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("cannot create a pipe to read a DAE");
   const pid_t child = fork();
@@ -230,11 +245,13 @@ void ReadCollada(std::string_view bytes, TriangleSoup* soup) {
   close(ends[0]);
   if (child < 0) throw std::runtime_error("cannot start a process to read a DAE");
   int status = 0;
+  // Always collected, even if its answer is useless.
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   // Any other end of the child is a crash or a limit.
   if (WIFEXITED(status) && WEXITSTATUS(status) == kRefused && !answer.empty())
     throw BadMesh(answer);
+  // A child that was killed may have written a part: the exit status decides, not the size.
   Corners corners(answer.size() / sizeof(TriangleSoup::Corner));
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || corners.size() % 3 != 0) {
     throw BadMesh(kTooMuch);

@@ -1,3 +1,8 @@
+// glTF 2.0, text or binary: JSON that describes typed views (accessors) of byte buffers. Two uses:
+// geometry of a mesh file as a soup of triangles, and the pieces of shipped robots with colors and
+// links. Only the subset that carries geometry is read; required extensions are refused, as they
+// change the meaning of the rest.
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -45,12 +50,14 @@ Container Open(std::string_view bytes) {
   if (WordAt(bytes, 4) != 2) {
     throw BadMesh("found version " + std::to_string(WordAt(bytes, 4)) + " of GLB, expected 2");
   }
+  // Bytes 0 to 11: magic, version, total length, each a little-endian word.
   if (WordAt(bytes, 8) != bytes.size()) {
     throw BadMesh("found " + std::to_string(bytes.size()) + " bytes, expected the " +
                   std::to_string(WordAt(bytes, 8)) + " given in its header");
   }
   Container container;
-  // After the header of 12 bytes: chunks, each with its size and kind. Unknown kinds are skipped.
+  // After the header of 12 bytes: chunks, each with its size and kind. Unknown kinds are skipped;
+  // the first JSON chunk counts, and the first binary one.
   for (std::size_t offset = 12; offset < bytes.size();) {
     const std::size_t size = WordAt(bytes, offset);
     const std::uint32_t kind = WordAt(bytes, offset + 4);
@@ -67,6 +74,7 @@ Container Open(std::string_view bytes) {
 /// @throws BadMesh for any other letter.
 std::string FromBase64(std::string_view text) {
   std::string bytes;
+  // Old bits are shifted out at the top; the lowest `num_bits` of `bits` are still to be written.
   std::uint32_t bits = 0;
   int num_bits = 0;
   for (const char letter : text) {
@@ -151,6 +159,7 @@ class GltfReader {
   const Json& RootNodes() const {
     static const Json kNone = Json::array();
     if (List("scenes").empty()) throw BadMesh("found no scene, expected one");
+    // The default scene; files without scenes are libraries of parts, which are refused.
     const Json& scene = At("scenes", json_.value("scene", std::size_t{0}));
     const auto it = scene.find("nodes");
     return it == scene.end() ? kNone : *it;
@@ -168,6 +177,7 @@ class GltfReader {
         if (!surface.vertices.back().allFinite())
           throw BadMesh("found a position that is not a number");
       }
+      // Indices() checks them against the number of vertices.
       const auto order =
           Indices(primitive.at("indices").get<std::size_t>(), surface.vertices.size());
       ExpectWholeTriangles(order.size());
@@ -184,6 +194,7 @@ class GltfReader {
   /// Returns the base color. glTF's colors are linear, those of the project sRGB (IEC 61966-2-1).
   Color ColorOf(const Json& primitive) const {
     const Json& material = At("materials", primitive.at("material").get<std::size_t>());
+    // Factors are required here, as there is no texture to fall back to.
     const auto linear =
         material.at("pbrMetallicRoughness").at("baseColorFactor").get<std::array<double, 4>>();
     const auto on_screen = [](double channel) {
@@ -200,6 +211,7 @@ class GltfReader {
       throw BadMesh("found node " + std::to_string(number) + " in two places, expected one");
     }
     is_used_[number] = true;
+    // Visit() is recursive; a chain of nodes could exhaust the stack.
     if (depth >= kMaxDepth) throw BadMesh("found nodes more than 64 deep, expected fewer");
     const Eigen::Affine3d X_SN = X_SP * PlaceOf(node);
     if (node.contains("mesh")) {
@@ -218,6 +230,7 @@ class GltfReader {
   static Eigen::Affine3d PlaceOf(const Json& node) {
     Eigen::Affine3d place = Eigen::Affine3d::Identity();
     if (const auto it = node.find("matrix"); it != node.end()) {
+      // A matrix replaces the three separate properties; the format allows only one of both.
       const auto numbers = it->get<std::array<double, 16>>();  // column by column
       place.affine() = Eigen::Map<const Eigen::Matrix4d>(numbers.data()).topRows<3>();
       return place;
@@ -244,6 +257,8 @@ class GltfReader {
     }
     if (mode == kTriangles) ExpectWholeTriangles(order.size());
     const bool is_mirrored = X_SN.linear().determinant() < 0;
+    // One loop for all modes, by the last corner of each triangle. A list advances by three; a
+    // strip and a fan make a triangle with each further corner.
     for (std::size_t k = 2; k < order.size(); k += mode == kTriangles ? 3 : 1) {
       std::uint32_t a = order[mode == kFan ? 0 : k - 2], b = order[k - 1];
       // Every second triangle of a strip runs the other way, and so do all triangles of a mirrored
@@ -280,6 +295,7 @@ class GltfReader {
                     std::string(shape) + " out of a buffer, not sparse");
     }
     const int type = accessor.at("componentType");
+    // Other types count as four bytes; callers reject those that they do not read.
     const std::size_t size = components * (type == kByte ? 1 : type == kShort ? 2 : 4);
     const Json& view = At("bufferViews", accessor.at("bufferView").get<std::size_t>());
     const std::string_view all = Buffer(view.at("buffer").get<std::size_t>());
@@ -288,7 +304,8 @@ class GltfReader {
     const std::size_t stride = view.value("byteStride", size);
     const std::size_t begin = accessor.value("byteOffset", std::size_t{0});
     const std::size_t count = accessor.at("count").get<std::size_t>();
-    // Comparisons are written as subtractions, so that no sum can overflow.
+    // Comparisons are written as subtractions, so that no sum can overflow. The view must lie in
+    // its buffer, and the last element of the accessor in its view.
     const bool fits_view = view_begin <= all.size() && view_size <= all.size() - view_begin;
     if (!fits_view || stride < size || stride > 4096 || count > all.size() || begin > view_size ||
         (count > 0 && (count - 1) * stride + size > view_size - begin)) {
@@ -306,6 +323,7 @@ class GltfReader {
     for (std::size_t i = 0; i < elements.count; ++i) {
       Eigen::Vector3f p;
       std::memcpy(p.data(), elements.begin + i * elements.stride, 3 * sizeof(float));
+      // In double, so that a chain of transforms is rounded once.
       p = (X_SN * p.cast<double>()).cast<float>();
       corners.push_back({p.x(), p.y(), p.z()});
     }
@@ -321,6 +339,7 @@ class GltfReader {
     const std::size_t size = elements.type == kByte ? 1 : elements.type == kShort ? 2 : 4;
     std::vector<std::uint32_t> indices;
     for (std::size_t i = 0; i < elements.count; ++i) {
+      // Little-endian: the low bytes come first, so a shorter type fills the low part of the word.
       std::uint32_t index = 0;
       std::memcpy(&index, elements.begin + i * elements.stride, size);
       if (index >= num_corners) {
@@ -353,11 +372,13 @@ class GltfReader {
 
   std::string Load(const std::string& uri) {
     if (uri.starts_with("data:")) {
+      // Text before it is a media type, which does not matter.
       const std::size_t comma = uri.find(";base64,");
       if (comma == std::string::npos) throw BadMesh("found a data uri that is not base64");
       return FromBase64(std::string_view(uri).substr(comma + 8));
     }
     if (!open_) throw BadMesh("found the uri " + Quoted(uri) + ", expected all in one file");
+    // All buffers together stay within the limit of the file.
     std::string bytes = open_(uri, bytes_left_);
     bytes_left_ -= bytes.size();
     return bytes;

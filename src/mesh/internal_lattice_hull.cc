@@ -1,3 +1,8 @@
+// Quickhull and merging of its triangles, on integers. A height above a face is a dot product of a
+// normal (41 bits) and a difference of points (20 bits), summed over three axes: below 2^63, hence
+// exact. Decisions that are exact cannot contradict each other, so none of the usual repairs of
+// floating-point hulls is needed. Ties are broken by the order of points, which are sorted first.
+
 #include "mesh/internal_lattice_hull.h"
 
 #include <Eigen/Geometry>
@@ -32,6 +37,8 @@ class Quickhull {
   std::optional<LatticeHull> Run(int max_corners) {
     if (!Begin()) return std::nullopt;
     for (int num_corners = 4; num_corners < max_corners; ++num_corners) {
+      // The farthest point of all faces, not of one after the other: a hull that stops at
+      // `max_corners` is then as close to the true one as possible.
       std::optional<Farthest> farthest = FarthestOutside();
       if (!farthest) {
         // Stored points were assigned when their face was new; a later face may be the one they are
@@ -86,6 +93,8 @@ class Quickhull {
   /// plane, within the tolerance.
   bool Begin() {
     if (points_.size() < 4) return false;
+    // The first point in sorted order is always a corner of the hull. From it: the farthest point,
+    // then the one that spans the largest triangle, then the highest above it.
     const LatticePoint a = points_.front();
     const int ib = ArgMax([&](const LatticePoint& p) { return (p - a).squaredNorm(); });
     const LatticePoint b = points_[ib];
@@ -123,6 +132,8 @@ class Quickhull {
       for (std::size_t i = first; i < faces_.size(); ++i) {
         Face& face = faces_[i];
         if (!face.is_alive) continue;
+        // Heights are exact; the distance is only used to compare points, and rounding cannot make
+        // an outside point an inside one.
         const std::int64_t height = Height(face, point);
         if (height <= 0) continue;
         const double distance = static_cast<double>(height) / face.length;
@@ -176,6 +187,8 @@ class Quickhull {
         }
       }
     }
+    // The horizon is made of the edges between visible and hidden faces, in the direction of the
+    // visible ones, so that new faces run counter-clockwise, too.
     for (const int gone : visible) {
       for (int side = 0; side < 3; ++side) {
         const int neighbour = faces_[gone].neighbours[side];
@@ -187,6 +200,8 @@ class Quickhull {
     // One new face per horizon edge, linked with the hidden face across it.
     const std::size_t first = faces_.size();
     std::map<int, int> starting_at, ending_at;  // the new face at a corner of the horizon
+    // Each corner of the horizon belongs to two of its edges; the maps find the neighbor of a new
+    // face on either side.
     for (const Edge& edge : horizon) {
       const int face = AddFace(edge.from, edge.to, farthest.point);
       faces_[face].neighbours[0] = edge.beyond;
@@ -222,6 +237,7 @@ class Quickhull {
       if (!face.is_alive) continue;
       Eigen::Vector3i triangle;
       for (int i = 0; i < 3; ++i) {
+        // Numbered in order of first use by living faces: inner points get no number.
         const auto [entry, is_new] =
             numbers.try_emplace(face.corners[i], static_cast<int>(hull.corners.size()));
         if (is_new) hull.corners.push_back(points_[face.corners[i]]);
@@ -247,6 +263,7 @@ class FaceJoiner {
   explicit FaceJoiner(const LatticeHull& hull) : hull_(hull), face_of_(hull.triangles.size(), -1) {
     for (int t = 0; t < static_cast<int>(hull.triangles.size()); ++t) {
       const Eigen::Vector3i& corners = hull.triangles[t];
+      // Each edge occurs once in each direction, so a directed edge names the triangle on its left.
       for (int i = 0; i < 3; ++i) across_[{corners[i], corners[(i + 1) % 3]}] = t;
     }
   }
@@ -323,12 +340,15 @@ class FaceJoiner {
       for (int i = 0; i < 3; ++i) {
         const int from = corners[i], to = corners[(i + 1) % 3];
         if (face_of_[across_.at({to, from})] == face_of_[t]) continue;
+        // Two edges from one corner: the face touches itself there.
         if (!next.emplace(from, to).second) return {};
       }
     }
     std::vector<std::uint32_t> outline;
     int corner = next.begin()->first;
     do {
+      // Follows the boundary from corner to corner; a second loop leaves edges unused, which the
+      // count shows.
       outline.push_back(static_cast<std::uint32_t>(corner));
       corner = next.at(corner);
     } while (corner != next.begin()->first && outline.size() <= next.size());

@@ -1,3 +1,8 @@
+// The solid as a signed sum over triangles: each bounds a column down to a floor, positive where
+// the surface faces up. Volumes of boxes need neither cuts through the solid nor a topology, so
+// meshes with shared edges or several bodies work like any other. The lattice maps the longest side
+// to kLatticeSteps steps.
+
 #include "mesh/internal_lattice_solid.h"
 
 #include <Eigen/Geometry>
@@ -13,6 +18,7 @@ using Point = Eigen::Vector3d;
 /// Convex polygon with room for a triangle clipped by six planes.
 class Polygon {
  public:
+  // Doubles hold lattice coordinates exactly; only points on cutting planes are rounded.
   explicit Polygon(const LatticeSolid::Triangle& triangle) : size_(3) {
     for (int i = 0; i < 3; ++i) points_[i] = triangle[i].cast<double>();
   }
@@ -25,6 +31,7 @@ class Polygon {
     for (int i = 0; i < size_; ++i) {
       const Point &a = points_[i], &b = points_[(i + 1) % size_];
       const double above_a = side * (a[axis] - place), above_b = side * (b[axis] - place);
+      // Points on the plane belong to either part.
       if (above_a >= 0 && count < kMax) kept[count++] = a;
       if ((above_a > 0 && above_b < 0) || (above_a < 0 && above_b > 0)) {
         if (count == kMax) break;
@@ -35,6 +42,7 @@ class Polygon {
         const Point& to = is_forward ? b : a;
         const double low = is_forward ? above_a : above_b, high = is_forward ? above_b : above_a;
         kept[count] = from + (to - from) * (low / (low - high));
+        // The coordinate across the plane is set, not computed, so that both halves meet exactly.
         kept[count++][axis] = place;
       }
     }
@@ -67,6 +75,7 @@ class Polygon {
   const Point* end() const { return points_.data() + size_; }
 
  private:
+  // A triangle gains at most one corner per plane: 9 after six planes.
   static constexpr int kMax = 12;
   std::array<Point, kMax> points_;
   int size_;
@@ -81,7 +90,8 @@ double MeasureClosed(const std::vector<LatticeSolid::Triangle>& triangles, bool*
   for (const LatticeSolid::Triangle& triangle : triangles) {
     for (int i = 0; i < 3; ++i) {
       const LatticePoint &a = triangle[i], &b = triangle[(i + 1) % 3];
-      // Count each edge once per direction: +1 one way, -1 the other.
+      // Count each edge once per direction: +1 one way, -1 the other. By coordinates instead of
+      // indices: vertices that fell on the same lattice point are the same.
       const Edge forth{a.x(), a.y(), a.z(), b.x(), b.y(), b.z()};
       const Edge back{b.x(), b.y(), b.z(), a.x(), a.y(), a.z()};
       edges.emplace_back(std::min(forth, back), forth < back ? 1 : -1);
@@ -118,6 +128,7 @@ LatticeSolid::LatticeSolid(const scene::SurfaceMesh& mesh) {
   origin_ = box.min();
   // The longest side spans the whole lattice.
   step_ = box.sizes().maxCoeff() / static_cast<double>(kLatticeSteps);
+  // All vertices in one place; the triangles are dropped as degenerate.
   if (!(step_ > 0)) step_ = 1;
   std::vector<LatticePoint> vertices;
   for (const Eigen::Vector3f& vertex : mesh.vertices) {
@@ -173,6 +184,7 @@ LatticeSolid LatticeSolid::Simplified(std::size_t max_triangles) const {
         corner = chosen.try_emplace({cube.x(), cube.y(), cube.z()}, corner).first->second;
       }
     }
+    // Each round starts from the full mesh, so that errors of merging do not add up.
     simple.SetTriangles(std::move(triangles));
   }
   return simple;
@@ -215,6 +227,8 @@ LatticeSolid::Numbers LatticeSolid::Above(const LatticeBox& box, const Numbers& 
     const LatticeBox& bounds = triangle_bounds_[i];
     if (bounds.high.x() > box.low.x() && bounds.low.x() < box.high.x() &&
         bounds.high.y() > box.low.y() && bounds.low.y() < box.high.y() &&
+        // Everything over the floor, also above the ceiling: VolumeWithin() subtracts columns that
+        // reach beyond.
         bounds.high.z() > box.low.z()) {
       above.push_back(i);
     }
@@ -229,6 +243,8 @@ void LatticeSolid::AppendSurface(const LatticeBox& box, const Numbers& touching,
     Polygon polygon(triangles_[i]);
     polygon.CutToBox(box, 3);
     for (const Point& point : polygon) {
+      // Rounding moves a clipped point by at most half a step, far below the tolerance of the
+      // hulls.
       points->push_back(point.array().round().matrix().cast<std::int64_t>());
     }
   }
@@ -250,6 +266,7 @@ double LatticeSolid::VolumeWithin(const LatticeBox& box, const Numbers& above) c
     // above the ceiling.
     Polygon column(triangles_[i]);
     column.CutToBox(box, 2);
+    // Parts below the floor would count as negative columns.
     if (bounds.low.z() < box.low.z()) column.Cut(2, floor, 1);
     volume += column.VolumeAbove(floor);
     if (bounds.high.z() <= box.high.z()) continue;
@@ -283,6 +300,8 @@ bool LatticeSolid::Fills(const LatticeBox& box, int corner, const Numbers& above
 Vector3 LatticeSolid::PlaceOf(const LatticePoint& point) const {
   Vector3 place;
   for (int axis = 0; axis < 3; ++axis) {
+    // Per axis: corners from cuts through vertices are restored as exactly as the vertices
+    // themselves.
     const auto known = known_places_[axis].find(point[axis]);
     place[axis] = known != known_places_[axis].end()
                       ? known->second

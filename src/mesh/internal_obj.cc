@@ -1,3 +1,6 @@
+// OBJ, of which only `v` and `f` are read; normals, textures, groups and materials do not change
+// the surface. The format has no header and no counts, so limits apply while reading.
+
 #include <charconv>
 #include <vector>
 
@@ -17,6 +20,7 @@ constexpr std::size_t kMaxFaceCorners = 1000;
 std::size_t CornerNumber(std::string_view word, std::size_t num_vertices, const Words& words) {
   long long number = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  // Indices of texture and normal may follow after slashes.
   const bool is_number =
       error == std::errc() && (end == word.data() + word.size() || *end == '/') && number != 0;
   const auto count = static_cast<long long>(num_vertices);
@@ -32,6 +36,7 @@ std::size_t CornerNumber(std::string_view word, std::size_t num_vertices, const 
 void ReadObj(std::string_view bytes, TriangleSoup* soup) {
   Words words(bytes);
   std::vector<TriangleSoup::Corner> vertices;
+  // A line that is continued by a backslash is not supported; unknown kinds of lines are skipped.
   do {
     const std::string_view kind = words.NextInLine();
     if (kind == "v") {

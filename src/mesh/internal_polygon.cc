@@ -24,6 +24,8 @@ Outline Flattened(const Section& section) {
   for (std::size_t i = 0; i < section.size(); ++i) {
     normal += section[i].cross(section[(i + 1) % section.size()]);
   }
+  // Any two perpendicular axes of the plane; right-handed with the normal, so the direction of
+  // rotation stays.
   const Vector3 x = normal.unitOrthogonal(), y = normal.normalized().cross(x);
   Outline outline;
   for (const Vector3& p : section) outline.emplace_back(x.dot(p), y.dot(p));
@@ -39,6 +41,7 @@ bool IsEar(const Outline& outline, const std::vector<std::uint32_t>& rest, std::
   if (!(TurnAt(a, b, c) > 0)) return false;
   return std::none_of(rest.begin(), rest.end(), [&](std::uint32_t k) {
     const Vector2d& p = outline[k];
+    // Compared by place: an outline may visit a point twice.
     if (p == a || p == b || p == c) return false;
     return TurnAt(a, b, p) >= 0 && TurnAt(b, c, p) >= 0 && TurnAt(c, a, p) >= 0;
   });
@@ -47,6 +50,7 @@ bool IsEar(const Outline& outline, const std::vector<std::uint32_t>& rest, std::
 /// Returns the ear with the shortest cut: slim triangles are shaded badly.
 std::size_t BestEar(const Outline& outline, const std::vector<std::uint32_t>& rest) {
   const std::size_t n = rest.size();
+  // Falls back to corner 0 if rounding leaves no ear, so that the loop always ends.
   std::size_t best = 0;
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < n; ++i) {
@@ -82,6 +86,8 @@ Outline Inset(const Outline& outline, double distance) {
     const Vector2d after = (outline[(i + 1) % n] - outline[i]).normalized();
     // Along the bisector, far enough to be `distance` from both sides; bounded at sharp tips.
     const Vector2d inwards(-(before + after).y(), (before + after).x());
+    // The sum of both directions has the length 2 cos(half of the turn); a miter needs distance /
+    // cos, hence the division by half of its square.
     const double share = std::max(0.5, inwards.squaredNorm() / 2);
     inset.emplace_back(outline[i] + distance * inwards / share);
   }

@@ -1,3 +1,7 @@
+// STL in both forms. Binary: 80 bytes of text, u32 number of triangles, and per triangle a normal
+// and three corners of three floats and u16, little-endian. Normals are ignored: programs write
+// them wrongly too often, and the corners define the same.
+
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -107,6 +111,7 @@ void ReadStl(std::string_view bytes, TriangleSoup* soup) {
 }
 
 std::string StlOf(const scene::SurfaceMesh& mesh) {
+  // Must not begin with "solid", which some readers take for the text form.
   std::string bytes = "SMILE mesh";
   bytes.resize(kHeaderBytes - sizeof(std::uint32_t), ' ');
   const auto count = static_cast<std::uint32_t>(mesh.triangles.size());

@@ -32,6 +32,7 @@ void TriangleSoup::Add(const Corner& a, const Corner& b, const Corner& c) {
                   " triangles, expected fewer");
   }
   const Eigen::Vector3f places[] = {FromFileAxes(a), FromFileAxes(b), FromFileAxes(c)};
+  // Compared after conversion to floats and zeros without sign, as they are stored.
   if (places[0] == places[1] || places[1] == places[2] || places[2] == places[0]) return;
   // One statement each: the order fixes the numbers of the vertices.
   const std::uint32_t first = Weld(places[0]), second = Weld(places[1]), third = Weld(places[2]);
@@ -41,6 +42,8 @@ void TriangleSoup::Add(const Corner& a, const Corner& b, const Corner& c) {
 std::uint32_t TriangleSoup::Weld(const Eigen::Vector3f& vertex) {
   const auto number = static_cast<std::uint32_t>(mesh_.vertices.size());
   const auto [entry, is_new] = numbers_.try_emplace({vertex.x(), vertex.y(), vertex.z()}, number);
+  // Only equal places are merged: a tolerance could close gaps that are meant, and would depend on
+  // the order.
   if (!is_new) return entry->second;
   if (mesh_.vertices.size() >= limits_.max_vertices) {
     throw BadMesh("found more than " + std::to_string(limits_.max_vertices) +

@@ -9,6 +9,8 @@
 namespace smile::mesh {
 namespace {
 
+// Not std::isblank(), whose answer depends on the locale. A carriage return before the line end
+// counts as a blank.
 bool IsBlank(char letter) {
   return letter == ' ' || letter == '\t' || letter == '\r' || letter == '\v' || letter == '\f';
 }
@@ -50,6 +52,7 @@ float Words::Number(std::string_view word) const {
   if (digits.starts_with('+')) digits.remove_prefix(1);
   // Parse as double: values beyond the range of a float become 0 or infinity.
   double number = 0;
+  // from_chars() knows neither a plus sign nor a locale.
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (error != std::errc() || end != digits.data() + digits.size()) {
     if (word.empty()) Fail("the end", "a number");

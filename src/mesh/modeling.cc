@@ -1,3 +1,7 @@
+// All bodies are skins: sections one above the other, sewn row by row, with lids at both ends. A
+// function for a shape only makes its sections. Neighbors share corners, which makes the surfaces
+// closed by construction.
+
 #include "mesh/modeling.h"
 
 #include <algorithm>
@@ -32,6 +36,8 @@ class Sewing {
 
   Row Add(const Section& section) {
     Row row{static_cast<Index>(surface_.vertices.size()), 1};
+    // One corner instead of many at the same place: the triangles there would be degenerate and
+    // shade badly.
     if (!IsTip(section)) row.count = static_cast<Index>(section.size());
     for (Index k = 0; k < row.count; ++k) {
       surface_.vertices.push_back(section[k].cast<float>());
@@ -91,6 +97,7 @@ std::vector<Vector3> Bent(const std::vector<Vector3>& path, double bend_radius) 
     // Two bends share a side, so each takes less than half of it.
     const double room = 0.499 * std::min(back.norm(), ahead.norm());
     const double reach = std::min(bend_radius * std::tan(turn / 2), room);
+    // Nearly straight: the radius would be a quotient of two tiny numbers.
     if (turn < 0.01) {
       line.push_back(path[i]);
       continue;
@@ -125,6 +132,8 @@ Outline StadiumOutline(double length, double width, int sides) {
   const double radius = width / 2, shift = length / 2 - radius;
   Outline outline;
   const int half = sides / 2;
+  // Starts below the right center and ends above it; the left half continues with both signs
+  // changed.
   for (int end : {1, -1}) {
     for (int k = 0; k <= half; ++k) {
       const double angle = std::numbers::pi * (static_cast<double>(k) / half - 0.5);
@@ -143,6 +152,7 @@ Outline RoundedOutline(const Outline& outline, double radius, int corner_sides) 
     const Vector2d& corner = outline[i];
     const Vector2d back = outline[(i + n - 1) % n] - corner, ahead = outline[(i + 1) % n] - corner;
     const Vector2d u = back.normalized(), v = ahead.normalized();
+    // Rounding may bring the dot product of unit vectors beyond 1, where acos() is NaN.
     const double turn = std::numbers::pi - std::acos(std::clamp(u.dot(v), -1.0, 1.0));
     const double reach =
         std::min(radius * std::tan(turn / 2), 0.499 * std::min(back.norm(), ahead.norm()));
@@ -248,6 +258,7 @@ scene::SurfaceMesh Tube(const std::vector<Vector3>& path, double radius, double 
     const Vector3 before = i > 0 ? (line[i] - line[i - 1]).normalized() : Vector3::Zero().eval();
     const Vector3 after =
         i + 1 < line.size() ? (line[i + 1] - line[i]).normalized() : Vector3::Zero().eval();
+    // At both ends only one direction exists; the other is zero.
     const Vector3 along = (before + after).normalized();
     // Carry the side direction along by projection, so that the rows of corners do not twist.
     if (side.isZero()) side = along.unitOrthogonal();

@@ -1,3 +1,7 @@
+// Meshes of the basic shapes for drawing. Each face that has its own normal has its own corners;
+// round shapes share corners, whose normals are those of the true surface. Deterministic order of
+// corners: pictures and caches depend on it.
+
 #include "mesh/primitives.h"
 
 #include <algorithm>
@@ -32,6 +36,7 @@ TriangleMesh MakeBlock() {
       const auto corner = [&](float u, float v) {
         return AddCorner(0.5f * (normal + u * edge + v * other_edge), normal, &mesh);
       };
+      // Counter-clockwise seen from outside, in two triangles.
       const std::uint32_t a = corner(-1, -1), b = corner(1, -1), c = corner(1, 1),
                           d = corner(-1, 1);
       mesh.triangles.push_back({a, b, c});
@@ -105,6 +110,7 @@ TriangleMesh MakeSphere(int facets) {
   const std::uint32_t north = add(Vector3f::UnitY());
 
   const auto n = static_cast<std::uint32_t>(facets);
+  // The first corner of the northernmost ring.
   const std::uint32_t last_ring = north - n;
   for (std::uint32_t k = 0; k < n; ++k) {
     const std::uint32_t next = (k + 1) % n;
@@ -162,6 +168,7 @@ UnitMesh UnitMeshOf(const scene::VisualShape& shape, int sphere_facets) {
       Overloaded{
           [](const scene::Block&) { return UnitMesh{}; },
           [](const scene::Cylinder& cylinder) {
+            // A scene may ask for any number of sides.
             return UnitMesh{UnitMesh::Kind::kCylinder, std::clamp(cylinder.sides, 3, kMaxFacets)};
           },
           [&](const scene::Sphere&) {
@@ -198,6 +205,7 @@ double BoundingRadiusOf(const scene::VisualShape& shape) {
     return std::sqrt(radius) * drawn->scale;
   }
   const auto* hull = std::get_if<scene::Hull>(&shape);
+  // Half of the diagonal of the bounding box, which is centered at the origin for these shapes.
   if (!hull) return ScaleOf(shape).norm() / 2;
   for (const Vector3& corner : hull->polyhedron().corners) radius = std::max(radius, corner.norm());
   return radius;
@@ -209,6 +217,7 @@ TriangleMesh MakeMesh(const UnitMesh& unit_mesh) {
   if (unit_mesh.kind == UnitMesh::Kind::kSurface) {
     return SmoothSurface(unit_mesh.surface.mesh->surface);
   }
+  // UnitMeshOf() clamps; other callers may not.
   if (unit_mesh.facets < 3 || unit_mesh.facets > kMaxFacets) {
     throw std::invalid_argument("a round mesh has " + std::to_string(unit_mesh.facets) +
                                 " facets, expected 3 to " + std::to_string(kMaxFacets));

@@ -17,6 +17,7 @@ FileState StateOf(const std::filesystem::path& path) {
 
 std::string StampOf(const std::filesystem::path& path) {
   const FileState state = StateOf(path);
+  // The inode notices a replacement of equal size within the resolution of the clock.
   return std::to_string(state.number) + "," + std::to_string(state.size) + "," +
          std::to_string(state.changed);
 }

@@ -1,3 +1,6 @@
+// Files as wholes, with the two kinds of failure apart: InputError for what the user can mend in
+// the input, std::runtime_error for what the system refuses.
+
 #include "base/files.h"
 
 #include <unistd.h>
@@ -40,6 +43,7 @@ std::string ReadFile(const std::filesystem::path& path, std::size_t max_bytes) {
     return InputError({path.string(), 0, "", what});
   };
   std::error_code error;
+  // A pipe or device could block or never end; only regular files are read.
   const auto status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) throw wrong("no such file");
   if (error) Fail(path, "cannot be read: " + error.message());
@@ -47,6 +51,7 @@ std::string ReadFile(const std::filesystem::path& path, std::size_t max_bytes) {
 
   std::unique_ptr<FILE, int (*)(FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) Fail(path, "cannot be opened: " + SystemReason());
+  // Not by the file's size: files in /proc report 0.
   std::string text;
   char buffer[1 << 16];
   while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) {
@@ -102,7 +107,8 @@ bool IsWithin(const std::filesystem::path& path, const std::filesystem::path& fo
 }
 
 std::filesystem::path DataFile(std::string_view relative_path) {
-  // The environment variable first, then the installation, then the source tree.
+  // The environment variable first, then the installation, then the source tree. Relative to the
+  // program, so that an installation can be moved as a whole.
   std::vector<std::filesystem::path> roots;
   if (const char* named = std::getenv("SMILE_DATA_DIR")) roots.emplace_back(named);
   std::error_code error;

@@ -1,3 +1,6 @@
+// Two passes over untrusted text: the first checks limits, the second builds the value. The library
+// itself has limits for neither depth nor keys.
+
 #include "base/json.h"
 
 #include <algorithm>
@@ -48,6 +51,7 @@ class LimitCheck : public Json::json_sax_t {
   bool end_object() override { return End(); }
   bool end_array() override { return End(); }
   bool parse_error(std::size_t position, const std::string&, const Json::exception&) override {
+    // The library reports bytes; people look for lines.
     const std::string_view before = text_.substr(0, position);
     const auto num_ends = std::count(before.begin(), before.end(), '\n');
     throw std::invalid_argument(
@@ -60,6 +64,7 @@ class LimitCheck : public Json::json_sax_t {
     if (++depth_ > kMaxDepth) {
       throw std::invalid_argument("this JSON is nested deeper than 32 levels");
     }
+    // Arrays have an entry, too; it has no keys.
     keys_of_object_[depth_] = {};
     return true;
   }
@@ -71,6 +76,7 @@ class LimitCheck : public Json::json_sax_t {
   /// Returns ` in "arms"`: the nearest key around this object.
   std::string Where() const {
     for (int around = depth_ - 1; around > 0; --around) {
+      // Levels of arrays are skipped.
       if (keys_of_object_[around].count > 0) return " in " + Quoted(keys_of_object_[around].last);
     }
     return {};

@@ -80,6 +80,7 @@ std::uint64_t JsonNode::Whole(std::uint64_t low, std::uint64_t high) const {
   const std::string expected =
       ", expected a whole number from " + std::to_string(low) + " to " + std::to_string(high);
   if (!value_.is_number()) Fail("found " + Kind() + expected);
+  // Negative numbers and fractions have types of their own in the library; 3.0 is a fraction, too.
   if (!value_.is_number_unsigned()) Fail("found " + NumberText(value_.get<double>()) + expected);
   const auto number = value_.get<std::uint64_t>();
   if (number >= low && number <= high) return number;

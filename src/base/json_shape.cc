@@ -1,3 +1,6 @@
+// One tree of shapes with three readers: Fits() checks a value, Schema() and TypeScript() describe
+// it. What one of them accepts the others must accept, so a new type is added to all three.
+
 #include "base/json_shape.h"
 
 #include <algorithm>
@@ -75,6 +78,8 @@ JsonShape JsonShape::Whole(std::uint64_t min, std::uint64_t max) {
 
 JsonShape JsonShape::Text(std::size_t max_length) {
   JsonShape shape(Type::kText);
+  // JSON Schema counts characters and this class bytes: for texts beyond ASCII the check is
+  // stricter.
   shape.max_count_ = max_length;
   return shape;
 }
@@ -150,6 +155,7 @@ bool JsonShape::FitsWithin(const Json& json, std::string* misfit) const {
 }
 
 bool JsonShape::FitsMembers(const Json& json, std::string* misfit) const {
+  // Texts are made only if the caller wants them: most callers need only yes or no.
   const auto fails = [misfit](const std::string& name, const std::string& why) {
     if (misfit != nullptr) *misfit = "." + name + why;
     return false;
@@ -228,6 +234,7 @@ Json JsonShape::ObjectSchema() const {
 }
 
 std::string JsonShape::TypeScript() const {
+  // A named type is defined once and referred to by its name.
   return (name_.empty() ? UnnamedTypeScript() : name_) + (may_be_null_ ? " | null" : "");
 }
 
@@ -236,6 +243,7 @@ std::string JsonShape::TypeScriptDefinition(const std::string& meaning) const {
   if (type_ != Type::kObject) {
     return comment + "export type " + name_ + " = " + UnnamedTypeScript() + ";\n";
   }
+  // Interfaces for objects, since their members can have comments.
   std::string text = comment + "export interface " + name_ + " {\n";
   for (const JsonMember& member : members_) {
     if (!member.meaning.empty()) text += "  /** " + member.meaning + " */\n";

@@ -32,6 +32,7 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
       }
       const std::size_t change = SameLetter(a[i - 1], b[j - 1]) ? 0 : 1;
       cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + change});
+      // Neighbors swapped: the commonest slip, counted as one.
       if (i > 1 && j > 1 && SameLetter(a[i - 1], b[j - 2]) && SameLetter(a[i - 2], b[j - 1])) {
         cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 1);
       }
@@ -81,6 +82,7 @@ std::string OneOf(std::span<const std::string_view> words) {
 }
 
 std::string DidYouMean(std::string_view word, std::span<const std::string_view> known) {
+  // The table has a cell for each pair of letters; words from outside may be of any length.
   if (word.empty() || word.size() > kMaxWordBytes) return {};
   // A third of the letters may be wrong: enough for typing slips, too few to mix up two words.
   const std::size_t allowed = std::max<std::size_t>(1, word.size() / 3);

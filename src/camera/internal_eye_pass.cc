@@ -1,3 +1,6 @@
+// One pass with two color attachments, so that colors and ids always agree. There is no
+// multisampling, so each pixel belongs to one object.
+
 #include "camera/internal_eye_pass.h"
 
 namespace smile::camera::internal {
@@ -44,6 +47,7 @@ void Clear(const Color& background) {
   const GLfloat color[] = {static_cast<GLfloat>(background.red),
                            static_cast<GLfloat>(background.green),
                            static_cast<GLfloat>(background.blue), 1};
+  // Id 0 is the background; the depth of the far plane is read back as 0 (no hit).
   const GLuint no_object[] = {0, 0, 0, 0};
   const GLfloat far_plane = 1;
   glClearBufferfv(GL_COLOR, 0, color);

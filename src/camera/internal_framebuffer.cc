@@ -27,6 +27,7 @@ Framebuffer::Framebuffer(const FramebufferLayout& layout) : layout_(layout) {
 void Framebuffer::Attach(GLenum attachment, GLenum format) {
   const GLuint buffer = attachments_.emplace_back().name();
   glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+  // With 0 samples this is an ordinary buffer.
   glRenderbufferStorageMultisample(GL_RENDERBUFFER, layout_.samples, format, layout_.width_px,
                                    layout_.height_px);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
@@ -44,6 +45,7 @@ const Framebuffer& FramebufferPool::Get(const FramebufferLayout& layout) {
     framebuffers_.splice(framebuffers_.begin(), framebuffers_, found);
   } else {
     framebuffers_.emplace_front(layout);
+    // Each costs some megabytes of graphics memory.
     if (framebuffers_.size() > kMostKept) framebuffers_.pop_back();
   }
   return framebuffers_.front();

@@ -49,6 +49,7 @@ std::string NameOf(GLenum error) {
 
 Program::Program(const std::string& vertex_source, const std::string& fragment_source)
     : name_(glCreateProgram()) {
+  // Prepended here, as it must be the first line of each shader.
   const std::string version = "#version 330 core\n";
   Attach(name_, GL_VERTEX_SHADER, version + vertex_source);
   Attach(name_, GL_FRAGMENT_SHADER, version + fragment_source);
@@ -61,6 +62,8 @@ Program::Program(const std::string& vertex_source, const std::string& fragment_s
 Program::~Program() { glDeleteProgram(name_); }
 
 void CheckGl(const char* doing) {
+  // Errors are recorded by OpenGL and read once per picture: reading after each call would make the
+  // driver wait.
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return;
   // OpenGL may have recorded several errors; later checks must not report these again.

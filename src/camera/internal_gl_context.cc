@@ -1,3 +1,7 @@
+// A context without a window, by EGL: first on a graphics card (platform `device`), then in Mesa
+// without a window system (`surfaceless`), which draws in software. libepoxy loads libEGL at run
+// time, so the program also starts on machines without it.
+
 #include "camera/internal_gl_context.h"
 
 #include <epoxy/egl.h>
@@ -53,6 +57,7 @@ EGLDisplay FirstHardwareDisplay() {
     FailEgl("eglQueryDevicesEXT");
   }
   for (EGLint k = 0; k < num_devices; ++k) {
+    // The software device works, too, but `surfaceless` covers that case with fewer requirements.
     if (HasWord(eglQueryDeviceStringEXT(devices[k], EGL_EXTENSIONS), "EGL_MESA_device_software")) {
       continue;
     }
@@ -65,8 +70,12 @@ EGLDisplay FirstHardwareDisplay() {
 /// terminated; the context belongs to the caller.
 EGLContext MakeContext(EGLDisplay display) {
   if (display == EGL_NO_DISPLAY) FailEgl("eglGetPlatformDisplayEXT");
+  // eglInitialize() may be called again for a display that is in use; it then only returns the
+  // version.
   EGLint major = 0, minor = 0;
   if (!eglInitialize(display, &major, &minor)) FailEgl("eglInitialize");
+  // The context draws into framebuffers of its own, so it needs neither a surface nor a pixel
+  // format.
   for (const char* needed : {"EGL_KHR_surfaceless_context", "EGL_KHR_no_config_context"}) {
     if (!epoxy_has_egl_extension(display, needed)) {
       Fail("eglInitialize", std::string(needed) + " is missing");
@@ -84,6 +93,7 @@ EGLContext MakeContext(EGLDisplay display) {
       eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
   if (context == EGL_NO_CONTEXT) FailEgl("eglCreateContext");
   if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+    // Read before the next call, which resets it.
     const EGLint error = eglGetError();
     eglDestroyContext(display, context);
     Fail("eglMakeCurrent", "EGL error " + std::to_string(error));

@@ -71,6 +71,7 @@ GLsizeiptr BytesOf(const std::vector<T>& values) {
 }  // namespace
 
 MeshStore::Entry MeshStore::Upload(const mesh::UnitMesh& unit_mesh) {
+  // The vertex array remembers which buffers and layouts belong together, so drawing only binds it.
   const mesh::TriangleMesh mesh = mesh::MakeMesh(unit_mesh);
   std::vector<Corner> corners;
   for (std::size_t k = 0; k < mesh.positions.size(); ++k) {
@@ -95,6 +96,7 @@ MeshStore::Entry& MeshStore::EntryFor(const mesh::UnitMesh& unit_mesh) {
   if (found != entries_.end()) return found->second;
   // Forgets everything that the present picture does not need; it is uploaded again when needed.
   if (entries_.size() >= kMaxMeshes) {
+    // Entries with waiting instances are in use by the picture in progress.
     std::erase_if(entries_, [](const auto& entry) { return entry.second.waiting.empty(); });
   }
   return entries_.emplace(unit_mesh, Upload(unit_mesh)).first->second;
@@ -107,6 +109,7 @@ void MeshStore::Draw(const std::vector<Piece>& pieces) {
     if (entry.waiting.empty()) continue;
     glBindVertexArray(entry.vertex_array.name());
     glBindBuffer(GL_ARRAY_BUFFER, entry.instances.name());
+    // New storage each time (GL_STREAM_DRAW): the card may still read that of the picture before.
     glBufferData(GL_ARRAY_BUFFER, BytesOf(entry.waiting), entry.waiting.data(), GL_STREAM_DRAW);
     glDrawElementsInstanced(GL_TRIANGLES, entry.num_indices, GL_UNSIGNED_INT, nullptr,
                             static_cast<GLsizei>(entry.waiting.size()));

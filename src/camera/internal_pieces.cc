@@ -1,3 +1,7 @@
+// From a model and its state to what the graphics card draws: poses in single precision, culling by
+// bounding spheres, and the projection. Everything that depends on doubles happens here, before the
+// rounding.
+
 #include "camera/internal_pieces.h"
 
 #include <algorithm>
@@ -26,6 +30,7 @@ Piece Place(const scene::Visual& visual, const RigidTransform& X_WF) {
               .p_WV = X_WV.translation(),
               .bounding_radius = mesh::BoundingRadiusOf(visual.shape),
               .casts_shadow = visual.casts_shadow};
+  // Rows of a 3x4 matrix: the fourth row of a homogeneous matrix is constant and not sent.
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
       piece.instance.rows[row][column] =
@@ -63,6 +68,8 @@ class Frustum {
 
   /// Returns the approximate radius of the bounding sphere in the picture [px].
   double RadiusInPixels(const Piece& piece) const {
+    // A sphere around the camera would have a negative distance; the nearest one gives the most
+    // facets.
     const double distance = std::max((X_CW_ * piece.p_WV).z(), intrinsics_.near);
     return std::max(intrinsics_.fx, intrinsics_.fy) * piece.bounding_radius / distance;
   }
@@ -77,6 +84,8 @@ class Frustum {
 /// middle of a facet lies radius * (1 - cos(pi / facets)) within the sphere. A few levels only, so
 /// that meshes are shared.
 int SphereFacetsFor(double radius_px) {
+  // radius (1 - cos x) is about radius x^2 / 2, with x = pi / facets; a quarter of a pixel gives
+  // this.
   const double facets = std::numbers::pi * std::sqrt(2 * radius_px);
   for (const int level : {16, 32, 64}) {
     if (facets <= level) return level;
@@ -112,6 +121,8 @@ std::vector<Piece> PlacePieces(const scene::VisualModel& model, const scene::Vis
       throw std::invalid_argument("a visual's choice is " + std::to_string(visual.choice) +
                                   ", expected less than " + std::to_string(model.num_choices));
     }
+    // A visual with a choice is drawn only in its look: the states of a control, the face,
+    // presence.
     if (visual.choice >= 0 && state.looks[visual.choice] != visual.look) continue;
     if (!is_excluded[visual.frame]) pieces.push_back(Place(visual, poses[visual.frame]));
   }

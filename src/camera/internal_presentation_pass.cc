@@ -1,3 +1,7 @@
+// Pictures for people in linear light: colors are decoded from sRGB in the vertex shader, and the
+// framebuffer encodes them again. Multisampling smooths edges, which needs a second framebuffer to
+// resolve into. Order: shadow map, pieces, background.
+
 #include "camera/internal_presentation_pass.h"
 
 #include <algorithm>
@@ -122,6 +126,7 @@ PresentationPass::PresentationPass()
                           kBackgroundFragmentShader),
       program_(std::string(kVertexShaderInputs) + kLightOfScreen + kPresentationVertexShader,
                kPresentationFragmentShader) {
+  // Some drivers offer fewer; the picture then has rougher edges but is the same otherwise.
   constexpr int kSamples = 4;
   glGetIntegerv(GL_MAX_SAMPLES, &samples_);
   samples_ = std::min(samples_, kSamples);
@@ -157,6 +162,8 @@ void PresentationPass::DrawBackground(const std::optional<Color>& background) {
   background_program_.Use();
   set("top", background.value_or(Color{0.72, 0.78, 0.85}));
   set("bottom", background.value_or(Color{0.88, 0.90, 0.92}));
+  // The vertex shader makes the corners from gl_VertexID, but the core profile demands a vertex
+  // array.
   glBindVertexArray(no_vertices_.name());
   // The triangle lies on the far plane, which passes only with LEQUAL; it is drawn in either
   // orientation.

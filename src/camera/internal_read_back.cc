@@ -10,6 +10,7 @@ std::size_t NumPixels(const Framebuffer& picture) {
 }
 
 void ReadPixels(const Framebuffer& picture, GLenum format, GLenum type, void* pixels) {
+  // Rows follow one another without padding, as in Image.
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, picture.layout().width_px, picture.layout().height_px, format, type, pixels);
 }
@@ -46,7 +47,8 @@ void ReadBack::ReadDepth(const Framebuffer& picture, double near, double far, Im
   ReadPixels(picture, GL_DEPTH_COMPONENT, GL_FLOAT, image->depth.data());
 
   // OpenGL stores d = far / (far - near) * (1 - near / z). Solves for z by 1 - d, which is exact
-  // for d near 1, that is for nearly all pixels. d = 1 is the background.
+  // for d near 1, that is for nearly all pixels. d = 1 is the background. In single precision: the
+  // stored depth has no more digits.
   const auto n = static_cast<float>(near), product = static_cast<float>(near * far),
              span = static_cast<float>(far - near);
   for (float& value : image->depth) {

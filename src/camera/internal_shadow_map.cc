@@ -1,3 +1,6 @@
+// A depth picture of the scene from the lamp, which is infinitely far away, hence a parallel
+// projection. The presentation pass compares each pixel's distance from the lamp with this map.
+
 #include "camera/internal_shadow_map.h"
 
 #include <algorithm>
@@ -7,6 +10,7 @@
 namespace smile::camera::internal {
 namespace {
 
+// Texels per side; drawing in software costs time for each of them.
 constexpr int kSize = 1024;
 
 constexpr char kShadowVertexShader[] = R"(
@@ -33,6 +37,7 @@ Eigen::AlignedBox3d BoundsAlongLamp(const std::vector<Piece>& pieces) {
   Eigen::AlignedBox3d bounds;
   for (const Piece& piece : pieces) {
     const Vector3 p_LV = R_LW * piece.p_WV;
+    // A body whose simulation diverged must not make the map useless for all others.
     if (!p_LV.allFinite()) continue;
     bounds.extend(p_LV - Vector3::Constant(piece.bounding_radius));
     bounds.extend(p_LV + Vector3::Constant(piece.bounding_radius));
@@ -83,6 +88,7 @@ void ShadowMap::FitTo(const std::vector<Piece>& casters, const std::vector<Piece
   // The map covers the visible pieces only, for resolution; towards the lamp it includes casters
   // above these.
   Eigen::AlignedBox3d bounds = BoundsAlongLamp(receivers);
+  // z points towards the lamp: only this side is extended.
   bounds.max().z() = std::clamp(BoundsAlongLamp(casters).max().z(), bounds.max().z(),
                                 bounds.max().z() + kFarthestCaster);
 
@@ -112,6 +118,7 @@ void ShadowMap::Draw(const std::vector<Piece>& pieces, const std::vector<Piece>&
   glCullFace(GL_FRONT);
   program_.Use();
   Eigen::Matrix4f clip_from_map = Eigen::Matrix4f::Identity();
+  // Texture coordinates are 0 to 1, clip coordinates -1 to 1.
   clip_from_map.diagonal() << 2, 2, 2, 1;
   clip_from_map.topRightCorner<3, 1>().setConstant(-1);
   const Eigen::Matrix4f clip_from_world = clip_from_map * map_from_world_;

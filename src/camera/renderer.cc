@@ -48,6 +48,7 @@ void Renderer::Render(const scene::VisualModel& model, const scene::VisualState&
   image->ids.clear();
 
   State& s = *state_;
+  // Other renderers of this thread may have made their contexts current in between.
   s.context.MakeCurrent();
   // The presentation look provides color only; depth and ids come from the eye pass in either look.
   RenderOptions eye_options = options;

@@ -16,6 +16,7 @@ std::vector<std::string_view> PropertiesOf(const scene::ObjectSpec& object) {
   std::vector<std::string_view> known = {"color",    "shape",       "size",
                                          "position", "orientation", "order"};
   for (const scene::Description& description : object.descriptions) {
+    // Descriptions may repeat a general property, such as `color`.
     const bool is_new = std::ranges::find(known, description.name) == known.end();
     if (is_new && description.name.size() <= kMaxPropertyLength) known.push_back(description.name);
   }
@@ -35,6 +36,7 @@ std::optional<Refusal> Demonstrator::Attend(HandName name,
   const std::vector<std::string_view> known = PropertiesOf(*object.spec);
   std::vector<std::string> attended;
   for (const std::string& word : properties) {
+    // Stored under one spelling, so that recordings compare equal.
     const std::string property = word == "colour" ? "color" : word;
     if (std::ranges::find(known, property) == known.end()) {
       return Named(object.id()) + " has no property " + Quoted(word) + ", expected " +
@@ -42,6 +44,7 @@ std::optional<Refusal> Demonstrator::Attend(HandName name,
     }
     if (std::ranges::find(attended, property) == attended.end()) attended.push_back(property);
   }
+  // No entry instead of an empty one: equal states must have equal hashes.
   if (attended.empty()) {
     state_.attention.erase(object.body);
   } else {

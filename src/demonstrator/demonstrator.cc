@@ -1,3 +1,7 @@
+// Hands are goals with limits of force, not bodies. A command changes goals and holds at once or is
+// refused with a reason and without effect; motion happens in BeforeStep(). All state is in
+// DemonstratorState, so saving and undoing copy one value.
+
 #include "demonstrator/demonstrator.h"
 
 #include <algorithm>
@@ -34,6 +38,8 @@ bool Demonstrator::IsInAHand(physics::BodyId body) const {
 }
 
 std::optional<Refusal> Demonstrator::RefuseToTake(HandName name, std::string_view object_id) const {
+  // The order of checks decides which reason people read: existence, then the hand, then the
+  // object.
   if (auto refusal = tabletop_->RefuseToReach(object_id)) return refusal;
   const Hand& own = hand(name);
   if (own.is_holding()) {
@@ -90,6 +96,7 @@ std::optional<Refusal> Demonstrator::Grasp(HandName name, std::string_view objec
   if (plan.refusal) return plan.refusal;
   if (!plan.to_release.empty()) return WhatHolds(plan.to_release.front()) + "; release it first";
   physics::Body& body = world_->body(tabletop_->Find(object_id)->body);
+  // The goal starts where the body is, so a grasp moves nothing.
   const RigidTransform X_WB = body.pose_in_world();
   body.SetCarried(true);
   MutableHand(name) = {.held = body.id(),
@@ -108,7 +115,8 @@ std::optional<Refusal> Demonstrator::MoveTo(HandName name, const Vector3& p_WH,
                                             const std::optional<double>& speed) {
   if (auto refusal = RefuseIfEmpty(name)) return refusal;
   Hand& mover = MutableHand(name);
-  // Keep the orientation; the grasped point goes to p_WH.
+  // Keep the orientation; the grasped point goes to p_WH. Of the goal, not of the body: turns that
+  // are still in progress are not lost.
   const Matrix3 R_WB = mover.X_WB_goal.rotation();
   mover.X_WB_goal = RigidTransform(R_WB, p_WH - R_WB * mover.p_BH);
   mover.speed = speed.value_or(servo_.max_speed);
@@ -127,6 +135,7 @@ std::optional<Vector3> Demonstrator::PointOnPlane(HandName name, const Ray& ray,
     return std::nullopt;
   };
   if (auto empty = RefuseIfEmpty(name)) return no(*empty);
+  // Directions of any length come from clients; a zero or infinite one has no norm of 1.
   const Vector3 direction = ray.direction_in_world.stableNormalized();
   if (!(direction.norm() > 0.5)) return no("the ray has no direction");
 
@@ -169,6 +178,7 @@ std::optional<Refusal> Demonstrator::Release(HandName name) {
 std::optional<Refusal> Demonstrator::Destroy(HandName name) {
   if (auto refusal = RefuseIfEmpty(name)) return refusal;
   const world::Object& object = *tabletop_->Find(hand(name).held);
+  // Before the object vanishes: a hand must never refer to a missing body.
   MutableHand(name) = Hand();
   state_.attention.erase(object.body);
   tabletop_->Destroy(object);
@@ -222,7 +232,8 @@ std::optional<Refusal> Demonstrator::Turn(HandName name, std::string_view object
   const physics::Body& body = world_->body(object->body);
   if (body.is_carried() && !IsInAHand(body.id())) return Named(object_id) + " is held by the robot";
 
-  // Remember where held objects are: fastening may move them with their assemblies.
+  // Remember where held objects are: fastening may move them with their assemblies. Compared bit by
+  // bit below, which is exact as bodies that are not moved keep their poses.
   std::array<RigidTransform, kHandNames.size()> before;
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (state_.hands[i].is_holding())
@@ -267,6 +278,7 @@ bool Demonstrator::has_arrived(HandName name) const {
 void Demonstrator::AddToHash(StateHash* hash) const {
   for (const Hand& hand : state_.hands) {
     hash->Add(std::uint64_t{hand.held.value});
+    // An empty hand has no goal; stale numbers must not enter the hash.
     if (!hand.is_holding()) continue;
     for (double number : hand.X_WB_goal.rotation().reshaped()) hash->Add(number);
     for (double number : hand.X_WB_goal.translation()) hash->Add(number);

@@ -17,6 +17,7 @@ std::string_view ToString(HandName hand) {
 }
 
 std::optional<HandName> ParseHandName(std::string_view text) {
+  // One list of words serves both directions.
   for (HandName hand : kHandNames) {
     if (ToString(hand) == text) return hand;
   }

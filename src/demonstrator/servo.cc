@@ -10,6 +10,7 @@ namespace {
 /// Returns a vector shortened to a length.
 Vector3 Limited(const Vector3& v, double max_length) {
   const double length = v.norm();
+  // Scales the whole vector: limits per axis would bend the path.
   return length > max_length ? Vector3(v * (max_length / length)) : v;
 }
 
@@ -25,6 +26,8 @@ void DriveTowards(const RigidTransform& X_WB_goal, double speed, double step_sec
   const Vector3 v_wanted =
       Limited(gap / config.response_seconds, std::min(speed, config.max_speed));
   const Vector3 w_wanted = Limited(turn / config.response_seconds, config.max_angular_speed);
+  // The change per step is limited, that is, force per mass: a blocked object pushes no harder
+  // however far away its goal is.
   const Vector3 v = body->linear_velocity();
   const Vector3 w = body->angular_velocity();
   body->SetVelocity(v + Limited(v_wanted - v, config.max_acceleration * step_seconds),

@@ -1,3 +1,6 @@
+// PNG by libpng's simplified interface, in memory; files are read and written as a whole, so that
+// writing is atomic and reading is bounded.
+
 #include "image/png.h"
 
 #include <png.h>
@@ -65,6 +68,7 @@ std::string EncodePng(const Image& image) {
   RequireChannel("color", image.color.size(), 3 * num_pixels);
   std::vector<std::uint8_t> pixels(4 * num_pixels);
   for (std::size_t k = 0; k < num_pixels; ++k) {
+    // The original's files have an alpha channel, which is always opaque.
     std::memcpy(&pixels[4 * k], &image.color[3 * k], 3);
     pixels[4 * k + 3] = 255;
   }
@@ -82,6 +86,7 @@ void WriteDepthPng(const std::filesystem::path& path, const Image& image) {
   std::ranges::transform(image.depth, pixels.begin(), [](float depth) -> std::uint16_t {
     // 0 stays the mark of background; the nearest hits round up to 1.
     if (!(depth > 0)) return 0;
+    // PNG_FORMAT_LINEAR_Y is 16 bits per pixel; libpng writes them unchanged.
     return static_cast<std::uint16_t>(std::clamp(std::round(depth * kStepsPerMeter), 1.f, 65535.f));
   });
   WriteFile(path, Encoded(image, PNG_FORMAT_LINEAR_Y, pixels.data()));
@@ -89,6 +94,7 @@ void WriteDepthPng(const std::filesystem::path& path, const Image& image) {
 
 void WriteIdPng(const std::filesystem::path& path, const Image& image) {
   RequireChannel("ids", image.ids.size(), NumPixels(image));
+  // Not empty, as checked above.
   const std::uint32_t greatest = *std::ranges::max_element(image.ids);
   if (greatest > 65535) {
     throw std::invalid_argument("an image to be written has object id " + std::to_string(greatest) +
@@ -105,6 +111,7 @@ Image ReadPng(const std::filesystem::path& path) {
   if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) {
     png.Fail(path, "is not a readable PNG");
   }
+  // Checked from the header, before memory for the pixels is requested.
   if (png.width > kMaxSize || png.height > kMaxSize) {
     throw std::runtime_error(path.string() + ": is " + std::to_string(png.width) + "x" +
                              std::to_string(png.height) + " pixels, expected at most " +

@@ -24,6 +24,7 @@ bool IsPartedAlongSides(const Footprint& a, const Footprint& b) {
 
 /// Returns the distance of a point outside from a rectangle [m].
 double DistanceTo(const Footprint& footprint, const Vector2& p_WQ) {
+  // In the rectangle's own axes; only the excess over its half size counts, per axis.
   const Vector2 p_FQ = Eigen::Rotation2Dd(-DegreesToRadians(footprint.yaw_deg)).toRotationMatrix() *
                        (p_WQ - footprint.center);
   return (p_FQ.cwiseAbs() - footprint.half_size).cwiseMax(0.0).norm();
@@ -39,6 +40,7 @@ std::array<Vector2, 4> Footprint::corners() const {
 }
 
 double GapBetween(const Footprint& a, const Footprint& b) {
+  // Two convex polygons are apart exactly if a side of one of them separates them.
   if (!IsPartedAlongSides(a, b) && !IsPartedAlongSides(b, a)) return 0;
   // The shortest distance of two disjoint convex polygons is at a corner of one of them.
   double gap = std::numeric_limits<double>::infinity();
@@ -48,6 +50,7 @@ double GapBetween(const Footprint& a, const Footprint& b) {
 }
 
 Footprint FootprintOf(const scene::ObjectSpec& object, const RigidTransform& X_WB) {
+  // Bounds in a frame that is rotated by the yaw only: tilts become part of the size.
   const double yaw_deg = FixedAxesAngles(X_WB.rotation()).z();
   const RigidTransform X_WF(RotationFromFixedAxes({0, 0, yaw_deg}), Vector3::Zero());
   const scene::Bounds bounds =

@@ -1,3 +1,7 @@
+// Decides what may be moved and what moves together. All random numbers come from streams named
+// after what they decide (StreamOf()), so an object that is added to a scene changes no decision
+// about the others.
+
 #include "layout/internal_object_group.h"
 
 #include <algorithm>
@@ -57,6 +61,8 @@ std::vector<bool> PartsOfMechanisms(const scene::SceneSpec& scene) {
       is_part[chain.first_object + i] = true;
     }
   }
+  // Two passes, as a guest may come before its host in the file: first the guests that are fastened
+  // and the ids of their hosts, then the objects that have these hosts.
   std::set<std::string> hosts;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     bool has_fastened_guest = false;
@@ -88,6 +94,7 @@ ObjectGroup Alone(const scene::SceneSpec& scene, std::size_t i) {
   const scene::ObjectSpec& object = scene.objects[i];
   Vector3 angles_deg = FixedAxesAngles(object.pose_in_world().rotation());
   angles_deg.z() = 0;
+  // The tilt and the height stay: an object that lies on its side stays so.
   const double z = object.pose_in_world().translation().z();
   const RigidTransform X_KB(RotationFromFixedAxes(angles_deg), Vector3(0, 0, z));
   const scene::Bounds bounds = scene::BoundsOf(scene::SolidsOf(object.whole), X_KB);
@@ -121,6 +128,7 @@ ObjectGroup Row(const std::vector<ObjectGroup>& alone) {
 
 /// Returns a stack of two groups, the upper one slightly displaced and rotated.
 ObjectGroup Stack(const ObjectGroup& lower, const ObjectGroup& upper, std::mt19937_64* random) {
+  // Whole degrees keep scene files readable. The order of these three draws is part of each layout.
   const double yaw_deg = std::round(Uniform(random, -kMostTurnDeg, kMostTurnDeg));
   const Vector2 offset(Uniform(random, -kMostOffset, kMostOffset),
                        Uniform(random, -kMostOffset, kMostOffset));
@@ -149,6 +157,7 @@ bool IsBlock(const scene::ObjectSpec& object) {
 /// order that the seed shuffles.
 std::vector<std::size_t> EqualBlocks(const scene::SceneSpec& scene,
                                      const std::vector<ObjectGroup>& alone, std::uint64_t seed) {
+  // Equal within rounding: sizes come from decimal numbers in a file.
   std::vector<std::size_t> most;
   for (const ObjectGroup& model : alone) {
     std::vector<std::size_t> equals;
@@ -180,6 +189,7 @@ struct GroupCounts {
 /// Returns the counts for a level: about half of the blocks are grouped.
 GroupCounts CountsFor(LayoutLevel level, std::size_t num_blocks) {
   if (num_blocks < 2) return {};
+  // Groups of two: a quarter as many groups as blocks, rounded, uses about half of the blocks.
   const std::size_t count = (num_blocks + 2) / 4;
   if (level == LayoutLevel::kTouching) return {.rows = count};
   if (level == LayoutLevel::kStacked) return {.stacks = count};
@@ -205,6 +215,8 @@ std::vector<std::size_t> LooseObjects(const scene::SceneSpec& scene) {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const scene::ObjectSpec& object = scene.objects[i];
     if (object.is_static() || is_part[i]) continue;
+    // On the table and touching nothing: what stands on or leans against something would fall when
+    // it is moved alone.
     const scene::Bounds bounds = BoundsInWorld(object);
     if (bounds.is_empty() || std::abs(bounds.low.z()) > kTouching) continue;
     const bool is_touched = std::ranges::any_of(scene.objects, [&](const auto& other) {

@@ -41,6 +41,7 @@ bool HasEdges(LayoutLevel level) {
 /// Appends footprints of a slider's second object along its range.
 void AppendWay(const scene::SceneSpec& scene, const scene::SliderSpec& slider,
                std::vector<Footprint>* footprints) {
+  // The obstacle is where the drawer or lid can be, not only where it is.
   constexpr int kParts = 10;
   for (int i = 0; i <= kParts; ++i) {
     const double offset = slider.min_offset + (slider.max_offset - slider.min_offset) * i / kParts;
@@ -109,12 +110,15 @@ const T& AnyOf(const std::vector<T>& choice, std::mt19937_64* random) {
 /// @returns their indices.
 std::vector<std::size_t> AddDistractors(std::uint64_t seed, const std::vector<std::size_t>& loose,
                                         scene::SceneSpec* scene) {
+  // Colors and sides that the task does not use, before anything is added: a distractor differs
+  // from all objects in color or in size.
   const std::vector<Color> colors = StrangeColors(*scene);
   const std::vector<double> sides = StrangeSides(*scene);
   std::vector<std::size_t> added;
   for (int i = 0; i < kNumDistractors; ++i) {
     const std::string id = FreeId(*scene, "Distractor" + std::to_string(i + 1));
     std::mt19937_64 random = StreamOf(seed, 0, id);
+    // Alternately; if a scene uses all sizes or all colors, the other kind takes over.
     const bool is_strange_color = sides.empty() || (i % 2 == 0 && !colors.empty());
     const double side = is_strange_color ? scene::kMetersPerUnit : AnyOf(sides, &random);
     const Color color =
@@ -142,6 +146,8 @@ struct LayoutRules {
 
 /// Returns true if a footprint, grown by the rim, does not fit into the region reduced by it.
 bool IsAtRim(const LayoutRules& rules, const Footprint& footprint, double top) {
+  // Smaller reach and a grown footprint together: near the boundary of the arm's circle, of the
+  // table, or of the picture.
   LayoutRegion inner = rules.region;
   inner.reach -= kRim;
   Footprint grown = footprint;
@@ -192,6 +198,7 @@ std::vector<Footprint> PlacesFor(const scene::SceneSpec& scene,
   std::vector<Footprint> taken;
   for (std::size_t k = 0; k < groups.size(); ++k) {
     const ObjectGroup& group = groups[k];
+    // By the first member's id, so that other groups do not shift the numbers of this one.
     std::mt19937_64 random =
         StreamOf(seed, attempt, scene.objects[group.members.front().object].id());
     // Every second group.
@@ -204,6 +211,7 @@ std::vector<Footprint> PlacesFor(const scene::SceneSpec& scene,
                   (!wants_rim || IsAtRim(rules, place, group.top)) && IsFree(rules, taken, place);
       if (is_placed) taken.push_back(place);
     }
+    // The attempt has failed; how far it came names the culprit in the message.
     if (!is_placed) break;
   }
   return taken;
@@ -229,6 +237,7 @@ scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed, Layout
     throw std::invalid_argument("layout: no object in '" + scene.name +
                                 "' stands loose on the table, so no object can be moved");
   }
+  // Obstacles are computed before distractors are added: those are placed like all loose objects.
   LayoutRules rules{.table = scene.table, .region = region, .obstacles = ObstaclesOf(scene, loose)};
   std::vector<ObjectGroup> groups = ObjectGroupsOf(scene, loose, seed, level);
   if (HasDistractors(level)) {

@@ -17,7 +17,8 @@ constexpr double kHorizontalShare = kVerticalShare * 4 / 3;
 
 /// Returns true if the eye sees a point: sideways x, depth, and height z above the table [m].
 bool IsInView(double x, double depth, double z) {
-  // Coordinates along and across the eye's optical axis.
+  // Coordinates along and across the eye's optical axis. The eye tilts about the horizontal x axis
+  // only, so sideways distances stay as they are.
   const double away = depth - kEyeDepth, below = kEyeHeight - z;
   const double forward = away * kEyeTiltCos + below * kEyeTiltSin;
   const double down = below * kEyeTiltCos - away * kEyeTiltSin;
@@ -32,6 +33,7 @@ Footprint LayoutRegion::StripOn(const scene::TableSpec& table) const {
 }
 
 bool LayoutRegion::Reaches(const scene::TableSpec& table, const Vector2& center) const {
+  // Both arms are alike: the nearer shoulder decides.
   const double x = std::abs(center.x()), depth = center.y() + table.y_span / 2;
   if (std::hypot(x - shoulder_x, depth - shoulder_depth) > reach) return false;
   return x <= most_x && depth >= least_depth && depth <= most_depth;
@@ -40,6 +42,8 @@ bool LayoutRegion::Reaches(const scene::TableSpec& table, const Vector2& center)
 bool LayoutRegion::Holds(const scene::TableSpec& table, const Footprint& footprint,
                          double top) const {
   if (!Reaches(table, footprint.center)) return false;
+  // The bottom and the top of each corner must be in the picture: a high object may be cut off at
+  // the top although its foot is seen.
   const double edge = -table.y_span / 2;
   for (const Vector2& corner : footprint.corners()) {
     if (std::abs(corner.x()) > table.x_span / 2 - table_rim) return false;

@@ -1,3 +1,7 @@
+// The objects of the menu, made at a random free place. A recipe builds them around the origin;
+// then one rejection sampling moves all of them as a whole. The sequence of random numbers is:
+// colors, then places.
+
 #include "layout/presets.h"
 
 #include <algorithm>
@@ -30,6 +34,7 @@ class Maker {
   Color RandomColor() {
     constexpr std::array<const char*, 8> kColors = {"red",   "blue", "yellow",  "green",
                                                     "brown", "cyan", "magenta", "orange"};
+    // min() guards against an upper end that is reached by rounding.
     const auto lot = static_cast<std::size_t>(Uniform(random_, 0, kColors.size()));
     return ParseColor(kColors[std::min(lot, kColors.size() - 1)]).value_or(Color());
   }
@@ -168,6 +173,7 @@ class PlaceFinder {
 
  private:
   bool IsFree(const scene::Bounds& bounds) const {
+    // Axis-aligned bounds of the rotated objects: too large, but the table has room.
     const Vector3 edge(context_.table.x_span / 2 - margin_, context_.table.y_span / 2 - margin_, 0);
     if ((bounds.low.head<2>().array() < -edge.head<2>().array()).any()) return false;
     if ((bounds.high.head<2>().array() > edge.head<2>().array()).any()) return false;
@@ -202,6 +208,7 @@ std::optional<scene::SceneSpec> MakePreset(const std::string& preset,
   if (!X_WA) return std::nullopt;
   scene::SceneSpec scene{
       .name = preset, .meters_per_unit = context.meters_per_unit, .table = context.table};
+  // Ids of the new objects must also differ among themselves.
   std::set<std::string> ids = context.ids;
   for (scene::ObjectSpec& thing : things) {
     thing.whole.id = NewId(thing.whole.id, &ids);

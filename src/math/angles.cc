@@ -7,6 +7,7 @@ namespace smile {
 Matrix3 RotationFromFixedAxes(const Vector3& angles_deg) {
   // Quarter turns are exact: a block rotated by 90 degrees stays axis-aligned to the last bit.
   const auto sine = [](double angle_deg) {
+    // remainder() is exact, so angles beyond a full turn lose no digits.
     const double quarter = std::remainder(angle_deg, 360.0) / 90.0;
     if (quarter == std::round(quarter)) return quarter == 1 ? 1.0 : quarter == -1 ? -1.0 : 0.0;
     return std::sin(DegreesToRadians(angle_deg));
@@ -15,6 +16,7 @@ Matrix3 RotationFromFixedAxes(const Vector3& angles_deg) {
   const double sa = sine(angles_deg.x()), ca = cosine(angles_deg.x());
   const double sb = sine(angles_deg.y()), cb = cosine(angles_deg.y());
   const double sc = sine(angles_deg.z()), cc = cosine(angles_deg.z());
+  // Rz(c) Ry(b) Rx(a), written out.
   Matrix3 R;
   R << cb * cc, sa * sb * cc - ca * sc, ca * sb * cc + sa * sc,  //
       cb * sc, sa * sb * sc + ca * cc, ca * sb * sc - sa * cc,   //
@@ -44,7 +46,7 @@ Vector3 RotationVectorBetween(const Quaternion& from, const Quaternion& to) {
   Quaternion turn = to * from.conjugate();
   if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
   const double sine_of_half = turn.vec().norm();
-  // Small angles: sin(x/2) = x/2.
+  // Small angles: sin(x/2) = x/2. The quotient below would be 0 / 0.
   if (sine_of_half < 1e-12) return 2.0 * turn.vec();
   return turn.vec() * (2.0 * std::atan2(sine_of_half, turn.w()) / sine_of_half);
 }

@@ -26,6 +26,7 @@ double FocalLength(const std::string& direction, int size_px, double angle) {
 
 /// Returns intrinsics with square pixels and the principal point in the middle of the image.
 CameraIntrinsics Centered(int width_px, int height_px, double focal_length) {
+  // Pixel centers are at halves, so the middle of the image is at half of its size.
   return {.width_px = width_px,
           .height_px = height_px,
           .fx = focal_length,
@@ -52,6 +53,7 @@ RigidTransform LookAt(const Vector3& p_WC, const Vector3& p_WQ, const Vector3& u
   const Vector3 sight = p_WQ - p_WC;
   if (sight.norm() == 0) throw std::invalid_argument("a camera cannot look at its own position");
   const Vector3 z = sight.normalized();
+  // z forward and y down, so the right side is forward x up.
   Vector3 x = z.cross(up_in_world);
   // The line of sight is parallel to the up direction.
   if (x.norm() < 1e-9 * up_in_world.norm()) {

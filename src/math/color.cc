@@ -46,6 +46,7 @@ std::optional<Color> ParseColor(std::string_view text) {
   for (const NamedColor& named : kNamedColors) {
     if (named.name == text) return named.color;
   }
+  // from_chars() accepts no sign here and must consume all six digits.
   if (text.size() != 7 || text[0] != '#') return std::nullopt;
   unsigned rgb = 0;
   const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, rgb, 16);
@@ -54,6 +55,7 @@ std::optional<Color> ParseColor(std::string_view text) {
 }
 
 std::string ToString(const Color& color) {
+  // Exact comparison: colors come from this table or from bytes.
   for (const NamedColor& named : kNamedColors) {
     if (named.color == color) return std::string(named.name);
   }

@@ -3,6 +3,7 @@
 namespace smile::model {
 
 const scene::TightnessStage* StageAt(const Host& host, int tightness) {
+  // Tightness counts stages from 1.
   return tightness > 0 ? &host.point->stages[static_cast<std::size_t>(tightness) - 1] : nullptr;
 }
 

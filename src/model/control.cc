@@ -1,3 +1,6 @@
+// State machines of controls as pure functions on values: no physics, no time. A control drives
+// others by passing on its visible state number; what a number means is up to the receiver.
+
 #include "model/control.h"
 
 #include <algorithm>
@@ -19,6 +22,8 @@ int EffectiveState(const ControlState& state) {
   return state.override_state >= 0 ? state.override_state : state.state;
 }
 
+// A switch shows its position, lights show a forced state too, and a custom control shows its own
+// state even if a bond forces another.
 int LookOf(const Control& control, const ControlState& state) {
   if (std::holds_alternative<ToggleSwitch>(control.part->shape)) return state.position;
   if (std::holds_alternative<IndicatorLights>(control.part->shape)) return EffectiveState(state);
@@ -31,6 +36,7 @@ std::optional<scene::Button> PressedButtonOf(const Control& control, const Contr
 }
 
 std::string RecordedState(const Control& control, const ControlState& state) {
+  // A state that a bond forces is recorded in place of the control's own.
   const int number = EffectiveState(state);
   const auto name_in = [number](const auto& states) {
     return states[number].name.empty() ? std::to_string(number) : states[number].name;
@@ -71,12 +77,14 @@ bool TakeState(const Control& control, int state, ControlState* now) {
 }
 
 void OverrideState(const Control& control, int state, ControlState* now) {
+  // Only -1 means "none"; lower numbers are treated alike.
   const bool exists = state < scene::NumStatesOf(*control.part);
   now->override_state = exists ? std::max(state, -1) : -1;
 }
 
 void DriveDownstream(const std::vector<Control>& controls, ControlIndex from,
                      std::vector<ControlState>* states) {
+  // Wiring may contain cycles; a control that has taken a state in this impulse takes no other.
   std::set<ControlIndex> taken{from};
   struct Impulse {
     ControlIndex control;

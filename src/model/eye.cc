@@ -29,6 +29,7 @@ constexpr double kRobotCameraAngle = DegreesToRadians(80.0);
 
 /// Returns the index of a camera's frame on the robot; nullopt if it has no such camera.
 std::optional<int> FrameOf(const robot::RobotModel& robot, std::string_view camera) {
+  // The robot's description places `eye` on the head, so that it turns with it.
   if (camera == kEyeCamera) return robot.head ? std::optional(robot.head->camera) : std::nullopt;
   if (camera == kHeadCamera) return FindFrame(robot, "head_camera");
   for (const robot::Arm& arm : robot.arms) {
@@ -55,6 +56,7 @@ CameraView ViewOf(const scene::CameraSpec& camera, const EyeSpec& spec) {
 
 /// Returns the pose of Baxter's eye at the default place.
 RigidTransform EyeWithoutRobot(const Model& model) {
+  // The defaults of a placement are those of a table with Baxter.
   const RobotPlacement usual;
   return RobotBasePose(model.scene().table, usual.gap, usual.height) * EyeInBase();
 }
@@ -94,6 +96,7 @@ bool IsSceneCamera(const Model& model, std::string_view camera) {
 CameraView EyeView(const Model& model, std::span<const double> q, const EyeSpec& spec) {
   if (IsSceneCamera(model, spec.camera)) return ViewOf(*FindSceneCamera(model, spec.camera), spec);
   const robot::RobotModel* robot = model.robot();
+  // A robot without a head has no eye of its own: the fixed one is used, as without a robot.
   const auto frame = robot != nullptr ? FrameOf(*robot, spec.camera) : std::nullopt;
   const bool is_eye = spec.camera == kEyeCamera;
   if (!frame && !is_eye) RefuseCamera(model, spec.camera);

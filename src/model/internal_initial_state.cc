@@ -1,3 +1,7 @@
+// Builds the start of a scene from its description: guests that are fastened from the start are
+// moved to their hosts, together with everything that is joined to them (assemblies, drawers,
+// chains). Later guests may move what earlier ones built.
+
 #include "model/internal_initial_state.h"
 
 #include <set>
@@ -24,6 +28,7 @@ class Fastener {
   void Fasten(GuestIndex guest_index, HostIndex host_index, int tightness) {
     const Guest& guest = model_.guest(guest_index);
     const Host& host = model_.host(host_index);
+    // The guest comes to the host, never the reverse, in the order of the file.
     Move(guest.object, *state_.X_WB[host.object] * GuestBodyInHostBody(host, guest, tightness));
     Tie(host.object, guest.object);
     HostState& held = state_.hosts[host_index];
@@ -46,6 +51,7 @@ class Fastener {
 
  private:
   void Tie(std::size_t a, std::size_t b) {
+    // In both directions, so that the search needs no order.
     ties_.insert({{ObjectIndex(a), ObjectIndex(b)}, {ObjectIndex(b), ObjectIndex(a)}});
   }
 
@@ -76,6 +82,7 @@ class Fastener {
         if (found.insert(tie->second).second) to_visit.push_back(tie->second);
       }
     }
+    // The moved object gets its exact pose; others move by the same rigid motion.
     for (ObjectIndex member : found) {
       std::optional<RigidTransform>& X_WMember = state_.X_WB[member];
       if (member == object) {

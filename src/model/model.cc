@@ -1,3 +1,7 @@
+// Compiles a scene into flat lists with indices. The order of indices is fixed: objects as in the
+// scene, the controls, guests and hosts of each object in the order of its parts. Traces, states
+// and hashes rely on it.
+
 #include "model/model.h"
 
 #include <utility>
@@ -22,6 +26,7 @@ auto FindIn(const Map& index_of_id, std::string_view id)
 
 /// Lengthens a drawn link, so that a chain has no gaps.
 void Lengthen(double padding, scene::Visual* visual) {
+  // Links of chains are blocks along y; only their drawing grows, not their collision shape.
   if (auto* block = std::get_if<scene::Block>(&visual->shape)) block->size.y() += 2 * padding;
 }
 
@@ -43,10 +48,13 @@ Model::Model(scene::SceneSpec scene, std::shared_ptr<const std::optional<RobotPl
     : scene_(std::move(scene)), placement_(std::move(robot)) {
   // All controls and hosts must exist before ids between them can be resolved.
   for (ObjectIndex object : objects()) AddMechanismsOf(object);
+  // One entry beyond the last object, so that controls_of() needs no special case.
   first_control_.emplace_back(controls_.size());
   ConnectMechanisms();
 
   const scene::Solid table = scene::TableSolid(scene_.table);
+  // The order of names gives the ids of objects in pictures: the table, then objects, then the
+  // robot.
   visual_model_.visuals.push_back({.shape = scene::VisualShapeOf(table.shape),
                                    .color = table.color,
                                    .X_FV = table.X_BS,
@@ -63,6 +71,7 @@ Model::Model(scene::SceneSpec scene, std::shared_ptr<const std::optional<RobotPl
 
 void Model::AddMechanismsOf(ObjectIndex object) {
   const scene::Part& whole = scene_.objects[object].whole;
+  // Ids are unique in valid scenes; the reader checks that.
   object_of_id_.insert_or_assign(whole.id, object);
   first_control_.emplace_back(controls_.size());
   for (const scene::Part* part : scene::ControlsOf(whole)) {
@@ -82,6 +91,7 @@ void Model::AddMechanismsOf(ObjectIndex object) {
 void Model::ConnectMechanisms() {
   for (Control& control : controls_) {
     for (const std::string& id : scene::DownstreamOf(*control.part)) {
+      // Ids that name nothing are ignored here; the reader of scenes reports them.
       if (const auto driven = FindControl(id)) control.downstream.push_back(*driven);
     }
   }
@@ -171,6 +181,7 @@ scene::VisualState Model::VisualStateOf(const SceneState& state, std::span<const
   visual.looks.reserve(static_cast<std::size_t>(visual_model_.num_choices));
   for (ObjectIndex object : objects()) {
     const std::optional<RigidTransform>& X_WB = state.X_WB[object];
+    // A missing object still has a frame; all of its visuals are hidden.
     visual.poses.push_back(X_WB.value_or(RigidTransform()));
     visual.looks.push_back(X_WB ? 0 : kHidden);
     for (int look : LooksOf(object, state.controls)) visual.looks.push_back(X_WB ? look : kHidden);

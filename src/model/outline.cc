@@ -53,6 +53,7 @@ double CrossOf(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 /// Appends one half of the hull of sorted points, without its last corner.
 template <class Iterator>
 void AppendHalfHull(Iterator begin, Iterator end, Outline* hull) {
+  // Removes corners that do not turn left: each point is added and removed at most once.
   const std::size_t first = hull->size();
   for (Iterator point = begin; point != end; ++point) {
     while (hull->size() >= first + 2 &&
@@ -61,6 +62,7 @@ void AppendHalfHull(Iterator begin, Iterator end, Outline* hull) {
     }
     hull->push_back(*point);
   }
+  // The last corner of each half is the first of the other, hence left out.
   hull->pop_back();
 }
 
@@ -86,6 +88,7 @@ double LeastReachOver(const Outline& a, const Outline& b) {
     // A degenerate edge has no normal.
     if (edge.norm() < 1e-9) continue;
     const Eigen::Vector2d outwards = Eigen::Vector2d(edge.y(), -edge.x()).normalized();
+    // The reach of the farthest corner of `b` over this edge; negative if all of `b` is outside.
     double reach = -std::numeric_limits<double>::infinity();
     for (const Eigen::Vector2d& corner : b) reach = std::max(reach, (a[i] - corner).dot(outwards));
     least = std::min(least, reach);
@@ -109,6 +112,7 @@ Outline OutlineOf(const scene::SolidShape& shape, const RigidTransform& X_WS) {
 }
 
 double OverlapOf(const Outline& a, const Outline& b) {
+  // A line or a point has no area to overlap with.
   if (a.size() < 3 || b.size() < 3) return 0;
   return std::min(LeastReachOver(a, b), LeastReachOver(b, a));
 }

@@ -1,3 +1,7 @@
+// "On" and "in" from geometry alone, without contacts of the physics: the same function serves
+// scenes, recordings and previews. Pieces are convex: from above they are compared by their
+// outlines, in height by their bounding boxes.
+
 #include "model/relations.h"
 
 #include <algorithm>
@@ -44,6 +48,7 @@ Placed PlacedOf(const scene::ObjectSpec& object) {
 /// Returns true if the bottom of a piece of `upper` touches the top of a piece of `lower`, with
 /// enough overlap.
 bool StandsOn(const Placed& upper, const Placed& lower) {
+  // Cheap test first: most pairs are far apart.
   if (!upper.bounds.Meets(lower.bounds, kContact)) return false;
   for (const Piece& foot : upper.pieces) {
     for (const Piece& top : lower.pieces) {
@@ -59,6 +64,7 @@ bool StandsOn(const Placed& upper, const Placed& lower) {
 
 /// Returns true if a box is beside a point, on this side along this axis, at its height.
 bool IsBeside(const scene::Bounds& piece, const Vector3& p, int axis, bool is_above) {
+  // The other horizontal axis.
   const int across = 1 - axis;
   const bool is_on_side = is_above ? piece.low[axis] >= p[axis] : piece.high[axis] <= p[axis];
   return is_on_side && piece.low[across] <= p[across] && p[across] <= piece.high[across] &&
@@ -73,6 +79,7 @@ bool LiesIn(const Placed& object, const Placed& around) {
   const RigidTransform X_BW = around.object->pose_in_world().inverse();
   const scene::Bounds inner = scene::BoundsOf(object.solids, X_BW * object.object->pose_in_world());
   Vector3 p = inner.center();
+  // A quarter of the height: an object may stick out of a flat container and is still in it.
   p.z() = inner.low.z() + inner.size().z() / 4;
   std::array<bool, 4> sides{};
   for (const scene::Solid& solid : around.solids) {
@@ -123,6 +130,7 @@ std::vector<Relation> RelationsOfOne(const Placed& one, const std::vector<Placed
 /// top [m]; overlap up to kContact counts as contact.
 double HeightAbove(const Placed& one, const std::vector<Placed>& all,
                    const scene::SceneSpec& scene) {
+  // The table top is at z = 0.
   double height = std::max(0.0, one.bounds.low.z());
   for (const Placed& other : all) {
     if (one.object->id() == other.object->id() || SlidesIn(scene, *other.object, *one.object)) {
@@ -131,6 +139,8 @@ double HeightAbove(const Placed& one, const std::vector<Placed>& all,
     for (const Piece& foot : one.pieces) {
       for (const Piece& top : other.pieces) {
         const double gap = foot.bounds.low.z() - top.bounds.high.z();
+        // Tops that are beside or above the object do not count, nor those below the highest one
+        // found.
         if (gap < -kContact || gap >= height) continue;
         if (OverlapOf(foot.outline, top.outline) > kFooting) height = std::max(0.0, gap);
       }
@@ -176,6 +186,7 @@ std::optional<Support> SupportOf(const scene::SceneSpec& scene,
   const double height =
       HeightAbove(all[static_cast<std::size_t>(found - objects.begin())], all, scene);
   scene::ObjectSpec lowered = *found;
+  // Lowered virtually, then judged by the same rules as objects at rest.
   lowered.whole.X_PE = RigidTransform(Vector3(0, 0, -height)) * found->pose_in_world();
   const std::vector<Relation> relations = RelationsOfOne(PlacedOf(lowered), all, scene);
   if (relations.empty()) return std::nullopt;

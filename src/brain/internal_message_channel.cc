@@ -26,7 +26,7 @@ constexpr auto kWatchfulTime = std::chrono::microseconds(50);
 class BrokenPipeIsQuiet {
  public:
   BrokenPipeIsQuiet() {
-    // A signal that was pending before is not ours: it must not be removed at the end.
+    // A signal that was already pending has another cause and must not be removed at the end.
     sigset_t pending;
     sigpending(&pending);
     was_pending_ = sigismember(&pending, SIGPIPE);

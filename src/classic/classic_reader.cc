@@ -365,7 +365,7 @@ ClassicRecording ReadClassic(const std::filesystem::path& directory, const Class
   if (!std::filesystem::is_directory(directory, error)) {
     Refuse(directory, "is not a directory, expected the directory of a classic recording");
   }
-  // Our recordings have the same texts; importing one would lose its commands and physics.
+  // Recordings of this program contain the same texts; an import would lose commands and physics.
   if (recording::IsRecording(directory)) {
     Refuse(directory, "has a demo.json: it is already a recording and does not need an import");
   }

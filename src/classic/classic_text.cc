@@ -1,5 +1,5 @@
 // Formats of single values in classic texts. They match the 2015 program to the letter, so that its
-// tools read our recordings and comparisons of files are possible.
+// tools can read these recordings and files can be compared.
 
 #include "classic/classic_text.h"
 

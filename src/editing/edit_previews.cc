@@ -69,7 +69,7 @@ EditReport MakePreview(const recording::Recording& recording,
   for (int segment = 0; fs::is_directory(recording::SegmentPictures(directory, segment));
        ++segment) {
     const fs::path pictures = recording::SegmentPictures(directory, segment);
-    // Redraw() writes each picture anew; those of one pixel are only in its way.
+    // Redraw() writes each picture again; those of one pixel would only be in its way.
     fs::remove_all(pictures);
     fs::create_directory(pictures);
   }

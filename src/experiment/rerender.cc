@@ -52,8 +52,8 @@ std::vector<std::filesystem::path> MakeCopies(const DemonstratorCopies& copies,
     std::error_code error;
     const bool exists = std::filesystem::exists(copy, error);
     if (!exists || !IsMarked(mark, text)) {
-      // A copy without a mark was interrupted, or is of another recording: either way not ours to
-      // delete.
+      // A copy without a mark was interrupted, or is of another recording: either way it may be
+      // worth keeping.
       if (exists) MoveAside(copy, callbacks);
       Rerender(recording::OpenRecording(copies.demonstration), copy,
                {.demonstrator = recording::ParseDemonstratorAppearance(look),

@@ -5,6 +5,8 @@
 namespace smile {
 namespace {
 
+// what() has all findings, one per line, so that a handler that knows only std::exception loses
+// none.
 std::string JoinLines(const std::vector<Diagnostic>& diagnostics) {
   std::string text;
   for (const Diagnostic& diagnostic : diagnostics) {

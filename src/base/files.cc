@@ -32,6 +32,7 @@ std::string SystemReason() { return std::strerror(errno); }
 /// @returns the reason of a failure; empty after success.
 std::string WriteInto(const std::filesystem::path& path, std::string_view text) {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  // Flushed here, since a destructor would hide that the disk is full.
   if (file) file.write(text.data(), static_cast<std::streamsize>(text.size())).flush();
   return file ? "" : "cannot be written: " + SystemReason();
 }
@@ -98,6 +99,8 @@ void MakeDirectories(const std::filesystem::path& path) {
 
 bool IsWithin(const std::filesystem::path& path, const std::filesystem::path& folder) {
   std::error_code error;
+  // canonical() follows all links of both paths: a link inside the folder that leads out of it is
+  // not within.
   const std::filesystem::path there = std::filesystem::canonical(path, error);
   if (error) return false;
   const std::filesystem::path around = std::filesystem::canonical(folder, error);

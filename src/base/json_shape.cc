@@ -111,6 +111,7 @@ bool JsonShape::Fits(const Json& json, std::string* misfit) const {
   if (may_be_null_ && json.is_null()) return true;
   if (may_be_true_ && json == true) return true;
   if (!FitsAlone(json)) {
+    // A misfit is shown as found, cut: it may be megabytes from a client.
     if (misfit != nullptr) *misfit = " is " + ToText(json).substr(0, kMaxFound);
     return false;
   }
@@ -187,6 +188,7 @@ Json JsonShape::Schema() const {
     // The schema without the alternatives is one of them.
     JsonShape itself = *this;
     itself.may_be_null_ = itself.may_be_true_ = false;
+    // `anyOf` instead of a list of types, since the alternatives also apply to words and objects.
     Json any = Json::array({itself.Schema()});
     if (may_be_true_) any.push_back({{"const", true}});
     if (may_be_null_) any.push_back({{"type", "null"}});
@@ -285,6 +287,7 @@ std::string JsonShape::UnnamedTypeScript() const {
 
 std::string JsonShape::ListTypeScript() const {
   const std::string item = items_[0].TypeScript();
+  // A tuple lets TypeScript check the number of items, as of a vector.
   if (min_count_ != max_count_ || max_count_ > kMaxTuple) {
     // A union needs parentheses in front of `[]`.
     return item.find(" | ") == std::string::npos ? item + "[]" : "(" + item + ")[]";

@@ -30,6 +30,8 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
         cost[i][j] = i + j;
         continue;
       }
+      // Three ways to reach this cell: drop a letter of a, add one of b, or change one into the
+      // other.
       const std::size_t change = SameLetter(a[i - 1], b[j - 1]) ? 0 : 1;
       cost[i][j] = std::min({cost[i - 1][j] + 1, cost[i][j - 1] + 1, cost[i - 1][j - 1] + change});
       // Neighbors swapped: the commonest slip, counted as one.

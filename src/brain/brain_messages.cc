@@ -66,6 +66,7 @@ void AddLines(MessageWriter& writer, std::string_view field, std::span<const std
 
 /// Adds the trackers: names, and positions in the same order.
 void AddTrackers(MessageWriter& writer, const Sensor& sensor) {
+  // A map of the struct is sorted by name, so equal sensors give equal bytes.
   std::vector<std::string> names;
   Eigen::MatrixX3d positions(sensor.tracker_locations.size(), 3);
   for (const auto& [name, p_WQ] : sensor.tracker_locations) {
@@ -186,6 +187,7 @@ struct PictureFields {
 
 PictureFields FieldsOf(const std::string& camera) {
   if (camera.empty()) return {"rgbVision", "depthVision", "segmentVision", "cameraPose"};
+  // Names of arrays have no dots; the clients split these into `sensor.cameras.NAME.rgb`.
   const std::string prefix = "cameras_" + camera + "_";
   return {prefix + "rgb", prefix + "depth", prefix + "segments", prefix + "pose"};
 }
@@ -309,6 +311,7 @@ std::vector<std::string> ReadWords(const NamedArray& array, MatrixReader& reader
     reader.Fail(array.name + " is " + ShapeText(array.dims) + " numbers, expected names");
     return {};
   }
+  // Octave makes a matrix of characters from several lines; read by columns, it would be nonsense.
   if (text && !text->empty() && (array.dims.size() != 2 || array.dims[0] != 1)) {
     reader.Fail(array.name + " is " + ShapeText(array.dims) + " characters, expected one line");
     return {};

@@ -26,6 +26,7 @@ void AddMatrix(MessageWriter& writer, std::string_view name, const Eigen::Matrix
   writer.AddDoubles(name, dims, {matrix.data(), static_cast<std::size_t>(matrix.size())});
 }
 
+// The protocol accepts commas between names.
 std::string InOneLine(const std::vector<std::string>& names) {
   std::string line;
   for (const std::string& name : names) line += (line.empty() ? "" : ",") + name;
@@ -75,6 +76,7 @@ class ProtocolSession {
     const auto limbs = static_cast<Eigen::Index>(aux_.Number("numLimbs"));
     const auto joints = static_cast<Eigen::Index>(aux_.Number("numJoints"));
     motor_.joint_velocities.setZero(limbs, joints);
+    // The same object for all steps: values stay until the brain changes them.
     motor_.gripper_velocities.setZero(limbs);
     brain_->Init(aux_);
     if (aux_.init_joint_angles) AddMatrix(writer, "initJointAngles", *aux_.init_joint_angles);
@@ -121,6 +123,7 @@ int Run(Brain& brain) {
   // A pipe would be fully buffered: lines appear when they are printed.
   std::setvbuf(stdout, nullptr, _IOLBF, 0);
   try {
+    // Executables get a socket by default; this client has no pipes.
     const char* address = std::getenv("SMILE_BRAIN_ADDRESS");
     if (address == nullptr) {
       throw std::runtime_error(

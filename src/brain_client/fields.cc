@@ -7,6 +7,7 @@
 namespace smile::brain_client {
 namespace {
 
+// Names what is there and what was expected; the shape is what people usually get wrong.
 [[noreturn]] void Reject(const wire::NamedArray& array, const char* expected) {
   const bool is_text = array.type == wire::ElementType::kText;
   throw std::invalid_argument(array.name + " is " +

@@ -38,6 +38,7 @@ SimulatorConnection::~SimulatorConnection() { ::close(socket_); }
 
 void SimulatorConnection::Greet(const Introduction& introduction) {
   wire::MessageWriter writer(wire::MessageType::kHello, 0);
+  // The version decides about everything else, so it comes first.
   writer.AddScalar("version", wire::kProtocolVersion);
   writer.AddLogical("guard", introduction.has_guard);
   writer.AddLogical("rows", introduction.takes_rows);
@@ -60,6 +61,8 @@ void SimulatorConnection::Send(std::span<const std::byte> frame) {
   }
 }
 
+// Octave cannot interrupt read(), so its client polls with a timeout and looks for Ctrl+C in
+// between.
 bool SimulatorConnection::HasArrivals(int milliseconds) const {
   // Bytes that were read already do not show up in poll().
   if (inbox_.HasBytes()) return true;

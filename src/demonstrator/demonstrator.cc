@@ -60,7 +60,8 @@ GraspPlan Demonstrator::PlanGrasp(HandName name, std::string_view object_id) con
     // Whichever hand holds the object hands it over.
     if (hand(other).held == body) plan.to_release.push_back(other);
   }
-  // The rules apply to the situation after the object is handed over.
+  // The rules apply to the situation after the object is handed over. `any` stands for whichever
+  // physical hand is free, so whether it conflicts depends on the others.
   const auto holds = [&](HandName other) {
     return hand(other).is_holding() && hand(other).held != body;
   };
@@ -142,6 +143,8 @@ std::optional<Vector3> Demonstrator::PointOnPlane(HandName name, const Ray& ray,
   const double angle = DegreesToRadians(plane_angle_deg(name));
   const Vector3 normal =
       is_level ? Vector3::UnitZ() : Vector3(-std::sin(angle), std::cos(angle), 0);
+  // Through the goal and not the body, which lags behind: the plane must not move while people
+  // drag.
   const Vector3 p_WH = hand(name).X_WB_goal * hand(name).p_BH;
   // Intersection of the ray with the plane through the hand's goal.
   const double approach = normal.dot(direction);
@@ -239,6 +242,7 @@ std::optional<Refusal> Demonstrator::Turn(HandName name, std::string_view object
     if (state_.hands[i].is_holding())
       before[i] = world_->body(state_.hands[i].held).pose_in_world();
   }
+  // Of several guest points of an object, the one nearest to this point is turned.
   const Vector3 p_WPoint = p_WQ.value_or(body.pose_in_world().translation());
   if (auto refusal = (tabletop_->*turning)(*object, p_WPoint)) return refusal;
   // Held objects that the bond moved: their goals move with them, or hands would pull them back.
@@ -265,6 +269,7 @@ bool Demonstrator::has_arrived() const {
 }
 
 bool Demonstrator::has_arrived(HandName name) const {
+  // A servo approaches its goal asymptotically; below this no one sees a difference.
   constexpr double kNear = 0.0005, kAligned = DegreesToRadians(0.5);
   const Hand& wanting = hand(name);
   if (!wanting.is_holding()) return true;

@@ -19,6 +19,8 @@ Vector3 Limited(const Vector3& v, double max_length) {
 void DriveTowards(const RigidTransform& X_WB_goal, double speed, double step_seconds,
                   const ServoConfig& config, physics::Body* body) {
   const RigidTransform X_WB = body->pose_in_world();
+  // Position and rotation are driven independently: a blocked rotation does not stop the
+  // translation.
   const Vector3 gap = X_WB_goal.translation() - X_WB.translation();
   const Vector3 turn = RotationVectorBetween(X_WB.quaternion(), X_WB_goal.quaternion());
 

@@ -18,6 +18,7 @@ namespace smile {
 namespace {
 
 /// libpng's simplified interface (manual, section V): errors come back as values, not by longjmp.
+/// The structure owns memory of the library until it is freed, also after a failure.
 struct PngImage : png_image {
   PngImage() : png_image{} { version = PNG_IMAGE_VERSION; }
   ~PngImage() { png_image_free(this); }
@@ -53,6 +54,7 @@ std::string Encoded(const Image& image, png_uint_32 format, const void* pixels) 
   // No row filters and zlib level 3. Measured on rendered tables: five times faster than the
   // default, a third larger, and within 5 % of the fastest of 27 other settings.
   png.flags = PNG_IMAGE_FLAG_FAST;
+  // An upper bound, in one call: asking for the exact size would compress twice.
   png_alloc_size_t num_bytes = PNG_IMAGE_PNG_SIZE_MAX(png);
   const auto bytes = std::make_unique_for_overwrite<char[]>(num_bytes);
   if (!png_image_write_to_memory(&png, bytes.get(), &num_bytes, 0, pixels, 0, nullptr)) {

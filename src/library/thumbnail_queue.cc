@@ -88,6 +88,7 @@ void ThumbnailQueue::Run(Job job, ThumbnailRenderer* renderer) {
     job.picture.set_value(std::move(picture));
   } catch (...) {
     const std::lock_guard lock(mutex_);
+    // An error is reported to all who wait for it, but not kept.
     pictures_.erase(job.key);  // the next call may succeed
     job.picture.set_exception(std::current_exception());
   }

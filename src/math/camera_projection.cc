@@ -19,6 +19,7 @@ void CheckSize(int width_px, int height_px) {
 
 /// Returns the focal length [px] of a camera that sees `angle` [rad] across `size_px`.
 double FocalLength(const std::string& direction, int size_px, double angle) {
+  // Half of the image is f tan(angle / 2) wide.
   if (angle > 0 && angle < std::numbers::pi) return 0.5 * size_px / std::tan(0.5 * angle);
   throw std::invalid_argument(direction + " field of view is " + std::to_string(angle) +
                               " rad, expected between 0 and pi");
@@ -57,6 +58,7 @@ RigidTransform LookAt(const Vector3& p_WC, const Vector3& p_WQ, const Vector3& u
   Vector3 x = z.cross(up_in_world);
   // The line of sight is parallel to the up direction.
   if (x.norm() < 1e-9 * up_in_world.norm()) {
+    // A view straight down or up: the default direction (z) has no projection into the image.
     x = Vector3::UnitX();
     if (std::abs(z.dot(x)) > 1e-9)
       throw std::invalid_argument("the up direction of the camera points forward");

@@ -5,6 +5,7 @@
 namespace smile {
 
 PrincipalInertia PrincipalInertiaOf(const Matrix3& inertia) {
+  // Relative to the trace: the same body in other units has the same axes.
   const Matrix3 off_diagonal = inertia - Matrix3(inertia.diagonal().asDiagonal());
   if (off_diagonal.cwiseAbs().maxCoeff() <= 1e-12 * inertia.trace()) {
     return {.moments = inertia.diagonal()};

@@ -98,8 +98,7 @@ class Decomposition {
   void Split(std::size_t number) {
     const Cell cell = std::move(cells_[number]);
     cells_.erase(cells_.begin() + static_cast<std::ptrdiff_t>(number));
-    // Both halves pass their triangles on from the parent, so that lists become shorter with each
-    // cut.
+    // Both halves choose from the triangles of the parent, so lists become shorter with each cut.
     const Plane plane = BestPlane(cell);
     for (const bool is_high : {false, true}) {
       LatticeBox box = cell.box;

@@ -9,6 +9,8 @@
 namespace smile::page {
 
 void AddControlRequests(RequestTable* table) {
+  // Shared by the handler and the source of deferred messages. Both run in the session's thread, so
+  // no lock is needed.
   // A handler answers only its own client; a message to another one is deferred.
   const auto deferred = std::make_shared<std::vector<DeferredMessage>>();
   table->entries["keep_control"] = {[deferred](const Request& request) {

@@ -9,9 +9,19 @@
 #include "base/bytes.h"
 #include "base/version.h"
 
+// Three parties meet here: the thread of the web server (Open, Receive, CanReceive, NextMessage,
+// Close), the thread of the session (TakeRequests, Send...), and the thread that encodes the eye's
+// pictures (SendView). mutex_ guards all members; no function holds it while it waits or writes to
+// the network.
+//
+// Messages are of two kinds. Replies and updates are news: each is queued in the client's outbox
+// and sent in order. Poses and views are state: only their newest version is stored, once for all
+// clients, and each client remembers the version that it has.
+
 namespace smile::page {
 namespace {
 
+// Version of docs/studio-protocol.md; `hello` refuses a page that was built for another one.
 constexpr int kProtocolVersion = 1;
 /// Number of invalid requests after which a client is closed: the page sends none.
 constexpr int kMaxMistakes = 10;
@@ -19,11 +29,14 @@ constexpr int kMaxMistakes = 10;
 /// slows the client down.
 constexpr std::size_t kMaxWaitingRequests = 64;
 
+// First byte of a binary message.
 constexpr std::uint8_t kPosesKind = 1, kViewKind = 2;
 
 std::chrono::steady_clock::time_point Now() { return std::chrono::steady_clock::now(); }
 
-/// Returns the header of a binary message.
+/// Returns the header of a binary message, 16 bytes, little-endian: kind u8, flag u8 (all frames,
+/// or recorded), number of frames u16, scene u32, tick u32, acknowledged request u32. The pose
+/// records or the PNG file follow.
 std::string BinaryHead(std::uint8_t kind, bool flag, std::uint16_t count, std::uint32_t scene,
                        std::uint32_t tick, std::uint32_t ack) {
   ByteWriter head;
@@ -40,6 +53,7 @@ std::string BinaryHead(std::uint8_t kind, bool flag, std::uint16_t count, std::u
 Request ParseRequest(ClientId client, std::string_view text) {
   Json fields = ParseJson(text);
   if (!fields.is_object()) throw std::invalid_argument("a request is an object");
+  // `seq` begins at 1: replies to messages without a valid one have 0.
   const auto seq = fields.find("seq");
   constexpr std::uint64_t kMaxSeq = std::numeric_limits<std::uint32_t>::max();
   if (seq == fields.end() || !seq->is_number_unsigned() || seq->get<std::uint64_t>() < 1 ||
@@ -68,6 +82,7 @@ Clients::Client* Clients::Find(ClientId id) {
 }
 
 bool Clients::MakeRoom() {
+  // A client that is being closed stays in the map until its connection ends, but takes no place.
   const auto is_here = [](const auto& entry) { return !entry.second.is_closing; };
   if (std::ranges::count_if(clients_, is_here) < limits_.clients) return true;
   // Connections that never said hello are the least valuable, so they cannot exclude real clients.
@@ -93,6 +108,7 @@ void Clients::Close(ClientId id) {
   const bool was_here = arbiter_.IsHere(id);
   arbiter_.Leave(id);
   std::erase(new_clients_, id);
+  // Its queued requests go with it: no client would receive the replies.
   clients_.erase(id);
   if (was_here) SendClientList();
 }
@@ -115,6 +131,8 @@ void Clients::Receive(ClientId id, bool is_text, std::string_view text) {
   }
   const Lock lock(mutex_);
   Client* client = Find(id);
+  // A message passes these gates in order: it is text, it is a request, the client has said hello.
+  // Only then may it have an effect.
   if (client->is_closing) return;
   if (!is_text) return CloseNow(client, CloseCode::kUnsupported, "requests are text");
   if (!request) return Refuse(client, /*seq=*/0, error);
@@ -125,10 +143,13 @@ void Clients::Receive(ClientId id, bool is_text, std::string_view text) {
   if (request->what != "ping") arbiter_.NoteSignOfLife(id, Now());
   // Requests for the session wait for its thread; those about the connection are answered at once.
   if (!own_requests_.entries.contains(request->what)) {
+    // Counted by the bytes of its text, which bound the memory of the parsed request up to a
+    // constant factor.
     client->waiting.push_back({std::move(*request), text.size()});
     client->waiting_bytes += text.size();
     return;
   }
+  // Handlers of own requests run with the lock held; they call only functions that expect it.
   PostJson(client, Answer(own_requests_, *request, arbiter_.controller() == id));
   client->carried_out = std::max(client->carried_out, request->seq);
   // After the reply, so that the client knows its own number.
@@ -137,6 +158,8 @@ void Clients::Receive(ClientId id, bool is_text, std::string_view text) {
 
 bool Clients::CanReceive(ClientId id) {
   const Lock lock(mutex_);
+  // Both limits, as requests differ in size: 64 small ones, or about one of the maximal length. A
+  // closing client is read on, since its close frame is yet to come.
   const Client& client = *Find(id);
   return client.is_closing || (client.waiting.size() < kMaxWaitingRequests &&
                                client.waiting_bytes < limits_.message_bytes);
@@ -144,6 +167,7 @@ bool Clients::CanReceive(ClientId id) {
 
 void Clients::Refuse(Client* client, std::uint32_t seq, const std::string& error) {
   PostJson(client, {{"t", "reply"}, {"seq", seq}, {"ok", false}, {"error", error}});
+  // Repeated mistakes are a fault of the client's program; refusing them forever costs the others.
   if (++client->mistakes >= kMaxMistakes) {
     CloseNow(client, CloseCode::kPolicyViolation, "too many invalid requests");
   }
@@ -160,12 +184,14 @@ RequestTable Clients::OwnRequests() {
 }
 
 Json Clients::Hello(const Request& request) {
+  // Compared as JSON, so that a missing version or one of another type is reported as found.
   const Json version = request.fields.value("version", Json());
   if (version != kProtocolVersion) {
     throw RequestError("found version " + ToText(version) + ", expected " +
                        std::to_string(kProtocolVersion));
   }
   Client* client = Find(request.client);
+  // A repeated hello is answered, but the client joins once.
   if (!client->said_hello) {
     client->said_hello = true;
     arbiter_.Join(request.client);
@@ -177,9 +203,11 @@ Json Clients::Hello(const Request& request) {
 }
 
 Json Clients::TakeControl(const Request& request) {
+  // A missing flag, or any value but `true`, only asks.
   const bool by_force = request.fields.value("by_force", Json(false)) == true;
   const std::optional<ClientId> before = arbiter_.controller();
   const bool is_granted = arbiter_.Take(request.client, by_force, Now());
+  // Take() returns false only if there is a controller, so `before` has a value.
   // The controller is asked; it may answer with `give_control` or `keep_control`.
   if (!is_granted) {
     PostJson(Find(*before), {{"t", "control_wanted"}, {"by", request.client}});
@@ -206,6 +234,7 @@ Json Clients::ControllerNumber() const {
 }
 
 void Clients::SendClientList() {
+  // Each client receives its own number with the list, so the text differs per client.
   for (const ClientId id : arbiter_.clients()) {
     PostJson(Find(id), {{"t", "clients"},
                         {"controller", ControllerNumber()},
@@ -216,6 +245,8 @@ void Clients::SendClientList() {
 
 void Clients::Post(Client* client, OutgoingMessage message) {
   if (client->is_closing) return;
+  // The limit bounds the memory that a stalled client can occupy. Dropping single messages instead
+  // would leave the page with a wrong state without notice, so the client is closed.
   // A single message is always accepted, whatever its length.
   if (!client->outbox.empty() &&
       client->outbox_bytes + message.body->size() > limits_.outbox_bytes) {
@@ -233,6 +264,7 @@ void Clients::PostJson(Client* client, const Json& message) {
 
 void Clients::CloseNow(Client* client, CloseCode code, std::string_view reason) {
   if (client->is_closing) return;
+  // From here on Post() ignores this client, so the close message is the last one in its outbox.
   client->is_closing = true;
   client->outbox.push_back({.kind = OutgoingMessage::Kind::kClose,
                             .body = std::make_shared<const std::string>(reason),
@@ -248,6 +280,7 @@ void Clients::CloseAll() {
 
 bool Clients::HasMessage(const Client& client) const {
   if (!client.outbox.empty()) return true;
+  // State is sent only to clients that have received the scene to which it refers.
   return client.knows_everything && !client.is_closing &&
          (client.known_poses < poses_.version() || client.acknowledged != client.to_acknowledge ||
           client.known_view < view_.number);
@@ -275,6 +308,8 @@ Clients::OutgoingMessage Clients::TakeMessage(Client* client) {
 }
 
 Clients::OutgoingMessage Clients::PosesFor(Client* client) {
+  // The difference is computed when the network is ready to send and not when poses arrive: a slow
+  // client receives one message with all that has moved in the meantime.
   const PoseBroadcaster::Change change = poses_.Since(client->known_poses);
   client->known_poses = poses_.version();
   client->acknowledged = client->to_acknowledge;
@@ -293,6 +328,7 @@ Clients::OutgoingMessage Clients::ViewFor(Client* client) {
 }
 
 void Clients::CloseSilentClients() {
+  // Connections that never speak would occupy places of clients without bound in time.
   const std::chrono::duration<double> longest(limits_.hello_seconds);
   for (auto& [id, client] : clients_) {
     if (client.said_hello || Now() - client.since < longest) continue;
@@ -319,6 +355,7 @@ std::vector<Request> Clients::TakeRequests() {
 
 std::vector<ClientId> Clients::TakeNewClients() {
   const Lock lock(mutex_);
+  // The caller sends the scene next, before any other message: updates may follow from now on.
   for (const ClientId id : new_clients_) Find(id)->knows_everything = true;
   return std::exchange(new_clients_, {});
 }

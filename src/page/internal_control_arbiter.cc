@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <string>
 
+// Rules of control. A free place is granted at once. A controller is first asked; only a client
+// that has asked may take control by force, and only after the controller has been inactive since.
+// So control is never lost while its owner works, and never blocked by one who has left. All times
+// are parameters: the rules have no clock of their own, and tests choose the times.
+
 namespace smile::page {
 namespace {
 
@@ -20,6 +25,7 @@ std::string SecondsText(std::chrono::steady_clock::duration time) {
 void ControlArbiter::Leave(ClientId client) {
   std::erase(clients_, client);
   asked_.erase(client);
+  // Control does not pass to another client by itself: the next owner must want it.
   if (controller_ == client) SetController(std::nullopt, last_sign_);
 }
 
@@ -64,6 +70,8 @@ bool ControlArbiter::MayForce(ClientId client, Time now) {
 }
 
 void ControlArbiter::NoteAsked(ClientId client, Time now) {
+  // The limit holds for all clients together, since each question interrupts the
+  // controller.
   if (last_asked_ && now - *last_asked_ < kAskPauseOfAll) {
     throw RequestError("another client has asked the controller; you can ask in " +
                        SecondsText(kAskPauseOfAll - (now - *last_asked_)));
@@ -83,6 +91,7 @@ void ControlArbiter::Give(ClientId from, std::optional<ClientId> to, Time now) {
 void ControlArbiter::SetController(std::optional<ClientId> client, Time now) {
   controller_ = client;
   last_sign_ = now;
+  // Questions were directed at the former controller; the new one has not been asked.
   asked_.clear();
   last_asked_.reset();
 }

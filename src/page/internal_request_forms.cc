@@ -2,6 +2,10 @@
 
 #include "page/internal_shapes.h"
 
+// Table of all requests: the source of docs/studio-protocol.md, of the page's TypeScript types, and
+// of the tests that check each request against its form. Handlers are registered elsewhere, by
+// name.
+
 namespace smile::page {
 namespace {
 

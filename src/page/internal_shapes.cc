@@ -6,6 +6,9 @@
 #include "page/snap_names.h"
 #include "robot/face_expression.h"
 
+// Shapes that several messages share. A shape with a name (Called) becomes a type of that name in
+// the page's TypeScript; unnamed ones are written out where they are used.
+
 namespace smile::page {
 
 JsonShape NumberShape() { return JsonShape::Number(); }
@@ -21,6 +24,7 @@ JsonMember KindMember(const char* name) { return {"t", JsonShape::Word({name})};
 
 JsonShape HandNameShape() {
   std::vector<std::string> names;
+  // Derived from the program's own names, so that the page's type cannot differ.
   for (const auto hand : demonstrator::kHandNames) names.emplace_back(ToString(hand));
   return JsonShape::Word(names).Called("HandName");
 }
@@ -34,9 +38,12 @@ JsonShape SnapNameShape() {
   return JsonShape::Word({kSnapNames.begin(), kSnapNames.end()}).Called("SnapName");
 }
 
+// Points and poses are lists of fixed length, which are compact and need no names: x, y, z in
+// units, and for poses the quaternion x, y, z, w.
 JsonShape PointShape() { return JsonShape::List(NumberShape(), 3, 3).Called("Point"); }
 JsonShape PoseShape() { return JsonShape::List(NumberShape(), 7, 7).Called("Pose"); }
 
+// A visual has exactly one of the members `block`, `cylinder`, `sphere` and `mesh`.
 JsonShape VisualShape() {
   return ObjectShape({{"frame", NumberShape(), true, "0 is the world"},
                       {"object", NumberShape()},
@@ -57,6 +64,7 @@ JsonShape VisualShape() {
       .Called("Visual");
 }
 
+// The members that never change while a scene is shown; poses and states are sent separately.
 JsonShape SceneObjectShape() {
   const JsonShape part =
       ObjectShape({{"id", TextShape()}, {"pointable", FlagShape()}, {"within", TextShape()}});
@@ -76,6 +84,7 @@ JsonShape SceneObjectShape() {
 }
 
 JsonShape RobotDescriptionShape() {
+  // Limits are in rad, or in m for joints with `is_length`; speeds in the same per second.
   const JsonShape joint = ObjectShape({{"name", TextShape()},
                                        {"arm", TextShape(), true, "empty: of no arm"},
                                        {"is_head", FlagShape(), true, "it turns the head"},
@@ -92,6 +101,7 @@ JsonShape RobotDescriptionShape() {
       .Called("RobotDescription");
 }
 
+// All members but `object` and `plane` are missing while the hand is empty.
 JsonShape HandShape() {
   return ObjectShape(
              {{"object", TextShape().OrNull(), true, "null: the hand is empty"},
@@ -123,6 +133,8 @@ JsonShape SegmentShape() {
       .Called("Segment");
 }
 
+// Segments are what the recording shows; steps are all branches of its history, including undone
+// ones, where `on_way` marks those that the recording shows.
 JsonShape TimelineShape() {
   const JsonShape segment = ObjectShape({{"number", NumberShape()},
                                          {"deed", ActionSummaryShape().OrNull()},
@@ -140,6 +152,7 @@ JsonShape TimelineShape() {
       .Called("Timeline");
 }
 
+// A text is the reason of a refusal, ready to be displayed.
 JsonShape AllowedShape() { return TextShape().OrTrue().Called("Allowed"); }
 
 JsonShape DiagnosticShape() {

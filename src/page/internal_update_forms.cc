@@ -3,11 +3,16 @@
 #include "demonstrator/hand.h"
 #include "page/internal_shapes.h"
 
+// Table of all messages that are not replies, with the same uses as the table of requests. Poses
+// and pictures of the eye are binary messages and are not listed here.
+
 namespace smile::page {
 namespace {
 
 /// The scene, sent once per scene. Poses of frames come separately, as binary messages.
 JsonShape SceneUpdateShape() {
+  // Sent once per scene, since it can be large; everything that changes with time is in other
+  // messages.
   return ObjectShape({KindMember("scene"),
                       {"scene", NumberShape(), true, "number of the scene, increasing"},
                       {"name", TextShape()},
@@ -24,6 +29,7 @@ JsonShape SceneUpdateShape() {
 
 /// State of both hands, in StateUpdateShape().
 JsonShape HandsNowShape() {
+  // Four members: the two hands, both hands together, and any hand.
   std::vector<JsonMember> hands;
   for (const auto hand : demonstrator::kHandNames) {
     hands.push_back({std::string(ToString(hand)), HandShape()});
@@ -52,6 +58,8 @@ JsonShape BrainNowShape() {
 }
 
 JsonShape StateUpdateShape() {
+  // Members that are null while they do not apply: there is always at most one of `recording` and
+  // `playback`, as a recording in progress cannot be hidden.
   const JsonShape recording = ObjectShape({{"id", TextShape()},
                                            {"title", TextShape()},
                                            {"seconds", NumberShape()},

@@ -6,6 +6,9 @@
 #include "page/internal_shapes.h"
 #include "page/internal_update_forms.h"
 
+// The forms of all messages, and the checks of messages against them. Only tests check: the session
+// itself reads fields one by one and reports faults in words for people (RequestFields).
+
 namespace smile::page {
 namespace {
 
@@ -25,6 +28,7 @@ std::string MisfitOfReply(const Json& reply, const std::string& request) {
     members.insert(members.end(), form->answer.begin(), form->answer.end());
   } else {
     members.push_back({"error", TextShape()});
+    // Present only for faulty inputs with lines, such as scenes.
     members.push_back({"diagnostics", JsonShape::List(DiagnosticShape()), kOptional});
   }
   std::string misfit;
@@ -35,6 +39,8 @@ std::string MisfitOfReply(const Json& reply, const std::string& request) {
 }  // namespace
 
 const std::vector<RequestForm>& RequestForms() {
+  // Built at first use: the forms depend on tables in other files, whose order of initialization is
+  // unspecified.
   static const std::vector<RequestForm> kForms = MakeRequestForms();
   return kForms;
 }

@@ -5,14 +5,20 @@
 #include "page/internal_shapes.h"
 #include "page/page_protocol.h"
 
+// Texts that tools/generate.py writes into docs/studio-protocol.md and into the page's source. They
+// are functions of the forms only, so generating again without a change in the tables changes
+// nothing.
+
 namespace smile::page {
 namespace {
 
 /// Returns the names of members with their meanings: `` `factor`: 0.1 to 4, `exact`? ``.
 std::string NamesIn(const std::vector<JsonMember>& members) {
   std::string text;
+  // A member with a meaning ends with a semicolon, as its meaning may contain commas.
   bool has_meaning = false;
   for (const JsonMember& member : members) {
+    // The kind is the row's own name.
     if (member.name == "t") continue;
     if (!text.empty()) text += has_meaning ? "; " : ", ";
     text += "`" + member.name + (member.is_required ? "`" : "`?");
@@ -57,6 +63,7 @@ std::vector<NamedShape> NamedShapes() {
 std::string RequestMarkdown() {
   std::string text = "| `do` | fields | answered with | |\n|---|---|---|---|\n";
   for (const RequestForm& form : RequestForms()) {
+    // Requests that watchers may send are marked; all others need control.
     const char* who = !form.is_for_anyone ? "" : form.remark.empty() ? "*anyone*" : "*anyone*; ";
     text += "|" + TableCell("`" + form.name + "`") + TableCell(NamesIn(form.fields)) +
             TableCell(NamesIn(form.answer)) + TableCell(who + form.remark) + "\n";

@@ -5,6 +5,9 @@
 
 #include "base/wording.h"
 
+// Reads the fields of a request one by one. Every fault names the field, what was found and what
+// was expected, in the words of JSON, since authors of clients read it.
+
 namespace smile::page {
 namespace {
 
@@ -54,7 +57,8 @@ std::string RequestFields::Text(const char* name, std::size_t max_bytes) const {
 std::optional<std::string> RequestFields::OptionalText(const char* name,
                                                        std::size_t max_bytes) const {
   const Json* value = Find(name);
-  // An empty text is the same as a missing one here.
+  // An empty text is the same as a missing one here: a client may send an input that its user left
+  // empty.
   if (value == nullptr || *value == "") return std::nullopt;
   return Text(name, max_bytes);
 }
@@ -64,6 +68,7 @@ double RequestFields::Number(const char* name, double low, double high) const {
   const Json& value = Get(name, expected);
   if (!value.is_number()) Expected(name, Found(value), "a number");
   const auto number = value.get<double>();
+  // Written so that NaN, if a parser should ever let it pass, is refused.
   if (!(number >= low && number <= high)) Expected(name, Found(value), expected);
   return number;
 }
@@ -74,6 +79,7 @@ std::optional<double> RequestFields::OptionalNumber(const char* name, double low
 }
 
 std::uint64_t RequestFields::Whole(const char* name, std::uint64_t high) const {
+  // By way of double, so that 1 and 1.0 are the same, as in JavaScript. Exact up to 2^53.
   const double number = Number(name, 0, static_cast<double>(high));
   if (number != std::floor(number)) Expected(name, NumberText(number), "a whole number");
   return static_cast<std::uint64_t>(number);

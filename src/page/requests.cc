@@ -34,12 +34,15 @@ Json Unknown(const RequestTable& table, const std::string& what) {
 /// Returns a reply, which has the sequence number of its request.
 Json Reply(const Request& request, const Json& fields) {
   Json answer = {{"t", "reply"}, {"seq", request.seq}};
+  // Fields of the answer may not be called `t` or `seq`; the table of forms has no such names.
   answer.update(fields);
   return answer;
 }
 
 }  // namespace
 
+// The only JSON value that no handler can return otherwise and that cannot be written as text, so
+// it cannot be mistaken for an answer.
 Json AnswersLater() { return Json(Json::value_t::discarded); }
 bool IsLater(const Json& answer) { return answer.is_discarded(); }
 
@@ -62,6 +65,8 @@ Json Answer(const RequestTable& table, const Request& request, bool is_controlle
 Json AllowedRequests(const RequestTable& table) {
   Json allowed = Json::object();
   for (const auto& [name, entry] : table.entries) {
+    // Requests without a precondition are always allowed and are left out, which keeps messages
+    // short.
     if (!entry.refuse) continue;
     // Preconditions must accept missing fields here.
     const Request request{.what = name, .fields = Json::object()};
@@ -82,6 +87,7 @@ Json AnswerWith(const Request& request, const std::function<Json()>& carry_out) 
     fields.update(found);
     return Reply(request, fields);
   } catch (const InputError& error) {
+    // The page marks the lines of the findings.
     return Reply(request, Failure(error));
   } catch (const std::exception& error) {
     return Reply(request, Failure(error.what()));

@@ -5,6 +5,9 @@
 
 #include "page/internal_clients.h"
 
+// The page's server: Clients keeps the queues, WebServer does the network. Every function that adds
+// a message also resumes the web server, which otherwise sleeps until a client sends something.
+
 namespace smile::page {
 namespace {
 
@@ -12,6 +15,7 @@ namespace {
 /// @throws std::runtime_error if the page is missing.
 web_server::WebServerOptions WebOptions(ServerOptions options) {
   if (!std::filesystem::is_regular_file(options.page / "index.html")) {
+    // Checked here and not by the web server, whose message could not say how the page is built.
     throw std::runtime_error(options.page.string() +
                              ": the studio's page is not built; run ./run studio to build it");
   }
@@ -33,6 +37,7 @@ class Server::Impl {
  public:
   explicit Impl(ServerOptions options)
       : clients_(options.limits), web_(WebOptions(std::move(options)), &clients_) {}
+  // Clients learn the reason; the web server sends it before its threads end.
   ~Impl() { clients_.CloseAll(); }
 
   Clients* clients() { return &clients_; }

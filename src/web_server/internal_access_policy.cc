@@ -8,6 +8,10 @@
 #include <stdexcept>
 #include <utility>
 
+// The rules of access, checked for each request before anything else. They protect from three
+// parties: pages of other sites in the user's own browser (Origin), foreign names that resolve to
+// this machine (Host), and other machines and users of the network (token).
+
 namespace smile::web_server {
 namespace {
 
@@ -26,6 +30,7 @@ std::string RandomToken() {
 
 std::string NameOfMachine() {
   std::array<char, 256> name{};
+  // One byte less, so that a name that is cut off still ends with a zero.
   gethostname(name.data(), name.size() - 1);
   return LowerCase(name.data());
 }
@@ -52,6 +57,7 @@ AccessPolicy::AccessPolicy(Config config)
 
 std::string AccessPolicy::link() const {
   std::string host = config_.address;
+  // All addresses of this machine are no address to connect to; its name usually is one.
   if (host == "0.0.0.0" || host == "::") {
     host = machine_;
   } else if (host.find(':') != std::string::npos) {
@@ -63,6 +69,7 @@ std::string AccessPolicy::link() const {
 
 bool AccessPolicy::IsOwnHost(std::string_view host) const {
   const std::string name = HostNameIn(host);
+  // Browsers resolve `localhost` themselves, so no foreign server can claim it.
   if (name == "localhost" || name == LowerCase(config_.address)) return true;
   // Protection from DNS rebinding: a foreign name can be made to resolve to this machine, a number
   // cannot.
@@ -88,6 +95,8 @@ void AccessPolicy::Check(const HttpRequest& request) const {
   if (!origin.empty() && LowerCase(origin) != scheme() + LowerCase(host)) {
     throw HttpError(403, "pages of other sites have no access to this server");
   }
+  // A browser presents the token once in the link and afterwards in a cookie; other programs may
+  // put it into each request.
   if (token_.empty() || IsToken(request.Parameter("token")) ||
       IsToken(request.Cookie(cookie_name()))) {
     return;
@@ -97,6 +106,8 @@ void AccessPolicy::Check(const HttpRequest& request) const {
 
 std::string AccessPolicy::CookieFor(const HttpRequest& request) const {
   if (token_.empty() || !IsToken(request.Parameter("token"))) return {};
+  // Scripts cannot read the cookie, and other sites cannot make the browser send it. Its name has
+  // the port, since browsers share cookies among all ports of a machine.
   return cookie_name() + "=" + token_ + "; HttpOnly; SameSite=Strict; Path=/" +
          (config_.is_tls ? "; Secure" : "");
 }

@@ -14,6 +14,9 @@ bool Connections::MakeRoom() {
     if (!longest || *each->idle_since() < *longest->idle_since()) longest = each;
   }
   if (!longest) return false;
+  // Removed at once: its own End() comes later, and the newcomer takes the place now. `longest`
+  // keeps it until this function returns, and its pending operations keep it until they have
+  // failed.
   Remove(longest.get());
   longest->Abort();
   return true;
@@ -30,6 +33,7 @@ void Connections::Resume() {
 }
 
 void Connections::AbortIdle() {
+  // A copy, as in Resume().
   const std::vector<std::shared_ptr<Connection>> all(all_.begin(), all_.end());
   for (const std::shared_ptr<Connection>& each : all) {
     if (each->idle_since()) each->Abort();

@@ -6,11 +6,16 @@
 #include <boost/beast/http/parser.hpp>
 #include <charconv>
 
+// Requests as the rest of the room sees them: Beast parses the grammar of HTTP, and this file
+// refuses what is grammatical and still ambiguous or dangerous, such as repeated headers or paths
+// that lead out of a folder.
+
 namespace smile::web_server {
 namespace {
 
 namespace http = boost::beast::http;
 
+// Not std::isalnum, whose answer depends on the locale.
 bool IsAlphanumeric(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
@@ -53,6 +58,7 @@ std::string PercentDecoded(std::string_view text) {
       decoded.push_back(text[k]);
       continue;
     }
+    // std::from_chars accepts neither signs nor a prefix for unsigned numbers, so only digits pass.
     unsigned value = 256;
     const std::string_view digits = text.substr(k + 1, 2);
     const char* end = digits.data() + digits.size();
@@ -127,6 +133,7 @@ HttpRequest ParseHttpHead(std::string_view head) {
 }
 
 HttpError ToHttpError(const boost::system::error_code& error) {
+  // Both mean that kMaxHeadBytes was exceeded: in the parser, or in the buffer before it.
   const bool is_long = error == http::error::header_limit || error == http::error::buffer_overflow;
   if (is_long) return {431, "the head of the request is too long"};
   return {400, "this is not HTTP/1.1: " + error.message()};

@@ -9,6 +9,11 @@
 
 #include "web_server/internal_web_socket.h"
 
+// An HTTP connection is a chain of asynchronous steps in the server's thread: ReadRequest,
+// HandleHead, Answer, Send, HandleSent, and again. Exactly one step is pending at a time, and its
+// completion holds the shared pointer that keeps the connection alive. Only the program's handler
+// runs elsewhere, in a worker thread.
+
 namespace smile::web_server {
 namespace {
 
@@ -21,6 +26,8 @@ std::chrono::milliseconds Milliseconds(double seconds) {
 /// Returns a Content-Security-Policy: pages load from this server only, may show pictures from
 /// memory, and connect to this server.
 std::string ContentPolicy(const HttpRequest& request, bool is_tls) {
+  // Scripts from anywhere else do not run, even if text from a file should reach the page as
+  // markup. Older browsers do not count `ws:` as 'self', so it is listed.
   return "default-src 'self'; img-src 'self' blob: data:; connect-src 'self' blob: " +
          std::string(is_tls ? "wss://" : "ws://") + std::string(request.Header("host")) +
          "; worker-src 'self' blob:; style-src 'self' 'unsafe-inline'; object-src 'none'; "
@@ -70,6 +77,7 @@ HttpReply ContentReply(HttpResponse response) {
 }
 
 HttpReply ErrorReply(const std::exception& error) {
+  // Any other exception is a fault of this program: 500.
   const auto* refusal = dynamic_cast<const HttpError*>(&error);
   return TextReply(refusal == nullptr ? 500 : refusal->status(), error.what());
 }
@@ -96,6 +104,7 @@ HttpConnection::HttpConnection(std::unique_ptr<Link> link, Services* services)
 void HttpConnection::Start() {
   BeginIdle();
   const double timeout_seconds = services_->options->limits.head_seconds;
+  // One deadline for the handshake; ReadRequest() sets a new one for the head.
   deadline_.Set(Milliseconds(timeout_seconds), [self = shared_from_this()] { self->Abort(); });
   stream_.link().Open([self = shared_from_this(), timeout_seconds](error_code error) {
     if (error) return self->End();
@@ -126,10 +135,12 @@ void HttpConnection::HandleHead(error_code error) {
   // The reply to a faulty head must not depend on the request before it.
   request_ = {};
   stays_open_ = false;
+  // A connection that was kept alive without a further request ends without a reply.
   if (has_timed_out_ && parser_->got_some()) {
     return Send(TextReply(408, "the request is incomplete"));
   }
   const bool is_end = error == http::error::end_of_stream || error == http::error::partial_message;
+  // Beast does not export the category of its parser's errors; any of its errors has it.
   const auto& parser_category = http::make_error_code(http::error::bad_version).category();
   // Only faults of the request get a reply; a broken connection just ends.
   if (is_end || error.category() != parser_category) return End();
@@ -145,6 +156,7 @@ void HttpConnection::Answer() {
     request_ = {};
     request_ = ToHttpRequest(parser_->get());
     services_->access->Check(request_);
+    // The order matters: access is checked before anything reveals whether a path exists.
     if (request_.path == services_->options->web_socket_path) return Upgrade();
     if (request_.method != "GET" && request_.method != "HEAD") {
       HttpReply reply = TextReply(405, "only GET and HEAD are supported");
@@ -157,6 +169,7 @@ void HttpConnection::Answer() {
       // cookie.
       return Send({.status = 303, .headers = {{"Location", "/"}, {"Set-Cookie", cookie}}});
     }
+    // Files come from memory and are sent in this thread; everything else may take long.
     const StaticFiles::File* file = services_->files->Find(request_.path);
     if (file != nullptr) return Send(FileReply(*file, request_));
     AskHandler();
@@ -183,10 +196,12 @@ void HttpConnection::Upgrade() {
   }
   const WebSocketId id = services_->last_id + 1;
   if (!services_->handler->Open(id)) throw HttpError(503, "too many clients are connected");
+  // Numbers are used only for sockets that the handler has opened, so they have no gaps.
   services_->last_id = id;
   // Bytes after the head belong to the WebSocket already.
   stream_.PutBack({static_cast<const char*>(buffer_.data().data()), buffer_.size()});
   const auto web_socket = std::make_shared<WebSocket>(std::move(stream_), id, services_);
+  // The WebSocket takes this connection's place; this object ends with the current completion.
   services_->connections->Add(web_socket);
   services_->connections->Remove(this);
   web_socket->Start(parser_->get());
@@ -196,11 +211,14 @@ void HttpConnection::Send(HttpReply reply) {
   // After a malformed request, the begin of the next one is unknown.
   if (reply.status == 400) stays_open_ = false;
   AddSafetyHeaders(request_, *services_, &reply);
+  // Reply and response are members, since the write refers to them until it completes.
   reply_ = std::move(reply);
   response_ = Response(http::int_to_status(static_cast<unsigned>(reply_.status)), 11);
   for (const auto& [name, value] : reply_.headers) response_.set(name, value);
+  // A reply 304 has no body, and a length of 0 would describe the file wrongly (RFC 9110, 8.6).
   if (reply_.status != 304) response_.content_length(reply_.body->size());
   response_.keep_alive(stays_open_);
+  // The reply to HEAD has the length of the body, but no body.
   if (request_.method != "HEAD") {
     response_.body() = boost::beast::span<const char>(reply_.body->data(), reply_.body->size());
   }

@@ -13,7 +13,9 @@ using boost::asio::ip::tcp;
 using boost::system::error_code;
 namespace errc = boost::system::errc;
 
+// Length of the kernel's queue of connections that are not accepted yet.
 constexpr int kMaxWaiting = 64;
+// Several studios may run on one machine, but a hundred taken ports are a fault.
 constexpr int kNumPortsTried = 100;
 
 void AddEndpointsOf(io_context* context, const std::string& name,
@@ -48,6 +50,8 @@ struct Attempt {
 error_code Open(tcp::acceptor* acceptor, const tcp::endpoint& endpoint) {
   error_code error;
   acceptor->open(endpoint.protocol(), error);
+  // A restarted server gets its port although connections of the former one are still closing. On
+  // Linux this does not allow two servers at one port.
   if (!error) acceptor->set_option(tcp::acceptor::reuse_address(true), error);
   if (!error) acceptor->bind(endpoint, error);
   if (!error) acceptor->listen(kMaxWaiting, error);
@@ -67,6 +71,7 @@ Attempt TryToListen(io_context* context, std::vector<tcp::endpoint> endpoints, i
       continue;
     }
     attempt.error = error;
+    // For example a name with an IPv6 address on a machine without IPv6.
     const bool is_elsewhere =
         error == errc::address_not_available || error == errc::address_family_not_supported;
     if (!is_elsewhere) return {.acceptors = {}, .error = error};
@@ -85,11 +90,14 @@ Listening ListenAt(io_context* context, const std::string& address, int port, in
   for (int tried = begin; tried < end; ++tried) {
     Attempt attempt = TryToListen(context, endpoints, tried);
     if (!attempt.acceptors.empty()) {
+      // Over all addresses, also those where listening failed: rather a token too many than too
+      // few.
       const bool is_loopback = std::ranges::all_of(
           endpoints, [](const tcp::endpoint& each) { return each.address().is_loopback(); });
       return {std::move(attempt.acceptors), tried, is_loopback};
     }
     error = attempt.error;
+    // Another port would not help.
     if (error != errc::address_in_use) break;
   }
   throw std::runtime_error("cannot listen at " + address + ", port " + std::to_string(begin) +

@@ -6,6 +6,9 @@
 #include "base/files.h"
 #include "base/state_hash.h"
 
+// Reading all files at the start costs a few megabytes and makes every later answer safe and fast:
+// no path of a request ever reaches the file system.
+
 namespace smile::web_server {
 namespace {
 
@@ -32,6 +35,7 @@ std::string MediaTypeOf(const fs::path& file) {
 std::string EntityTagOf(std::string_view bytes) {
   StateHash hash;
   hash.Add(bytes);
+  // Two quotes, 16 digits and the zero at the end.
   char tag[19];
   std::snprintf(tag, sizeof tag, "\"%016llx\"", static_cast<unsigned long long>(hash.value()));
   return tag;
@@ -48,11 +52,13 @@ StaticFiles::StaticFiles(const fs::path& folder) {
   };
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const fs::path& path = entry.path();
+    // Links are skipped, as they could lead out of the folder.
     // Compressed copies are served in place of their originals, not under their own names.
     if (!entry.is_regular_file() || entry.is_symlink() || path.extension() == ".gz") continue;
     File file{.type = MediaTypeOf(path), .bytes = read(path)};
     const fs::path gzipped = path.string() + ".gz";
     if (fs::is_regular_file(gzipped)) file.gzipped = read(gzipped);
+    // Of the original bytes also when the compressed ones are sent; both have the same content.
     file.tag = EntityTagOf(*file.bytes);
     files_["/" + fs::relative(path, folder).generic_string()] = std::move(file);
   }

@@ -3,10 +3,15 @@
 #include <memory>
 #include <utility>
 
+// The only stream type for which Beast is instantiated. It adds three things to a Link: bytes that
+// were read too early by the HTTP parser, a count of all bytes read, and a limit on the time of
+// each write.
+
 namespace smile::web_server {
 
 void Stream::Read(net::mutable_buffer buffer, Link::Completion completion) {
   if (before_read_) before_read_();
+  // The counter is on the heap, since the stream itself is moved from HttpConnection to WebSocket.
   auto counted = [total = bytes_read_.get(), completion = std::move(completion)](
                      error_code error, std::size_t count) {
     *total += count;
@@ -21,6 +26,8 @@ void Stream::Read(net::mutable_buffer buffer, Link::Completion completion) {
 }
 
 void Stream::Write(const Link::Buffers& buffers, Link::Completion completion) {
+  // Per write and not per message: a large message to a slow client that accepts some bytes at
+  // least every `stall_` is not cut off.
   timer_->expires_after(stall_);
   // The timer must not keep the link alive.
   timer_->async_wait([weak = std::weak_ptr<Link>(link_)](error_code error) {

@@ -18,12 +18,14 @@ class Drain : public std::enable_shared_from_this<Drain> {
       : socket_(socket), completion_(std::move(completion)) {}
 
   void Start() {
+    // The other end may have closed already.
     error_code ignored;
     socket_->shutdown(tcp::socket::shutdown_send, ignored);
     Read();
   }
 
  private:
+  // As much as a client may have on its way: a message of the maximal size and full buffers.
   static constexpr std::size_t kMaxDropped = 4 << 20;
 
   void Read() {
@@ -49,6 +51,7 @@ class TcpLink : public Link {
   explicit TcpLink(tcp::socket socket) : socket_(std::move(socket)) {}
 
   void Open(std::function<void(error_code)> completion) override {
+    // Posted, since a completion may not be called from within the function that starts it.
     net::post(socket_.get_executor(),
               [completion = std::move(completion)] { completion(error_code()); });
   }
@@ -118,6 +121,7 @@ class TlsLink : public Link {
 std::shared_ptr<net::ssl::context> LoadTls(const TlsFiles& files) {
   using net::ssl::context;
   auto tls = std::make_shared<context>(context::tls_server);
+  // TLS 1.2 and 1.3 remain. OpenSSL ignores the options for versions that it was built without.
   tls->set_options(context::default_workarounds | context::no_sslv2 | context::no_sslv3 |
                    context::no_tlsv1 | context::no_tlsv1_1);
   // Without this, OpenSSL would ask for the password of a key on the terminal.
@@ -125,6 +129,7 @@ std::shared_ptr<net::ssl::context> LoadTls(const TlsFiles& files) {
   error_code error;
   tls->use_certificate_chain_file(files.certificate.string(), error);
   if (error) FailTls(files.certificate, "a certificate in PEM format", error);
+  // Also checks that the key belongs to the certificate.
   tls->use_private_key_file(files.key.string(), context::pem, error);
   if (error) {
     FailTls(files.key,

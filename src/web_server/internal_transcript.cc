@@ -9,6 +9,9 @@
 
 #include "web_server/internal_web_socket.h"
 
+// A WebSocket without a network, for the fuzzer and for tests that cut the same bytes into pieces
+// of any size: the result must not depend on the pieces.
+
 namespace smile::web_server {
 namespace {
 
@@ -23,6 +26,7 @@ class MemoryLink : public Link {
     net::post(*context_, [completion = std::move(completion)] { completion(error_code()); });
   }
   void Read(net::mutable_buffer buffer, Completion completion) override {
+    // The end of the bytes is the end of the connection.
     const std::size_t count = std::min({buffer.size(), piece_bytes_, bytes_.size()});
     net::buffer_copy(buffer, net::buffer(bytes_.data(), count));
     bytes_.remove_prefix(count);
@@ -87,9 +91,11 @@ BeastRequest UpgradeRequest() {
 int CloseCodeIn(std::string_view sent) {
   const auto byte = [sent](std::size_t at) { return static_cast<unsigned char>(sent[at]); };
   int code = 0;
+  // The frames begin after the head of the reply to the upgrade.
   std::size_t at = sent.find("\r\n\r\n") + 4;
   // Frames to clients are short here (pongs and the close frame), so their length is one byte.
   for (; at + 2 <= sent.size(); at += 2 + byte(at + 1)) {
+    // 0x88 is a final frame with opcode 8, close (RFC 6455, section 5.2).
     const bool has_code = byte(at) == 0x88 && byte(at + 1) >= 2;
     if (has_code) code = byte(at + 2) << 8 | byte(at + 3);
   }
@@ -101,6 +107,7 @@ int CloseCodeIn(std::string_view sent) {
 Transcript ReadWebSocket(std::string_view bytes, std::size_t piece_bytes,
                          std::size_t max_message_bytes) {
   constexpr double kUnlimited = 1e12;
+  // Everything runs in this thread, until no operation is pending.
   net::io_context context(1);
   Listener listener;
   Connections connections(1);

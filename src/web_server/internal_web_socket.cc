@@ -4,6 +4,11 @@
 #include <cmath>
 #include <utility>
 
+// At most one read and one write are pending. The ends of a WebSocket are: the client closes or
+// violates the protocol (Beast answers, then Linger), the handler closes (Close, then Linger), or
+// the network fails (Abort). Linger waits a moment until the other end has read the last message;
+// End releases the connection. The handler is notified once, as early as possible.
+
 namespace smile::web_server {
 namespace {
 
@@ -28,8 +33,11 @@ WebSocket::WebSocket(Stream stream, WebSocketId id, Services* services)
       first_byte_(socket_.next_layer().bytes_read()),
       messages_(services->options->limits.messages_per_second, Now()),
       overhead_(kMaxFrameHeadBytes * services->options->limits.messages_per_second, Now()) {
+  // Each message is one frame: Beast would split large ones into pieces of its buffer.
   socket_.auto_fragment(false);
   socket_.read_message_max(services->options->limits.message_bytes);
+  // Beast handles pings, pongs and empty frames inside its own reads and reports none of them. The
+  // hook below it is the only place that sees their bytes.
   socket_.next_layer().set_before_read([this] { CountOverhead(); });
 }
 
@@ -67,6 +75,7 @@ void WebSocket::HandleRead(error_code error, std::size_t count) {
   if (error) return Linger();
   if (is_closing_) return;
   EndOnFailure([this, count] {
+    // Messages arrive in pieces of 16 kB, so an announced length reserves no memory.
     payload_bytes_ += count;
     message_.append(piece_.data(), count);
     if (socket_.is_message_done()) TakeMessage();
@@ -101,6 +110,7 @@ void WebSocket::CountOverhead() {
 }
 
 void WebSocket::ExceedLimit() {
+  // Once only: the handler closes the WebSocket, and further messages are dropped.
   if (std::exchange(is_limit_exceeded_, true) || !is_open_ || is_lingering_) return;
   bytes_at_limit_ = socket_.next_layer().bytes_read();
   const double per_second = services_->options->limits.messages_per_second;
@@ -127,9 +137,11 @@ void WebSocket::Close(const OutgoingMessage& message) {
   is_closing_ = true;
   BeginIdle();
   deadline_.Set(kLastWordTimeout, [self = shared_from_this()] { self->Abort(); });
+  // A close frame has at most 125 bytes, two of which are the code (RFC 6455, section 5.5).
   const websocket::close_reason reason(static_cast<websocket::close_code>(message.code),
                                        message.body->substr(0, 123));
   socket_.async_close(reason, [self = shared_from_this()](error_code) {
+    // Otherwise the pending read fails now, and HandleRead() lingers.
     if (!self->is_reading_) self->Linger();
   });
 }

@@ -19,6 +19,10 @@
 #include "web_server/internal_listening.h"
 #include "web_server/internal_tcp_link.h"
 
+// The server's thread runs one io_context: it owns all connections, the handler's calls and all
+// timers, so none of them needs a lock. Other threads reach it by net::post only (Resume, replies
+// of the workers, the destructor).
+
 namespace smile::web_server {
 namespace {
 
@@ -29,10 +33,13 @@ using net::ip::tcp;
 constexpr int kSendBufferBytes = 256 * 1024;
 /// Threads that run the handler of GETs.
 constexpr std::size_t kNumWorkers = 8;
+// Time for clients to receive the last messages when the server stops.
 constexpr std::chrono::milliseconds kStopTimeout{500};
 /// Pause after a failed accept, for example because too many files are open, which is temporary.
 constexpr std::chrono::milliseconds kAcceptPause{50};
 
+// Sets an option directly, since Asio has no type for TCP_USER_TIMEOUT. A failure is ignored: the
+// options improve speed and cleaning up, and are not needed for correctness.
 void SetNumber(const tcp::socket& socket, int level, int option, int number) {
   setsockopt(const_cast<tcp::socket&>(socket).native_handle(), level, option, &number,
              sizeof number);
@@ -62,11 +69,14 @@ class WebServer::Impl {
                   .connections = &connections_,
                   .is_loopback = listening_.is_loopback,
                   .resume_all = [this] { Resume(); }} {
+    // The thread starts last, when all members exist.
     for (tcp::acceptor& acceptor : listening_.acceptors) Accept(&acceptor);
     thread_ = std::thread([this] { Serve(); });
   }
 
   ~Impl() {
+    // Connections belong to the server's thread, so it ends them itself. Workers end afterwards: a
+    // slow handler then delays only this destructor.
     net::post(context_, [this] { Stop(); });
     thread_.join();
     workers_.stop();
@@ -99,6 +109,7 @@ class WebServer::Impl {
     acceptor->async_accept([this, acceptor](error_code error, tcp::socket socket) {
       if (is_stopping_) return;
       if (error) return AcceptLater(acceptor);
+      // Without room the socket is closed by its destructor.
       if (connections_.MakeRoom()) Welcome(std::move(socket));
       Accept(acceptor);
     });
@@ -135,6 +146,7 @@ class WebServer::Impl {
   }
 
   void StopWhenEmpty() {
+    // Polled, since the end of a connection has no callback; stopping takes half a second at most.
     if (connections_.is_empty()) return context_.stop();
     constexpr std::chrono::milliseconds kPause{5};
     stop_poll_.Set(kPause, [this] { StopWhenEmpty(); });

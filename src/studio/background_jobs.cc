@@ -3,11 +3,18 @@
 #include <algorithm>
 #include <utility>
 
+// Two worker threads take tasks in order. mutex_ guards the list of tasks and the outgoing
+// messages; it is not held while work runs or while `conclude` is called. A task is in the list
+// from Begin() until its answer is queued: std::list keeps its address valid for the worker
+// meanwhile.
+
 namespace smile::studio {
 namespace {
 
 /// Number of threads: look-ups stay fast while one simulation runs.
 constexpr int kNumThreads = 2;
+// Bounds the memory of waiting requests, over all clients and per client. One client can thus never
+// fill the list.
 constexpr std::size_t kMaxTasks = 256;
 constexpr int kMaxTasksOfClient = 8;
 
@@ -25,6 +32,7 @@ BackgroundJobs::~BackgroundJobs() {
   {
     const std::lock_guard lock(mutex_);
     is_closing_ = true;
+    // Running work notices this at its next report of progress, so closing takes at most that long.
     for (Task& task : tasks_) task.canceled_because = "the program is closing";
   }
   changed_.notify_all();
@@ -43,6 +51,8 @@ void BackgroundJobs::Begin(Job job) {
     }
     // A limit per client, so that one page cannot block the others.
     const auto num_of_client = std::ranges::count_if(tasks_, [&job](const Task& task) {
+      // A canceled task that still runs does not count, or dragging a slider would exhaust the
+      // limit.
       return task.job.request.client == job.request.client && task.canceled_because.empty();
     });
     if (tasks_.size() >= kMaxTasks || num_of_client >= kMaxTasksOfClient) {
@@ -50,6 +60,7 @@ void BackgroundJobs::Begin(Job job) {
     }
     tasks_.push_back({.job = std::move(job)});
   }
+  // One task, one worker; outside the lock, so that it does not wake up only to wait.
   changed_.notify_one();
 }
 
@@ -72,6 +83,7 @@ void BackgroundJobs::CancelMatching(const std::function<bool(const Job&)>& is_me
       task->canceled_because = why;
       ++task;
     } else {
+      // Answered here, since no worker will ever see it.
       const auto fail = [&why]() -> Json { throw page::RequestError(why); };
       Send(task->job, AnswerWith(task->job.request, fail));
       task = tasks_.erase(task);
@@ -110,6 +122,7 @@ void BackgroundJobs::WorkerLoop() {
 BackgroundJobs::Task* BackgroundJobs::TakeTask() {
   std::unique_lock lock(mutex_);
   while (!is_closing_) {
+    // In order of arrival. The list is examined again after each wake-up, also a spurious one.
     const auto next =
         std::ranges::find_if(tasks_, [](const Task& task) { return !task.is_running; });
     if (next != tasks_.end()) {
@@ -127,6 +140,7 @@ Json BackgroundJobs::CarryOut(Task* task) {
     try {
       Json answer = task->job.work(
           [this, task](double done, double total) { return ReportProgress(task, done, total); });
+      // Work may have finished just before the cancellation was seen.
       // The result of a replaced job is useless; any other result is kept.
       if (task->job.replaces_older || task->has_seen_cancel) ThrowIfCanceled(*task);
       return answer;

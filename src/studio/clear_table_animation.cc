@@ -2,6 +2,9 @@
 
 #include "base/uniform.h"
 
+// In the original program the robot could clear the table in a rage. Here it acts on a copy of the
+// world at its own random velocities, and the session continues with the untouched original.
+
 namespace smile::studio {
 
 bool ClearTableAnimation::IsPossible(const sim::Simulation& simulation) {
@@ -10,6 +13,7 @@ bool ClearTableAnimation::IsPossible(const sim::Simulation& simulation) {
 
 ClearTableAnimation::ClearTableAnimation(const sim::Simulation& simulation)
     : copy_(simulation.start_model()) {
+  // The model of the start; Restore() adds the objects that came later.
   copy_.Restore(simulation.Save());
   // Hands release everything, so that the arms can move it.
   for (const sim::HandName hand : demonstrator::kHandNames) {
@@ -23,6 +27,7 @@ std::vector<double> ClearTableAnimation::RandomVelocities(int arm) {
   const robot::RobotModel& model = copy_.robot()->model();
   std::vector<double> velocities;
   for (const int joint : model.arms[static_cast<std::size_t>(arm)].joints) {
+    // Up to the joint's limit in either direction [rad/s].
     const double most = model.links[static_cast<std::size_t>(joint)].max_velocity;
     velocities.push_back(Uniform(&random_, -most, most));
   }

@@ -8,9 +8,15 @@
 #include <tuple>
 #include <utility>
 
+// Finds in a line of output the place to which it refers, so that the page can show file and line.
+// The forms are those of compilers and of our own messages, of Python's tracebacks, and of
+// Octave's; the first form that fits decides.
+
 namespace smile::studio {
 namespace {
 
+// Extensions of brains in Octave, Python and C++. Without this check, times such as `12:30` and
+// prefixes such as `error: 3` would be taken for places.
 constexpr std::array<std::string_view, 5> kEndings = {".m", ".py", ".cc", ".cpp", ".h"};
 
 /// True for letters of paths in messages; everything beyond ASCII counts.
@@ -47,6 +53,7 @@ using Place = std::pair<std::string, int>;
 /// Finds a place of the form `name.m:12`.
 std::optional<Place> PlaceWithColon(std::string_view text) {
   for (std::size_t at = text.find(':'); at != std::string_view::npos; at = text.find(':', at + 1)) {
+    // The text before each colon in turn: a line may have several, as in `error: wave.m:12: ...`.
     const std::string_view path = TrailingPath(text.substr(0, at));
     const auto line = LeadingNumber(text.substr(at + 1));
     if (line && NamesProgram(path)) return Place(path, *line);
@@ -75,12 +82,14 @@ std::optional<Place> PlaceOfOctave(std::string_view text) {
   const std::string_view name = TrailingPath(text.substr(0, at));
   const auto line = LeadingNumber(text.substr(at + kAt.size()));
   if (name.empty() || !line) return std::nullopt;
+  // Octave names the function; its file has the same name.
   return Place(std::string(name) + ".m", *line);
 }
 
 }  // namespace
 
 ConsoleLine ParseConsoleLine(std::string_view text) {
+  // Cut before it is searched, so that one line costs a bounded time.
   ConsoleLine line{.text = std::string(text.substr(0, Console::kMaxLineBytes))};
   for (const auto find : {&PlaceWithColon, &PlaceOfPython, &PlaceOfOctave}) {
     const auto place = find(line.text);
@@ -92,6 +101,7 @@ ConsoleLine ParseConsoleLine(std::string_view text) {
 }
 
 void Console::Write(std::string_view text) {
+  // Parsed by the thread that reads the output, without the lock.
   ConsoleLine line = ParseConsoleLine(text);
   const std::lock_guard lock(mutex_);
   // The newest lines are kept, as errors come last.

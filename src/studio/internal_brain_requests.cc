@@ -8,6 +8,9 @@
 #include "experiment/brain_setup.h"
 #include "recording/recording_names.h"
 
+// Brains run in processes of their own (LiveBrain). The handlers here find the program, prepare the
+// world, and start it; they never wait for it.
+
 namespace smile::studio {
 
 std::vector<library::BrainChoice> BrainRequests::Choices() const {
@@ -49,6 +52,8 @@ Json BrainRequests::Start(const page::RequestFields& fields) {
   const auto demonstration = fields.OptionalText("demonstration");
   const std::filesystem::path directory =
       demonstration ? library_->DirectoryOf(*demonstration) : std::filesystem::path();
+  // After everything that can be refused cheaply, since loading replaces the world. The brain
+  // starts last: another world would end it.
   if (fields.OptionalText("scene")) (void)scenes_->Load(fields);
   Run(choice, directory);
   return Json::object();
@@ -60,6 +65,7 @@ std::optional<std::string> BrainRequests::RefuseStart(const page::RequestFields&
 
 Json BrainRequests::Stop(const page::RequestFields&) {
   states_->brain().Stop(&states_->world().simulation());
+  // An imitation ends with its brain, and sends its score now instead of at the next tick.
   states_->EndIfOver();
   return Json::object();
 }
@@ -80,6 +86,7 @@ Json BrainRequests::Imitate(const page::RequestFields& fields) {
       task::MakeImitationTask(scene, demonstration, source_->Named(scene));
   scenes_->LoadScene(imitation_task.scene);
   Run(choice, directory);
+  // Before the first tick, so that the recording has the whole imitation.
   const std::filesystem::path recording = RecordImitation(demonstration);
   states_->Imitate(std::move(imitation_task));
   return {{"recording", recording.filename().string()}};

@@ -20,6 +20,7 @@ std::optional<Json> ConsoleUpdates::Add(const std::vector<ConsoleLine>& lines) {
     lines_json.push_back(one);
     sent_.push_back(std::move(one));
   }
+  // The message itself has all new lines: the limit is only on what later clients receive.
   while (sent_.size() > kMaxLines) sent_.pop_front();
   return Json{{"t", "console"}, {"lines", std::move(lines_json)}};
 }

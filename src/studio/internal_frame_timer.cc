@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+// Ticks are owed as a fraction, since the requested speed need not be a whole number of ticks per
+// frame. The timer reads no clock: its caller passes the time, so that tests can.
+
 namespace smile::studio {
 namespace {
 
@@ -36,6 +39,7 @@ void FrameTimer::EndFrame(int done, int waiting, Time now) {
 
 double FrameTimer::speed() const {
   if (samples_.size() < 2) return 0;
+  // The window shrinks to what has passed since the start, so the first values come early.
   const std::chrono::duration<double> passed = samples_.back().time - samples_.front().time;
   if (passed.count() <= 0) return 0;
   return static_cast<double>(samples_.back().ticks - samples_.front().ticks) /

@@ -7,6 +7,7 @@
 namespace smile::studio {
 namespace {
 
+// Far beyond any recording; keeps absurd numbers from the conversion to ticks.
 constexpr double kMaxSeconds = 1e6;
 
 }  // namespace
@@ -19,6 +20,7 @@ Json PlaybackRequests::Show(const page::RequestFields& fields) {
     shown->playback().Seek(seconds);
     return {{"length", shown->playback().length()}};
   }
+  // Opened before the former playback ends: a recording that cannot be read changes nothing.
   auto another = std::make_unique<PlaybackState>(id, library_->DirectoryOf(id));
   another->playback().Seek(seconds);
   const double length = another->playback().length();
@@ -53,6 +55,7 @@ Json PlaybackRequests::Branch(const page::RequestFields& fields) {
     if (auto made = states_->TakeRestored()) states_->Enter(std::move(made));
   };
   options_->jobs->Begin({.request = fields.request(), .work = work, .conclude = conclude});
+  // From now on, other requests for worlds and recordings are refused until `conclude` has run.
   states_->Restore(restoring);
   return page::AnswersLater();
 }

@@ -31,6 +31,8 @@ void Restoring::Make(const recording::Progress& progress) {
   std::optional<picture::RenderedEye> eye;
   if (options_.eye != nullptr) options.eye = &eye.emplace(options_.eye->spec());
   auto world = std::make_unique<LiveWorld>(recording.start_scene(), recording.robot(), options);
+  // Runs the log up to the point and compares each tick with the trace; may take as long as the
+  // recording.
   world->Continue(recording, point, progress);
   if (CapturingEye* capturing = world->eye()) capturing->SetEye(options_.eye);
   world_ = std::move(world);

@@ -7,6 +7,8 @@ namespace smile::studio {
 Json LooksMessage(const std::vector<int>& looks) { return {{"t", "looks"}, {"looks", looks}}; }
 
 Json SceneAnnouncer::Announce(const model::Model& model, const std::vector<int>& looks) {
+  // The meshes of the last scenes stay available under their numbers: a page may still load those
+  // of the scene before.
   present_ = meshes_.Add(++number_, model.visual_model());
   sent_looks_ = looks;
   return Describe(model, looks);

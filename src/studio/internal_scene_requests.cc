@@ -25,6 +25,7 @@ Json SceneRequests::Load(const page::RequestFields& fields) {
 }
 
 Json SceneRequests::Reload(const page::RequestFields&) {
+  // The scene of the model, and not its file, which may have changed or never existed.
   LoadScene(states_->world().simulation().start_model()->scene());
   return Json::object();
 }
@@ -34,6 +35,7 @@ Json SceneRequests::Check(const page::RequestFields& fields) {
 }
 
 void SceneRequests::LoadScene(scene::SceneSpec scene) {
+  // A command like any other, so that loading can be undone.
   const sim::Load load{std::make_shared<const scene::SceneSpec>(std::move(scene))};
   if (const auto refusal = states_->Apply(load)) throw page::RequestError(*refusal);
 }

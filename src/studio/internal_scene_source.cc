@@ -31,6 +31,7 @@ scene_xml::SceneReading SceneSource::ReadText(const page::RequestFields& fields)
   // A client may send a path; only its last component names the scene.
   name = std::filesystem::path(name).filename().string();
   scene_xml::SceneReaderOptions options = reader_;
+  // Text from a page may include the files of the scene folder, as if it were saved there.
   options.search_roots.push_back(scene_folder_);
   options.limits.max_objects = std::min(options.limits.max_objects, kMaxObjects);
   options.limits.max_elements = std::min(options.limits.max_elements, kMaxElements);
@@ -40,6 +41,7 @@ scene_xml::SceneReading SceneSource::ReadText(const page::RequestFields& fields)
 scene::SceneSpec SceneSource::SceneOf(const page::RequestFields& fields) const {
   if (!fields.Has("xml")) return Named(fields.Text("scene"));
   scene_xml::SceneReading reading = ReadText(fields);
+  // All findings, and not only the first: the page shows them at their lines.
   if (!reading.scene) throw InputError(std::move(reading.diagnostics));
   return *std::move(reading.scene);
 }

@@ -21,12 +21,14 @@ SessionRequests::SessionRequests(const StateMachine* states, std::vector<Request
       on_request();
       return answer;
     };
+    // Requests without rules have no entry in `allowed` of the state message.
     if (row.needs.empty() && !row.refuse) continue;
     entry.refuse = [this, &row](const page::Request& request) { return RefusalOf(row, request); };
   }
 }
 
 Json SessionRequests::Allowed(const page::RequestFields& fields) const {
+  // A question may simulate its command on a copy of the world, so their number is bounded.
   constexpr std::size_t kMaxRequests = 16;
   Json allowed = Json::array();
   for (const Json& wanted : fields.List("requests", kMaxRequests)) {

@@ -63,9 +63,12 @@ bool ImitatingState::Tick(bool is_paused) {
 
 std::optional<Json> ImitatingState::End(double measured_speed) {
   // The user may have finished the recording already, and even started another one.
+  // A recording that was finished by hand is complete up to that moment and stays as it is.
   const bool is_recorded = world().is_recording() && world().recording_directory() == recording_;
   if (is_recorded) (void)world().Apply(sim::FinishRecording{});
   const double watched = sim::SecondsOf(brain().watched_ticks());
+  // The same result as that of `smile imitate`: the time of watching is listed separately, and the
+  // achieved speed shows whether the machine kept up.
   Json result = task::ResultOf(
       task_, observer_.episode(),
       {.seconds = sim::SecondsOf(world().simulation().tick() - start_tick_) - watched,
@@ -76,6 +79,7 @@ std::optional<Json> ImitatingState::End(double measured_speed) {
 }
 
 std::optional<std::string> ClearTableState::Unmet(Need need) const {
+  // Commands would change the world behind the copy that is shown, and be invisible.
   const bool must_wait = need == Need::kCommands || need == Need::kShow;
   if (!must_wait) return WorldState::Unmet(need);
   return "the robot is clearing the table; wait until it is done";
@@ -103,6 +107,7 @@ Json PlaybackState::DescribePlayback() const {
 }
 
 std::optional<std::string> PlaybackState::Unmet(Need need) const {
+  // The world is hidden and waits; replacing it is allowed, and ends the playback.
   const bool is_of_world = need == Need::kCommands || need == Need::kTime;
   if (!is_of_world) return std::nullopt;
   return "a recording is shown; return to the live world first";

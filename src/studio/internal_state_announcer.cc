@@ -14,6 +14,7 @@ Json WithoutTime(Json state) {
   if (!recording.is_object()) return state;
   // The duration of a recording is sent once a second.
   recording["seconds"] = std::floor(recording["seconds"].get<double>());
+  // Only the last segment grows; all others are constant.
   recording["segments"].back().erase("seconds");
   return state;
 }

@@ -3,12 +3,16 @@
 #include <initializer_list>
 #include <utility>
 
+// Transitions between the states of a session. A transition happens between ticks, in the session's
+// thread, and ends with a call of the listener if pages must draw something else.
+
 namespace smile::studio {
 
 std::optional<std::string> StateMachine::Unmet(Need need) const {
   const auto unless = [](bool is_met, const char* reason) {
     return is_met ? std::nullopt : std::optional<std::string>(reason);
   };
+  // First the needs that concern the machine itself, whatever the states are.
   switch (need) {
     case Need::kPlayback:
       return unless(playback_ != nullptr, "no recording is shown");
@@ -35,6 +39,7 @@ bool StateMachine::Tick() {
   ++num_ticks_;
   // A program also starts while playback is shown or time is paused.
   brain_.Attend(&world_->simulation());
+  // Only what is shown advances: the live world waits beneath a playback.
   SessionState& shown = playback_ ? *playback_ : *world_state_;
   const bool has_ticked = shown.Tick(pace_.is_paused);
   if (has_ticked && !playback_) EndIfOver();
@@ -56,6 +61,7 @@ std::optional<sim::Refusal> StateMachine::Apply(const sim::Command& command) {
   const std::shared_ptr<const model::Model> model = simulation.shared_model();
   const std::shared_ptr<const model::Model> start_model = simulation.start_model();
   if (auto refusal = world_->Apply(command)) return refusal;
+  // The brain and the running state refer to the former scene and end; LiveWorld itself stays.
   if (simulation.start_model() != start_model) {
     LeaveWorld();
     BeginWorld();
@@ -74,6 +80,7 @@ void StateMachine::LeaveWorld() {
 
 void StateMachine::BeginWorld() {
   world_state_ = std::make_unique<LiveState>(world_.get(), &brain_);
+  // Caches of the former world go before anything draws the new one.
   listener_->OnOtherWorld();
   listener_->OnOtherScene();
 }
@@ -94,6 +101,7 @@ void StateMachine::EndIfOver() {
 }
 
 void StateMachine::Show(std::unique_ptr<PlaybackState> playback) {
+  // The state of the world stays as it is, and continues after GoLive().
   playback_ = std::move(playback);
   listener_->OnOtherScene();
 }
@@ -104,6 +112,7 @@ void StateMachine::GoLive() {
 }
 
 std::unique_ptr<LiveWorld> StateMachine::TakeRestored() {
+  // Reset even if the restoration failed: other worlds and recordings are allowed again.
   return std::exchange(restoring_, nullptr)->TakeWorld();
 }
 

@@ -39,6 +39,7 @@ Json WorldRequests::Command(const page::RequestFields& fields) {
   if (std::holds_alternative<sim::StartRecording>(command)) {
     return {{"recording", world.recording_directory().filename().string()}};
   }
+  // Only actions have a summary; it is that of the current action, which this command began.
   if (sim::IsAction(command)) {
     return {{"deed", sim::ToJson(world.simulation().history().current().summary)}};
   }
@@ -46,8 +47,10 @@ Json WorldRequests::Command(const page::RequestFields& fields) {
 }
 
 std::optional<std::string> WorldRequests::TryCommand(const page::RequestFields& fields) {
+  // Exact, since trying a rotation must not change the memory of the snapper.
   const sim::Command command = MeantBy(fields.Object("command"), /*is_exact=*/true);
   if (auto reason = RefusalOf(command)) return reason;
+  // RefusalOf() has asked the simulation itself about these.
   if (IsOfHistory(command)) return std::nullopt;
   return rehearsal_.Try(command, states_->world().simulation());
 }
@@ -60,6 +63,7 @@ Json WorldRequests::Spawn(const page::RequestFields& fields) {
   const auto spawn = sim::SpawnOf(add, simulation, &refusal);
   if (!spawn) throw page::RequestError(refusal);
   Apply(*spawn);
+  // A spawn is an action, and its event lists the ids that the objects received.
   return {{"objects", simulation.history().current().events.front().objects}};
 }
 
@@ -117,6 +121,7 @@ Json WorldRequests::SetSpeed(const page::RequestFields& fields) {
 
 Json WorldRequests::DescribeAllowedCommands() const {
   Json commands = Json::object();
+  // Only the commands that have buttons of their own. For all others the page asks `allowed`.
   for (const sim::Command& command :
        {sim::Command(sim::StartRecording()), sim::Command(sim::FinishRecording()),
         sim::Command(sim::Undo()), sim::Command(sim::Redo())}) {
@@ -138,6 +143,7 @@ void WorldRequests::Apply(const sim::Command& command) {
 sim::Command WorldRequests::MeantBy(const Json& wanted, bool is_exact) {
   const LiveWorld& world = states_->world();
   const double meters_per_unit = world.simulation().scene().meters_per_unit;
+  // `add` names a preset; the command in the log is the `spawn` of its objects.
   if (sim::IsAdd(wanted)) {
     sim::Refusal refusal;
     const auto spawn = sim::SpawnOf(sim::ParseAdd(wanted), world.simulation(), &refusal);

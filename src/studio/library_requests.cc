@@ -15,6 +15,9 @@
 #include "picture/rendered_eye.h"
 #include "recording/recording_names.h"
 
+// Requests about recordings on disk. They do not touch the live world: handlers run in the
+// session's thread, and whatever reads or simulates much runs as a background job.
+
 namespace smile::studio {
 namespace {
 
@@ -70,6 +73,7 @@ void AddLookUps(const library::Library* library, BackgroundJobs* jobs, page::Req
   };
   table->entries["library"] = {list, /*is_for_anyone=*/true};
   const auto open = [library, jobs](const page::Request& request) {
+    // The id is copied: a job outlives its request.
     const auto work = [library,
                        id = TextOf(request, "recording")](const recording::Progress&) -> Json {
       return {{"timeline", library->TimelineOf(id)}};
@@ -143,6 +147,7 @@ class LibraryWatch {
   /// To be called 60 times a second; checks once a second.
   std::vector<page::DeferredMessage> TakeDeferred() {
     constexpr int kCallsBetween = 60;
+    // Looking at the folder costs system calls in the session's thread.
     if (++num_calls_ % kCallsBetween != 0) return {};
     std::string now = library_->Stamp();
     if (std::exchange(stamp_, now) == now) return {};

@@ -2,6 +2,10 @@
 
 #include <utility>
 
+// The session's side of a brain. At most one question is open at a time; while it is, the simulated
+// time stands still and the session continues to serve pages. The program runs in a thread of its
+// own, in which it also ends.
+
 namespace smile::studio {
 namespace {
 
@@ -17,6 +21,7 @@ void LiveBrain::Start(const library::BrainChoice& choice, const brain::BrainDriv
   name_ = choice.name;
   watched_ticks_ = 0;
   brain::BrainOptions brain_options = limits_;
+  // Called in that thread; the console has a lock.
   brain_options.on_output = [this](std::string_view line) { console_.Write(line); };
   thread_ = std::make_unique<brain::BrainThread>(choice.path, std::move(brain_options),
                                                  std::move(former_));
@@ -37,6 +42,7 @@ bool LiveBrain::Drive(sim::Simulation* simulation) {
   // No tick before the program is ready, and none while a question is open.
   if (is_starting()) return false;
   if (!is_running()) return true;
+  // The driver need not ask at every tick: without a question the world ticks at once.
   if (!is_asked_) Ask(simulation);
   return !is_asked_ || TakeAnswer(kMoment, simulation);
 }
@@ -67,10 +73,12 @@ void LiveBrain::Stop(sim::Simulation* simulation) {
   // The last velocities would continue otherwise.
   sim::JointVelocities still{.grippers = {{0, 0}}};
   const world::RobotBody& robot = *simulation->robot();
+  // Zero velocity for each joint.
   still.left = std::vector<double>(robot.ArmAngles(0).size());
   still.right = std::vector<double>(robot.ArmAngles(1).size());
   if (robot.model().head) still.head = 0;
   (void)simulation->Apply(still);
+  // Face and markers are back to their defaults, as if no program had run.
   (void)simulation->Apply(sim::Face{});
   (void)simulation->Apply(sim::Markers{});
 }

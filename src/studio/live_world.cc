@@ -8,6 +8,10 @@
 #include "scene/solid.h"
 #include "studio/event_message.h"
 
+// A simulation with what the session needs around it: the recorder, the eye whose pictures people
+// see, and messages about events. It listens to its simulation, so commands of brains and undo
+// update it like those of pages.
+
 namespace smile::studio {
 namespace {
 
@@ -35,6 +39,8 @@ LiveWorld::LiveWorld(scene::SceneSpec scene, std::optional<sim::RobotPlacement> 
       simulation_(std::move(scene), std::move(robot)),
       controller_(&simulation_, Through(eye(), options)),
       usual_title_(options.recording.title) {
+  // Called for its exception: a scene without the camera is refused now, and not when a recording
+  // begins.
   if (eye_) sim::EyeView(simulation_, eye_->spec());
   simulation_.AddListener(this);
   FollowModel();
@@ -77,6 +83,7 @@ void LiveWorld::Continue(const recording::Recording& recording, const recording:
   take_ = {.title = recording.info.title,
            .before = simulation_.history().done()[static_cast<std::size_t>(num_before)].id,
            .start_tick = recording.info.start.tick};
+  // The events of the repeated path are news to no client.
   events_.clear();
 }
 
@@ -98,6 +105,7 @@ Json LiveWorld::DescribeSegments() const {
   const auto actions = simulation_.history().done();
   std::uint64_t begin = take_.start_tick;
   for (std::size_t i = 0; i < actions.size(); ++i) {
+    // Ids increase, so this skips what was done before the recording.
     if (actions[i].id < take_.before) continue;
     const bool is_last = i + 1 == actions.size();
     const std::uint64_t end = is_last ? simulation_.tick() : actions[i + 1].tick;
@@ -112,6 +120,7 @@ Json LiveWorld::DescribeSegments() const {
 }
 
 std::optional<Json> LiveWorld::TakeFailure() {
+  // A failure ends the recording within a tick or a command; here it is noticed once.
   const bool has_ended = std::exchange(was_recording_, is_recording()) && !is_recording();
   if (!has_ended || !controller_.failure()) return std::nullopt;
   const std::filesystem::path directory = recording_directory();

@@ -5,6 +5,7 @@
 namespace smile::studio {
 namespace {
 
+// Calls between two key messages: one second.
 constexpr int kTicksBetweenAll = 60;
 
 void Append(std::uint32_t frame, const RigidTransform& X_WF, double meters_per_unit,
@@ -27,6 +28,7 @@ page::Poses PoseStream::Next(const library::DisplayedState& view) {
       view.scene != scene_ || now.size() != sent_.size() || ++since_all_ >= kTicksBetweenAll;
   // Frame 0 is the world, which never moves.
   for (std::size_t frame = 1; frame < now.size(); ++frame) {
+    // Exact comparison: resting objects have the same bits at every tick.
     if (!poses.is_key && now[frame] == sent_[frame]) continue;
     Append(static_cast<std::uint32_t>(frame), now[frame], view.meters_per_unit, &poses);
   }

@@ -31,6 +31,8 @@ RestingAttempt FindRestingPlace(const sim::Simulation& simulation, sim::HandName
   RestingAttempt attempt;
   const physics::BodyId held = simulation.demonstrator().hand(hand).held;
   if (!held) return attempt;
+  // The copy has the state of the simulation to the last bit, so the prediction is exact unless
+  // something acts on the world before the release.
   sim::Simulation& copy = rehearsal->CopyOf(simulation);
   if (copy.Apply(sim::Release{.hand = hand})) return attempt;
   const physics::Body& body = copy.physics().body(held);

@@ -20,6 +20,7 @@ std::string HexColor(const Color& color) {
   const auto byte = [](double share) {
     return static_cast<int>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
   };
+  // A number sign, six digits and the zero at the end.
   char text[8];
   std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(color.red), byte(color.green),
                 byte(color.blue));
@@ -39,6 +40,7 @@ void DescribeShape(const scene::VisualShape& shape, double unit, const PageMeshe
                                      cylinder.sides};
           },
           [&](const scene::Sphere& sphere) { (*visual)["sphere"] = units(sphere.radius); },
+          // Hulls are in meters; the page works in units.
           [&](const scene::Hull&) { (*visual)["scale"] = units(1); },
           [&](const scene::DrawnMesh& mesh) { (*visual)["scale"] = units(mesh.scale); }},
       shape);
@@ -69,6 +71,7 @@ Json DescribeVisuals(const model::Model& model, const PageMeshes& meshes) {
 /// Appends the parts with an id, parents first; `around` is the id of the enclosing part.
 void DescribePartsIn(const scene::Part& part, const std::string& around, Json* parts) {
   scene::ForEachChild(part, [&](const scene::Part& child) {
+    // Parts without an id cannot be named in commands, but parts in them can.
     if (child.id.empty()) {
       DescribePartsIn(child, around, parts);
       return;
@@ -108,6 +111,7 @@ Json DescribeControls(const scene::Part& whole) {
 
 /// Returns the properties of an object that a hand may declare as important.
 Json PropertiesOf(const scene::ObjectSpec& object) {
+  // The six that every object has, then those of its descriptions.
   Json properties = {"color", "shape", "size", "position", "orientation", "order"};
   for (const scene::Description& description : object.descriptions) {
     const Json name = description.name;

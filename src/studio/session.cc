@@ -107,6 +107,9 @@ Session::Impl::Impl(SessionOptions options)
 }
 
 std::vector<RequestRow> Session::Impl::RequestRows() {
+  // One row per request. The same rows refuse a request that arrives, answer `allowed`, and enable
+  // or disable the page's buttons by the state message, so these cannot differ. `start_brain` needs
+  // another world only if it has a scene, which is why RefuseStart() decides that itself.
   SceneRequests* scenes = &scene_requests_;
   WorldRequests* world = &world_requests_;
   PlaybackRequests* playback = &playback_requests_;
@@ -148,6 +151,7 @@ std::vector<RequestRow> Session::Impl::RequestRows() {
 }
 
 const library::DisplayedState& Session::Impl::view() const {
+  // Made at most once per tick and request: the pose stream, new clients and looks all ask for it.
   if (!view_) {
     view_ = states_.shown().view();
     view_->scene = scene_announcer_.number();
@@ -178,6 +182,8 @@ void Session::Impl::OnOtherScene() {
   state_announcer_.Forget();
   // Pages need the scene before its poses and state; the announcer counts it.
   const SessionState& shown = states_.shown();
+  // The complete state follows with the next state message, as the announcer has forgotten the last
+  // one.
   messages_.push_back(scene_announcer_.Announce(shown.model(), shown.view().state.looks));
 }
 
@@ -200,6 +206,7 @@ void Session::Impl::SendConsole() {
   const std::vector<ConsoleLine> lines = states_.brain().TakeLines();
   // The output of a program during a recording belongs to it.
   if (!lines.empty() && states_.world().is_recording()) {
+    // Opened for each batch of lines, since the recording may end between two of them.
     brain::BrainLog log(states_.world().recording_directory());
     for (const ConsoleLine& line : lines) log.Write(line.text);
   }
@@ -215,6 +222,7 @@ Json Session::Impl::DescribeState() const {
   const PlaybackState* playback = states_.playback();
   const Restoring* restoring = states_.restoring();
   const double unit = world.simulation().scene().meters_per_unit;
+  // The part that depends on the state comes from that state; the rest is the same for all states.
   Json state_message = {{"t", "state"}};
   state_message.update(states_.shown().Describe());
   state_message["mode"] = states_.shown().mode();
@@ -228,6 +236,7 @@ Json Session::Impl::DescribeState() const {
   state_message["restoring"] = restoring != nullptr ? Json(restoring->recording()) : Json();
   state_message["brain"] = states_.brain().Describe();
   state_message["snap"] = world_requests_.snap();
+  // Markers are points for people; in playback they remain those of the live world.
   state_message["markers"] = Json::array();
   for (const Vector3& point : world.markers()) {
     state_message["markers"].push_back(PointInUnits(point, unit));
@@ -250,6 +259,7 @@ std::vector<Json> Session::Impl::Everything() const {
   // A new client needs a picture even if the view does not change.
   eye_preview_.Forget();
   const std::vector<int>& looks = view().state.looks;
+  // In the order in which a page can use them: the scene before its looks, and the state last.
   std::vector<Json> all = {scene_announcer_.Describe(states_.shown().model(), looks),
                            LooksMessage(looks)};
   if (auto lines = console_.Everything()) all.push_back(*std::move(lines));

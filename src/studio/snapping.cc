@@ -7,6 +7,10 @@
 
 #include "math/angles.h"
 
+// Snapping collects wishes: displacements that would make a carried object touch or be flush with a
+// neighbor, or lie on the grid. Of these, the nearest one and one at right angles to it are
+// granted, within the plane in which the object is dragged. All neighbors are treated as boxes.
+
 namespace smile::studio {
 namespace {
 
@@ -23,9 +27,13 @@ class Shift {
   /// displacement by distance / share along the normal's projection. Ignored if it is too far, if
   /// the plane is nearly parallel to the face, or if the face is inclined.
   void Consider(const Vector3& normal, double distance) {
+    // Cosines: the face's normal must be within 2.6 degrees of vertical or 2.3 degrees of
+    // horizontal, and within 60 degrees of the plane, or the displacement would be more than twice
+    // the distance.
     constexpr double kUpright = 0.999, kLevel = 0.04, kAcross = 0.5;
     const double height = std::abs(normal.z());
     if (height > kLevel && height < kUpright) return;
+    // Projected onto the plane.
     const Vector3 within = normal - plane_normal_.dot(normal) * plane_normal_;
     const double share = within.norm();
     if (share < kAcross || !(std::abs(distance / share) <= limit_)) return;
@@ -34,6 +42,7 @@ class Shift {
 
   /// Grants the nearest wishes that are perpendicular to all granted ones, and forgets the rest.
   void Grant() {
+    // Stable, so that equal wishes are granted in the order of the scene.
     std::ranges::stable_sort(wishes_, {}, &Wish::size);
     for (const Wish& wish : std::exchange(wishes_, {})) {
       const auto leaves_alone = [&wish](const Wish& granted) {
@@ -49,6 +58,7 @@ class Shift {
     Vector3 shift = Vector3::Zero();
     for (const Wish& wish : granted_) shift += wish.vector();
     if (shift.norm() <= limit_) return shift;
+    // The sum can be longer than each of its parts; the limit is what users were promised.
     return std::ranges::min(granted_, {}, &Wish::size).vector();
   }
 
@@ -68,6 +78,7 @@ class Shift {
 /// True if the axes of both are parallel, in any order.
 bool IsTurnedAlike(const Matrix3& R_NB) {
   constexpr double kAlike = 0.9994;  // cosine of 2 degrees
+  // Each axis of B is near some axis of N if its largest component is near 1.
   return (R_NB.cwiseAbs().colwise().maxCoeff().array() > kAlike).all();
 }
 
@@ -78,6 +89,7 @@ void ConsiderNeighbour(const SnapTo& snap, const Carried& carried, const Neighbo
   // everything.
   const RigidTransform X_NB = neighbour.X_WB.inverse() * carried.X_WB;
   if (!IsTurnedAlike(X_NB.rotation())) return;
+  // Half sizes along N's axes: the absolute values permute them, as the axes are parallel.
   const Vector3 half = X_NB.rotation().cwiseAbs() * (carried.bounds.size() / 2);
   const Vector3 half_N = neighbour.bounds.size() / 2;
   const Vector3 apart = neighbour.bounds.center() - X_NB * carried.bounds.center();
@@ -90,10 +102,12 @@ void ConsiderNeighbour(const SnapTo& snap, const Carried& carried, const Neighbo
     const Vector3 normal = neighbour.X_WB.rotation().col(axis);
     const double touching = half[axis] + half_N[axis], flush = half_N[axis] - half[axis];
     if (snap.faces) {
+      // On either side: the carried box before or behind the neighbor along this axis.
       shift->Consider(normal, apart[axis] - touching);
       shift->Consider(normal, apart[axis] + touching);
     }
     if (snap.edges && is_beside(axis)) {
+      // Equal lower faces, equal centers, equal upper faces.
       shift->Consider(normal, apart[axis] - flush);
       shift->Consider(normal, apart[axis]);
       shift->Consider(normal, apart[axis] + flush);
@@ -158,6 +172,7 @@ std::vector<Matrix3> FramesNear(const LiveWorld& world, const demonstrator::Hand
   std::optional<Matrix3> nearest;
   for (const Neighbour& neighbour : ObjectsBeside(world, hand.held)) {
     const Vector3 p_NB = neighbour.X_WB.inverse() * p_WB;
+    // The point of the neighbor's box that is nearest to the held object's origin.
     const Vector3 within = p_NB.cwiseMax(neighbour.bounds.low).cwiseMin(neighbour.bounds.high);
     const double distance = (p_NB - within).norm();
     if (distance >= least) continue;
@@ -192,6 +207,7 @@ Vector3 SnapShift(const SnapTo& snap, const Carried& carried, std::span<const Ne
                   double meters_per_unit) {
   const double limit = kSnapUnits * meters_per_unit;
   const double angle = DegreesToRadians(carried.plane_deg);
+  // Normal of the plane of the drag: vertical for a level drag.
   Shift shift(carried.is_level ? Vector3::UnitZ() : Vector3(-std::sin(angle), std::cos(angle), 0),
               limit);
   for (const Neighbour& neighbour : neighbours) {
@@ -209,6 +225,7 @@ Matrix3 SnapTurn(const SnapTo& snap, const Matrix3& R_wanted, std::span<const Ma
   Matrix3 R_snapped = R_wanted;
   double least = kSnapDegrees;
   for (const Matrix3& R_WF : frames) {
+    // The nearest right angle as seen from frame F.
     const Matrix3 R_right = R_WF * NearestRightAngle(R_WF.transpose() * R_wanted);
     const double away = DegreesBetween(R_wanted, R_right);
     if (away >= least) continue;

@@ -5,6 +5,9 @@
 #include "math/angles.h"
 #include "scene/units.h"
 
+// The variable part of what pages show. All members are present in each message, so a page replaces
+// its state and need not merge. Numbers are rounded, since unequal messages are sent again.
+
 namespace smile::studio {
 namespace {
 
@@ -20,6 +23,7 @@ Json DescribeHands(const sim::Simulation& simulation) {
     const demonstrator::Hand& hand = simulation.demonstrator().hand(name);
     Json described = {{"object", nullptr},
                       {"plane", Rounded(simulation.demonstrator().plane_angle_deg(name))}};
+    // The goal is where the hand pulls; the object itself may lag behind or be blocked.
     if (hand.is_holding()) {
       described["object"] = simulation.tabletop().Find(hand.held)->id();
       const double unit = simulation.scene().meters_per_unit;

@@ -14,6 +14,10 @@
 #include "studio/library_requests.h"
 #include "studio/pose_stream.h"
 
+// Puts the program together: session, library, background jobs, server, and the loop that drives
+// them. The session itself knows no network, and the server no session; they meet in the table of
+// requests and in StudioLoop.
+
 namespace smile::studio {
 
 /// Session adapter: drives a Session and its pose stream for the studio loop.
@@ -51,6 +55,7 @@ struct MeshName {
 
 /// Parses a path such as `/meshes/3/0`.
 std::optional<MeshName> ParseMeshPath(std::string_view path) {
+  // std::from_chars accepts neither signs nor blanks, and refuses numbers that do not fit the type.
   constexpr std::string_view kFolder = "/meshes/";
   if (!path.starts_with(kFolder)) return std::nullopt;
   const char* end = path.data() + path.size();
@@ -75,6 +80,7 @@ SessionOptions WithSceneFolder(SessionOptions options) {
 library::ContentRoutesOptions ContentRoutesOptionsOf(const SessionOptions& session) {
   library::ContentRoutesOptions options{.scenes = session.scene_folder,
                                         .recordings = session.recordings};
+  // The gallery lists presets beside scenes; the library's room does not know them.
   for (const layout::Preset& preset : layout::Presets()) {
     options.presets.push_back({{"name", preset.name}, {"title", preset.title}});
   }
@@ -98,6 +104,8 @@ class Studio::Impl {
   std::string link() const { return server_.link(); }
 
   void Run(const std::function<bool()>& is_over) {
+    // A step that was late is followed by the next one at once; FrameTimer bounds how much is
+    // caught up.
     while (!is_over()) {
       loop_.Step();
       std::this_thread::sleep_until(loop_.next_step());
@@ -106,6 +114,8 @@ class Studio::Impl {
 
  private:
   page::ServerOptions WithAnswers(page::ServerOptions options) {
+    // Called by the web server's workers. It uses only parts that any thread may read: the meshes
+    // and the content routes, both constructed before the server.
     options.get = [this](const std::string& path) {
       const std::optional<MeshName> mesh = ParseMeshPath(path);
       return mesh ? GetMesh(*mesh) : content_routes_.Get(path);
@@ -119,6 +129,8 @@ class Studio::Impl {
     return web_server::HttpResponse{.type = "application/octet-stream", .body = *bytes};
   }
 
+  // Destroyed from the last to the first: the loop and the server's threads end before the session
+  // that they serve, and jobs before the library that they read.
   library::Library library_;
   BackgroundJobs jobs_;
   SessionAdapter session_;

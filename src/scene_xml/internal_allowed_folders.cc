@@ -7,11 +7,16 @@
 
 #include "base/files.h"
 
+// A scene may come from a stranger, and messages about a file that it names can show parts of that
+// file. So includes and meshes are confined to a few folders, by the canonical name of what is
+// opened and not by how it is written.
+
 namespace smile::scene_xml {
 namespace {
 
 namespace fs = std::filesystem;
 
+// Below the limits of all file systems; keeps absurd names out of messages.
 constexpr std::size_t kMaxPathBytes = 1000;
 
 }  // namespace
@@ -23,6 +28,7 @@ fs::path FolderOf(const fs::path& file) {
 AllowedFolders::AllowedFolders(const fs::path* main_file, std::vector<fs::path> search_roots)
     : roots_(std::move(search_roots)) {
   std::vector<fs::path> folders = roots_;
+  // The scene's own folder is searched first.
   if (main_file) folders.insert(folders.begin(), FolderOf(*main_file));
   for (const fs::path& folder : folders) {
     std::error_code error;
@@ -49,6 +55,8 @@ AllowedFolders::Search AllowedFolders::Find(const fs::path* folder, const std::s
       // folders.
       const fs::path canonical = fs::canonical(name, error);
       if (error) continue;
+      // The first file that is found and allowed; one outside is passed over, as a later folder may
+      // have an allowed file of this name.
       if (Contain(canonical)) return {.found = FoundFile{name, canonical}};
       is_outside = true;
     }

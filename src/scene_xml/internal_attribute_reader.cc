@@ -9,6 +9,10 @@
 #include "scene_xml/internal_units.h"
 #include "scene_xml/internal_values.h"
 
+// The border at which text becomes values in meters and radians. Every function follows the same
+// pattern: missing means the default, faulty means a finding and the default, so that reading
+// continues and one run lists all faults of a file.
+
 namespace smile::scene_xml {
 namespace {
 
@@ -35,6 +39,7 @@ std::string Wording(const Range<Number>& range) {
 
 // A determinant of -1 would be a reflection.
 bool IsRotation(const Matrix3& R) {
+  // The rows of a rotation are orthonormal.
   const Matrix3 error = R * R.transpose() - Matrix3::Identity();
   return error.cwiseAbs().maxCoeff() <= kRotationTolerance && R.determinant() > 0;
 }
@@ -77,6 +82,7 @@ std::string AttributeReader::RequiredText(std::string_view name) {
 
 std::string AttributeReader::RequiredName(std::string_view name) {
   std::string text = RequiredText(name);
+  // A missing attribute has a finding already.
   if (Text(name) && (text.empty() || !IsId(text))) {
     Refuse(name, "letters A-Z and a-z, digits and _, 1 to 100");
   }
@@ -88,6 +94,7 @@ std::string AttributeReader::OptionalName(std::string_view name) {
   return text && !text->empty() ? RequiredName(name) : "";
 }
 
+// An id has the same form wherever it occurs: as the element's own and as a reference to it.
 std::string AttributeReader::Id() { return Reference("id"); }
 
 std::string AttributeReader::Reference(std::string_view name) {
@@ -146,6 +153,7 @@ Color AttributeReader::Color(std::string_view fallback) {
 double AttributeReader::Span(std::string_view name, double fallback_units) {
   long double units = fallback_units;
   if (const std::string* text = Text(name)) {
+    // The wider type, for lengths that must survive writing to the last bit (see internal_units.h).
     const std::optional<long double> value = ParseNumber<long double>(*text);
     if (value && Contains(kSpanUnits, *value)) {
       units = *value;
@@ -166,6 +174,7 @@ Vector3 AttributeReader::Spans(double fallback_units) {
 
 double AttributeReader::SpanOrZero(std::string_view name, double fallback_units) {
   const std::string* text = Text(name);
+  // Zero is outside kSpanUnits, whose lower limit keeps shapes from degenerating.
   if (text && ParseNumber<double>(*text) == 0.0) return 0;
   return Span(name, fallback_units);
 }
@@ -239,6 +248,7 @@ Vector3 AttributeReader::Direction(std::string_view name, const Vector3& fallbac
   const auto numbers = ParseNumbers<3, double>(*text);
   if (numbers) {
     const Vector3 direction((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+    // The direction keeps its length: normalizing here would change its digits in a written scene.
     const double size = direction.cwiseAbs().maxCoeff();
     if (Contains(kDirectionSize, size)) return direction;
   }
@@ -248,6 +258,7 @@ Vector3 AttributeReader::Direction(std::string_view name, const Vector3& fallbac
 
 Matrix3 AttributeReader::Rotation() {
   const std::string* text = Text("rotation");
+  // Programs write the matrix where angles cannot express a rotation exactly; people write angles.
   if (Text("rotationMatrix")) {
     if (text) Refuse("rotation", "either rotation or rotationMatrix, not both");
     return RotationMatrix();
@@ -268,6 +279,7 @@ Matrix3 AttributeReader::RotationMatrix() {
   if (numbers) {
     const Matrix3 R =
         Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers->data());
+    // Taken as it is, without correction, so that reading and writing keep every bit.
     if (IsRotation(R)) return R;
   }
   Refuse("rotationMatrix", "nine numbers in parentheses, row by row, that make a rotation");
@@ -275,6 +287,7 @@ Matrix3 AttributeReader::RotationMatrix() {
 }
 
 void AttributeReader::Forbid(std::string_view name, const std::string& expected) {
+  // RefuseUnknown() would report it again otherwise.
   forbidden_.push_back(name);
   if (element_.FindAttribute(name)) Refuse(name, expected);
 }

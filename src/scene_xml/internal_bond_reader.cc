@@ -9,6 +9,10 @@
 #include "scene_xml/internal_letters.h"
 #include "scene_xml/value_ranges.h"
 
+// Bond points: a guest (screw) fits a host (hole) of the same type, whose stages of tightness say
+// how far it is in and what that does to the control downstream. References are tickets here, since
+// their targets may come later in the file; internal_mechanisms.cc resolves them.
+
 namespace smile::scene_xml {
 namespace {
 
@@ -18,6 +22,7 @@ std::string ReadType(AttributeReader* attributes) {
     return IsIdLetter(letter) || letter == '.' || letter == '-' || letter == ':';
   };
   std::string type = attributes->RequiredText("type");
+  // Missing: a finding already.
   if (!attributes->Text("type")) return type;
   if (type.empty() || type.size() > kMaxBondTypeBytes ||
       !std::ranges::all_of(type, is_token_letter)) {
@@ -38,6 +43,7 @@ std::string ReadReference(const SceneElement& element, const char* name, Target 
 scene::TightnessStage ReadStage(const SceneElement& element, ReadingContext* reading) {
   AttributeReader attributes(element, reading);
   scene::TightnessStage stage{.X_HS = attributes.PoseOrOrigin()};
+  // Without the attribute the stage leaves the control's state alone, which is not the same as 0.
   if (attributes.Text("downstreamState")) {
     stage.downstream_state = attributes.Count("downstreamState", 0, kStates);
   }
@@ -74,6 +80,7 @@ scene::GuestPoint ReadGuestPoint(const SceneElement& element, ReadingContext* re
   attributes.RefuseUnknown();
   RefuseContent(element, reading);
   CheckInitialBond(guest, &attributes);
+  // A tightness without a host has no meaning, and templates may set it for all.
   if (guest.initial_host.empty()) guest.initial_tightness = 0;
   return guest;
 }

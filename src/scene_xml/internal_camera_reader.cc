@@ -19,6 +19,7 @@ constexpr double kParallel = 1e-6;
 /// Checks that the id is valid, no built-in camera has it, and no other camera of the scene has it.
 void CheckName(const std::string& id, const std::vector<scene::CameraSpec>& cameras,
                AttributeReader* attributes) {
+  // A faulty id was replaced by an empty one, which must not be examined.
   if (attributes->has_findings()) return;
   if (IsDigit(id[0]) || id.size() > scene::kMaxCameraLetters) {
     attributes->Refuse("id", "a letter first, and at most " +
@@ -55,6 +56,7 @@ void ReadCamera(const SceneElement& element, ReadingContext* reading,
   camera.p_WC = attributes.Point("location");
   camera.p_WQ = attributes.Point("target");
   camera.up_in_world = attributes.Direction("up", camera.up_in_world);
+  // Without the attribute the default of CameraSpec holds, to the last bit.
   if (attributes.Text("fov")) {
     camera.vertical_field_of_view =
         DegreesToRadians(attributes.Number("fov", 60, kFieldOfViewDegrees));
@@ -63,6 +65,7 @@ void ReadCamera(const SceneElement& element, ReadingContext* reading,
   attributes.RefuseUnknown();
   RefuseContent(element, reading);
   if (attributes.has_findings()) return;
+  // Reported at the first camera too many; later ones repeat it.
   if (cameras->size() == scene::kMaxCameras) {
     return attributes.AddFinding("found one camera more than " +
                                  std::to_string(scene::kMaxCameras));

@@ -8,15 +8,20 @@
 #include "scene_xml/internal_part_reader.h"
 #include "scene_xml/value_ranges.h"
 
+// Content of controls: states, which lights and custom controls list and switches only count, and
+// the controls downstream that follow them.
+
 namespace smile::scene_xml {
 namespace {
 
+// Far more than any scene has; bounds the work that one press of a button causes.
 constexpr int kMaxDownstreams = 256;
 
 /// Returns the ticket of the control that a `downstream` element refers to; empty after a fault.
 std::string ReadDownstream(const SceneElement& element, ReadingContext* reading) {
   AttributeReader attributes(element, reading);
   const std::string id = attributes.Reference("id");
+  // Distinguishes two faults: a missing id, and an empty one, which is a valid id elsewhere.
   if (attributes.RequiredText("id").empty() && attributes.Text("id")) {
     attributes.Refuse("id", "the id of a control");
   }
@@ -57,6 +62,7 @@ scene::IndicatorLights::State ReadLightsState(const SceneElement& element, int n
     }
     state.lights.push_back(ReadLight(child, num_lights, reading));
     const int number = state.lights.back().number;
+    // A light without an id counts as number 0 after its finding, and must not cause another one.
     if (child.FindAttribute("id") && is_on[number]) {
       AttributeReader(child, reading).Refuse("id", "each light once in a state");
     }
@@ -69,6 +75,7 @@ scene::IndicatorLights::State ReadLightsState(const SceneElement& element, int n
 scene::CustomControl::State ReadCustomState(const SceneElement& element, int num_states,
                                             ReadingContext* reading) {
   scene::CustomControl::State state{ReadStateName(element, reading), {}};
+  // The number of states is known before their content: parts may name any of them as the next.
   const PartPlace inside{Container::kState, num_states};
   for (const SceneElement& child : element.children) {
     if (const ShapeElement* shape = FindShape(child, inside.container, reading)) {

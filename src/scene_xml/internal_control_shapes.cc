@@ -8,6 +8,7 @@
 namespace smile::scene_xml {
 
 scene::Shape ReadToggleSwitch(AttributeReader* attributes) {
+  // Sizes are in units here and in meters in the shape, so only the other defaults come from it.
   const scene::ToggleSwitch usual;
   scene::ToggleSwitch toggle;
   const double x = attributes->Span("xspan", 0.6);
@@ -27,6 +28,7 @@ scene::Shape ReadIndicatorLights(AttributeReader* attributes) {
       .light_height = attributes->Span("lightZspan", 0.005),
       .num_lights = attributes->Count("numLights", 2, kNumLights),
       .x_span = attributes->Span("xspan", 0.15),
+      // Checked against the number of states when those have been read (ReadControlContent).
       .initial_state = attributes->Count("initState", 0, kStates),
   };
 }
@@ -34,6 +36,7 @@ scene::Shape ReadIndicatorLights(AttributeReader* attributes) {
 scene::Shape ReadCustomControl(AttributeReader* attributes) {
   scene::CustomControl control;
   const std::string name = attributes->OptionalName("name");
+  // An empty name would be an empty `shape` description of the object.
   if (!name.empty()) control.name = name;
   control.initial_state = attributes->Count("initState", 0, kStates);
   return control;

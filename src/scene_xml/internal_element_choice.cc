@@ -7,6 +7,9 @@
 
 #include "base/wording.h"
 
+// Decides which element may be where. A wrong element gets one of two messages: a known one is
+// misplaced, an unknown one is probably misspelled.
+
 namespace smile::scene_xml {
 namespace {
 
@@ -14,6 +17,7 @@ using Names = std::span<const std::string_view>;
 
 /// True if the scene language has such an element, here or elsewhere.
 bool IsOfTheLanguage(std::string_view name) {
+  // All elements except the shapes, which have a table of their own.
   constexpr std::array kOthers{std::string_view("camera"),
                                std::string_view("chain"),
                                std::string_view("def"),

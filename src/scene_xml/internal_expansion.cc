@@ -14,9 +14,14 @@
 #include "scene_xml/internal_expansion_budget.h"
 #include "scene_xml/internal_scope.h"
 
+// Templates as in the original program: `def` defines content, `instance` inserts a copy of it,
+// `var` sets values for expressions in it. The result is a tree as if an author had written it by
+// hand, with the place of each element in its template and the instance it came from.
+
 namespace smile::scene_xml {
 namespace {
 
+// Spelling suggestions compare with each name.
 constexpr std::size_t kMaxSuggestedTemplates = 100;
 
 struct Template {
@@ -43,6 +48,8 @@ void AddCost(const SceneElement& element, Template* target) {
   for (const SceneAttribute& attribute : element.attributes) {
     target->num_bytes += attribute.name.size() + attribute.value.size();
   }
+  // Instances inside count as one element here and pay for their own content when they are
+  // expanded.
   for (const SceneElement& child : element.children) AddCost(child, target);
 }
 
@@ -65,6 +72,7 @@ void ReadTemplate(SceneElement def, ReadingContext* reading, Templates* template
   attributes.RefuseUnknown();
   Template result{.place = def.place};
   for (SceneElement& child : def.children) {
+    // Variables count, too: they are copied and evaluated for each instance.
     AddCost(child, &result);
     if (child.Is("var")) {
       result.defaults.push_back(ReadVariable(child, reading));
@@ -138,6 +146,7 @@ class Expander {
 
   void ExpandElement(SceneElement element, const ExpansionContext& context,
                      std::vector<SceneElement>* target) {
+    // The parser has checked the depth of each file, but instances nest templates in one another.
     if (context.depth >= limits_.max_depth) {
       return Fail(element, "found more than " + std::to_string(limits_.max_depth) +
                                " elements inside one another, expected fewer");
@@ -160,6 +169,7 @@ class Expander {
     if (attributes.has_findings()) return;
     const auto found = templates_.find(name);
     if (found == templates_.end()) return RefuseName(instance, name);
+    // Before the budget, whose exhaustion would hide the cause of a cycle.
     if (!CanOpen(instance, name)) return;
 
     const Template& used = found->second;
@@ -171,6 +181,7 @@ class Expander {
     for (VariableText& variable : defaults) variable.place.expansion = expansion;
     Scope scope(context.scope, variables, defaults, &budget_, reading_.findings);
     open_.push_back(name);
+    // A copy of the content: the template is needed again.
     ExpandInto(target, used.content, {&scope, expansion, context.depth});
     open_.pop_back();
   }
@@ -239,6 +250,7 @@ class Expander {
       // An empty fault means that the variable was reported already.
       attribute.is_faulty = result.has_fault;
       if (!result.has_fault) {
+        // Values can grow at each level, as a variable may contain another one twice.
         budget_.Spend(0, result.text.size(), element->place);
         attribute.value = std::move(result.text);
       } else if (!result.fault.empty()) {

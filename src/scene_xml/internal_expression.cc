@@ -8,6 +8,10 @@
 #include "base/wording.h"
 #include "scene_xml/internal_letters.h"
 
+// Expressions of the original program, including its single precision and Java's syntax and output
+// of numbers: coordinates of old scenes must come out with the same digits. Text comes from files,
+// so depth and length are bounded.
+
 namespace smile::scene_xml {
 namespace {
 
@@ -29,6 +33,7 @@ std::string_view WithoutGaps(std::string_view text) {
 /// Parses digits with optional point and exponent to the nearest float. from_chars() reports
 /// overflow and underflow alike; these become infinity and zero.
 std::optional<float> ParseDecimal(std::string_view text) {
+  // std::from_chars also reads signs, `inf` and `nan`, which are not decimals here.
   if (text.empty() || !(IsDigit(text[0]) || text[0] == '.')) return std::nullopt;
   // The wider type distinguishes too large from too small; its value is not used otherwise.
   long double wide = 0;
@@ -40,6 +45,7 @@ std::optional<float> ParseDecimal(std::string_view text) {
   }
   const auto [wide_end, wide_error] = std::from_chars(text.data(), end, wide);
   if (wide_error != std::errc() || wide_end != end) return std::nullopt;
+  // Beyond the range of float: larger than 1 means too large, anything else too small.
   return wide > 1 ? std::numeric_limits<float>::infinity() : 0.0f;
 }
 
@@ -49,6 +55,7 @@ std::optional<float> ParseUnsigned(std::string_view text) {
   if (text.size() > kMaxOperandBytes) return std::nullopt;
   if (text == "NaN") return std::numeric_limits<float>::quiet_NaN();
   if (text == "Infinity") return std::numeric_limits<float>::infinity();
+  // Java's suffixes of types; the value is single precision anyway.
   if (!text.empty() && IsOneOf(text.back(), "dDfF")) text.remove_suffix(1);
   return ParseDecimal(text);
 }
@@ -90,6 +97,7 @@ class ExpressionReader {
     for (char letter : name) {
       if (!IsTokenLetter(letter)) return nullptr;
     }
+    // A number is arithmetic, so that it is written in the original's form: `$1e3$` is 1000.
     if (name.empty() || ParseUnsigned(name)) return nullptr;
     return Find(name);
   }
@@ -111,6 +119,7 @@ class ExpressionReader {
 
   float Expression() {
     float sum = Term();
+    // accepted_ is read before the operand is parsed, which overwrites it.
     while (Accept("+-")) sum = accepted_ == '+' ? sum + Term() : sum - Term();
     return sum;
   }
@@ -150,6 +159,7 @@ class ExpressionReader {
       return 0;
     }
     if (const std::optional<float> number = ParseUnsigned(token)) return *number;
+    // Not after a fault: Find() evaluates variables, with findings of their own.
     const std::string* value = has_fault_ ? nullptr : Find(token);
     if (!value) return 0;
     const std::optional<float> number = ParseValue(*value);
@@ -163,6 +173,7 @@ class ExpressionReader {
     std::size_t size = 0;
     while (size < text_.size() && IsTokenLetter(text_[size])) ++size;
     // The sign of an exponent: `1e-3`.
+    // The letters before the e must be a number: in `size-1` the minus is an operator.
     const bool ends_in_e = size > 1 && IsOneOf(text_[size - 1], "eE") &&
                            ParseDecimal(text_.substr(0, size - 1)).has_value();
     if (ends_in_e && size + 1 < text_.size() && IsOneOf(text_[size], "+-") &&
@@ -215,6 +226,7 @@ std::optional<Group> FindGroup(std::string_view text, std::size_t from) {
     const std::size_t end = text.find_first_of("$\r\n", begin + 1);
     if (end == std::string_view::npos) return std::nullopt;
     if (text[end] == '$') return Group{begin, end};
+    // The line ended first: the search continues on the next one.
     begin = text.find('$', end);
   }
   return std::nullopt;
@@ -239,6 +251,7 @@ Substitution Substitute(std::string_view text, std::size_t max_bytes, Variables*
     result += text.substr(from, group->begin - from);
     result += value;
     from = group->end + 1;
+    // Checked within the loop, so that many short expressions cannot make a huge text first.
     if (result.size() > max_bytes) break;
   }
   result += text.substr(from);

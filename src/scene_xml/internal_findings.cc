@@ -7,6 +7,7 @@
 namespace smile::scene_xml {
 
 void Findings::Add(const SourceLocation& place, std::string element, std::string message) {
+  // The rest is not even stored; Take() adds one line that says that there was more.
   if (is_full()) {
     has_dropped_ = true;
     return;
@@ -24,6 +25,7 @@ void Findings::Add(const SourceLocation& place, std::string element, std::string
 
 std::vector<Diagnostic> Findings::Take() {
   const auto place_of = [](const Finding& finding) {
+    // Findings arrive pass by pass: includes, templates, elements, references.
     return std::tuple(finding.file, finding.diagnostic.line);
   };
   // Sorted by file and line; stable, so that findings of one line keep their order.

@@ -16,6 +16,10 @@
 #include "scene_xml/internal_element_choice.h"
 #include "scene_xml/internal_root_reader.h"
 
+// Includes are resolved before templates, since files typically define templates. Content is
+// inserted in place of the `include`, so the order of objects is that of reading the files in
+// place.
+
 namespace smile::scene_xml {
 namespace {
 
@@ -69,6 +73,8 @@ class IncludeResolver {
       return {};
     }
     const std::optional<FoundFile> found = Find(folder, file, include);
+    // A file that was read already is no fault: two files may include the same library of
+    // templates.
     if (!found || !seen_.insert(found->canonical).second) return {};
     if (static_cast<int>(seen_.size()) > limits_.max_files) {
       Fail(include,
@@ -92,6 +98,8 @@ class IncludeResolver {
   std::vector<SceneElement> ContentOf(const FoundFile& file, const SceneElement& include) {
     std::string text;
     try {
+      // By its canonical name, the one that was checked: a link that changes meanwhile leads
+      // nowhere else.
       text = ReadFile(file.canonical, limits_.max_file_bytes - counts_.num_bytes);
     } catch (const std::runtime_error& error) {
       Fail(include, "found file=" + Quoted(*include.FindAttribute("file")) + ", which " +
@@ -108,6 +116,8 @@ class IncludeResolver {
       has_all_ = false;
       return {};
     }
+    // The name as found, and not the canonical one: messages show the files as their author sees
+    // them.
     const fs::path folder = FolderOf(file.name);
     Resolve(&folder, &*root);
     return std::move(root->children);

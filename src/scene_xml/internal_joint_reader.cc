@@ -12,9 +12,14 @@
 #include "scene_xml/internal_units.h"
 #include "scene_xml/value_ranges.h"
 
+// Joints between whole objects. In the file a slider contains its two members and a chain is one
+// line; in the scene their objects are in the common list, and the joint has the index of its
+// first.
+
 namespace smile::scene_xml {
 namespace {
 
+// Shortest distance of the ends of a chain: the direction of its links follows from them.
 constexpr double kMinChainUnits = 0.001;
 /// Tolerance for rounding, as a fraction of a link's length.
 constexpr double kFit = 1e-9;
@@ -24,6 +29,7 @@ void ReadRange(AttributeReader* attributes, scene::SliderSpec* slider) {
   slider->min_offset = attributes->Distance("min", 0);
   slider->max_offset = attributes->Distance("max", 1);
   if (slider->min_offset > slider->max_offset) {
+    // After another fault the values are defaults, and comparing them would report a fault of ours.
     if (!attributes->has_findings()) attributes->Refuse("min", "at most max");
     return;
   }
@@ -59,8 +65,10 @@ std::optional<int> NumLinks(const scene::ChainSpec& chain, int wanted, double me
     attributes->Refuse("end", "a place at least 0.001 units from start");
     return std::nullopt;
   }
+  // A distance of exactly n links must give n, although the quotient may be a bit larger.
   const double fitting = std::max(1.0, std::ceil(distance / length - kFit));
   if (wanted == 0) {
+    // Compared as a double, which cannot overflow.
     if (fitting <= kMaxLinks) return static_cast<int>(fitting);
     attributes->Refuse("linkYspan", "links so long that " + std::to_string(kMaxLinks) +
                                         " of them reach from start to end");
@@ -124,6 +132,7 @@ void ReadChain(const SceneElement& element, ReadingContext* reading, ObjectList*
   if (attributes.has_findings()) return;
   const std::optional<int> num_links =
       NumLinks(chain, wanted, reading->meters_per_unit, &attributes);
+  // The links and the two end pieces.
   if (!num_links || !objects->HasRoomFor(*num_links + 2, element.place)) return;
 
   // Ids in the order of the pieces, as the counter of renamed ids depends on it.

@@ -4,6 +4,9 @@
 
 #include "scene_xml/internal_part_writer.h"
 
+// Writes mechanisms so that the readers of this room make exactly the same scene of them: lengths
+// and angles read back to the last bit, and ids are the final ones, which the reader then keeps.
+
 namespace smile::scene_xml {
 namespace {
 
@@ -99,6 +102,7 @@ void WriteBondPoints(const scene::Composite& composite, XmlText* text) {
     text->Attribute("type", guest.type);
     text->Pose(guest.X_PG);
     WriteReference("initBondHostId", guest.initial_host, text);
+    // The reader refuses a tightness of 0 with a host, and ignores one without.
     if (guest.initial_tightness > 0) text->Count("initBondTightness", guest.initial_tightness);
     text->Close();
   }
@@ -142,6 +146,7 @@ void WriteChain(const scene::ChainSpec& chain, XmlText* text) {
   text->Length("linkXspan", chain.link_size.x());
   text->Length("linkYspan", chain.link_size.y());
   text->Length("linkZspan", chain.link_size.z());
+  // The number that was chosen is written, and not recomputed from the distance when read.
   text->Count("linkCount", static_cast<int>(chain.link_ids.size()));
   text->Length("linkPadding", chain.link_padding);
   text->Number("linkMass", chain.link_mass);

@@ -8,6 +8,10 @@
 
 #include "scene/controls_of.h"
 
+// The last pass over a scene: all ids are known, so references can be resolved and mechanisms
+// checked as a whole. What is refused here would make the initial poses of a simulation contradict
+// each other.
+
 namespace smile::scene_xml {
 namespace {
 
@@ -75,6 +79,7 @@ class Connector {
   }
 
   void Register(std::size_t object, Part* part) {
+    // Ids of controls and hosts are unique: they were claimed when they were read.
     if (scene::IsControl(part->shape)) num_states_[part->id] = scene::NumStatesOf(*part);
     if (auto* composite = std::get_if<scene::Composite>(&part->shape)) {
       for (scene::HostPoint& host : composite->hosts) hosts_[host.id] = {&host, object};
@@ -84,6 +89,7 @@ class Connector {
   void ConnectControl(Part* part) {
     std::visit(
         [&](auto& shape) {
+          // Exactly the three kinds of controls have this member.
           if constexpr (requires { shape.downstream; }) {
             for (std::string& ticket : shape.downstream) ticket = Found(ticket);
           }
@@ -108,6 +114,7 @@ class Connector {
     const auto overridden = num_states_.find(host->downstream_override);
     if (overridden == num_states_.end()) return;
     for (std::size_t i = 0; i < host->stages.size(); ++i) {
+      // A stage without a state requests none; 0 exists in every control.
       const int state = host->stages[i].downstream_state.value_or(0);
       if (state < overridden->second) continue;
       const Reference& reference = reading_.references.Of(ticket);
@@ -123,6 +130,7 @@ class Connector {
   /// stage, another object, a free host, no cycle.
   void ConnectGuest(std::size_t object, scene::GuestPoint* guest) {
     if (guest->initial_host.empty()) return;
+    // A copy, as the ticket is replaced by the id in the next line.
     const Reference reference = reading_.references.Of(guest->initial_host);
     guest->initial_host = Found(guest->initial_host);
     const auto found = hosts_.find(guest->initial_host);

@@ -10,6 +10,10 @@
 #include "mesh/import_mesh.h"
 #include "scene_xml/scene_limits.h"
 
+// Meshes are by far the most expensive part of a scene: reading and, above all, cutting them into
+// convex pieces. Each file is processed once, however many objects use it, and the limits hold for
+// the scene as a whole.
+
 namespace smile::scene_xml {
 
 namespace fs = std::filesystem;
@@ -51,6 +55,7 @@ MeshCache::Entry MeshCache::Read(const AllowedFolders::FoundFile& file) {
   // Size and triangles are limited over all meshes, and the size is checked before the file is
   // read.
   const std::uintmax_t size = fs::file_size(file.canonical, error);
+  // num_bytes_ never exceeds the limit, so the difference does not wrap around.
   if (!error && size > limits_.max_mesh_bytes - num_bytes_) {
     return {.fault = "found more than " + std::to_string(limits_.max_mesh_bytes) +
                      " bytes in the scene's mesh files, expected fewer"};
@@ -66,10 +71,12 @@ MeshCache::Entry MeshCache::Read(const AllowedFolders::FoundFile& file) {
       return {.fault = "found more than " + std::to_string(limits_.max_mesh_triangles) +
                        " triangles in the scene's mesh files, expected fewer"};
     }
+    // After all limits: this step is the slow one.
     std::vector<scene::Hull> pieces = mesh::ConvexPieces(surface);
     return {.mesh = std::make_shared<const scene::CustomMesh>(
                 scene::CustomMesh{std::move(surface), std::move(pieces)})};
   } catch (const InputError& wrong) {
+    // One finding per mesh; its file and line are those of the element that names it.
     return {.fault = wrong.diagnostics().front().message};
   } catch (const std::exception& wrong) {  // a mesh without volume, or an I/O error
     return {.fault = WithoutPath(wrong.what(), file.canonical.string())};

@@ -23,6 +23,7 @@ constexpr std::array<std::string_view, 1> kDescription{"description"};
 
 /// Adds a description; a later value of the same name replaces the earlier one.
 void Describe(Description description, std::vector<Description>* descriptions) {
+  // Replaced in place: the order of first mention stays, and `shape` is always first.
   for (Description& earlier : *descriptions) {
     if (earlier.name == description.name) {
       earlier.value = std::move(description.value);
@@ -64,6 +65,7 @@ ObjectSpec ReadObject(const SceneElement& element, const ShapeElement& shape, Co
   const PartPlace place{.container = container};
   ObjectSpec object;
   object.whole = ReadPartAttributes(element, shape, place, &attributes, reading);
+  // Mass 0 means static: the object cannot move.
   object.mass = attributes.Number("mass", 1, kMassKilograms);
   if (attributes.Text("centerOfMass")) object.center_of_mass = attributes.Point("centerOfMass");
   object.surface = ReadSurface(&attributes);
@@ -79,6 +81,7 @@ ObjectSpec ReadObject(const SceneElement& element, const ShapeElement& shape, Co
     }
   }
   ReadContent(place, content, kDescription, &attributes, &object.whole, reading);
+  // Counted from the shapes; the pieces themselves are not made here.
   CheckPieces(object.whole, &attributes);
   return object;
 }

@@ -40,6 +40,7 @@ Part ReadPartAttributes(const SceneElement& element, const ShapeElement& shape,
                         const PartPlace& place, AttributeReader* attributes,
                         ReadingContext* reading) {
   Part part;
+  // Before the id, since it decides whether the id must be unique.
   part.is_pointable = attributes->Boolean("pointable", false);
   // Other parts may share ids, as nothing refers to them.
   const bool has_own_id = HoldsWholes(place.container) || part.is_pointable || shape.is_control;

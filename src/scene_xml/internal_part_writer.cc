@@ -6,6 +6,10 @@
 #include "base/overloaded.h"
 #include "scene_xml/internal_mechanism_writer.h"
 
+// Writes objects and their parts. The written scene is the `scene.xml` of a recording, from which
+// the recording replays: values must read back to the same bits, and what equals its default for a
+// reason of compatibility is left out.
+
 namespace smile::scene_xml {
 namespace {
 
@@ -109,6 +113,7 @@ std::string ShapeWord(const scene::Shape& shape, const XmlText& text) {
 void WriteDescriptions(const ObjectSpec& object, XmlText* text) {
   const std::string shape = ShapeWord(object.whole.shape, *text);
   for (const scene::Description& description : object.descriptions) {
+    // The reader would otherwise have it twice, which is harmless, but makes files longer.
     if (description.name == "shape" && description.value == shape) continue;
     text->Open("description");
     text->Attribute("name", description.name);

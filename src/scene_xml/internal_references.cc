@@ -5,9 +5,13 @@
 
 #include "base/wording.h"
 
+// Ids in a file need not be unique, as templates repeat them, and then get a suffix. A reference is
+// accepted if it is clear what it means: a final id, or a written id that only one element has.
+
 namespace smile::scene_xml {
 namespace {
 
+// Limits of messages: ids listed, and ids compared for spelling suggestions.
 constexpr std::size_t kMaxNamesShown = 3;
 constexpr std::size_t kMaxSuggestedIds = 100;
 

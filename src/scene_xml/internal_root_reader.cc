@@ -9,6 +9,7 @@
 namespace smile::scene_xml {
 namespace {
 
+// Scene files cannot change it.
 constexpr double kTableThicknessUnits = 4;
 
 bool CheckIsScene(const SceneElement& root, ReadingContext* reading) {
@@ -39,6 +40,8 @@ bool CheckIncludedRoot(const SceneElement& root, ReadingContext* reading) {
   AttributeReader attributes(root, reading);
   const double unit =
       attributes.Number("metersPerUnit", reading->meters_per_unit, kMetersPerUnitRange);
+  // Converting included lengths would be possible, but their numbers would mean something else than
+  // in the files that use their templates.
   if (unit != reading->meters_per_unit) {
     attributes.Refuse("metersPerUnit", "the unit of the scene that includes this file, " +
                                            PlainNumberText(reading->meters_per_unit));

@@ -20,6 +20,8 @@ std::string_view NameOfKey(std::string_view element_name) {
 SceneElement ToSceneElement(xml::Element&& parsed, int file) {
   SceneElement element;
   element.name = std::move(parsed.name);
+  // Names of elements are local: namespaces are reduced to a yes or no here, and to a text for
+  // messages.
   element.place = {file, parsed.line};
   element.is_in_scene_namespace = parsed.namespace_name == kSceneNamespace;
   if (!element.is_in_scene_namespace && !parsed.namespace_name.empty()) {
@@ -63,6 +65,7 @@ std::optional<SceneElement> ParseSceneXml(std::string_view text, int file,
                                   .text = xml::TextPolicy::kRefuse,
                                   .num_elements_before = *num_elements,
                                   .key_of = NameOfKey};
+  // Without a file name, since findings get theirs from the place.
   xml::Parsed parsed = xml::Parse(text, /*file_name=*/"", options);
   *num_elements += parsed.num_elements;
   for (Diagnostic& fault : parsed.diagnostics) {

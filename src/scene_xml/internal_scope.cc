@@ -5,9 +5,13 @@
 
 #include "base/wording.h"
 
+// Variables are texts. Each is evaluated once, when the scope is made, so that faults are reported
+// where the variable is set and not wherever it is used.
+
 namespace smile::scene_xml {
 namespace {
 
+// Depth of the recursion through variables that need one another.
 constexpr std::size_t kMaxInWork = 64;
 constexpr std::size_t kMaxSuggestedVariables = 100;
 
@@ -40,6 +44,7 @@ Scope::Scope(Scope* enclosing, const std::vector<VariableText>& of_instance,
 
 Variables::Binding Scope::Find(std::string_view name) {
   const auto found = variables_.find(name);
+  // Scopes are lexical: what this one does not have, the scope around the instance may have.
   if (found == variables_.end()) return FindAround(name);
   Entry& entry = *found;
   if (entry.second.state == State::kInWork) {
@@ -91,6 +96,7 @@ void Scope::Evaluate(Entry* entry, Variables* variables) {
     variable.state = State::kFaulty;
     return;
   }
+  // May call Find() of this scope, and so evaluate others first, or find the cycle.
   Substitution result = Substitute(variable.value, budget_.bytes_left(), variables);
   if (variable.state == State::kFaulty) return;  // a circle, closed while it was in work
   if (result.has_fault) {

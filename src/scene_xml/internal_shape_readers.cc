@@ -7,6 +7,9 @@
 #include "scene_xml/internal_control_shapes.h"
 #include "scene_xml/value_ranges.h"
 
+// One reader per kind of shape, and the table by which elements find theirs. Defaults are in units,
+// as in docs/scene-format.md; the values returned are in meters.
+
 namespace smile::scene_xml {
 namespace {
 
@@ -88,6 +91,7 @@ scene::Surface ReadSurface(AttributeReader* attributes) {
   scene::Surface surface{
       .friction = attributes->Number("friction", usual.friction, kFriction),
       .restitution = attributes->Number("restitution", usual.restitution, kProportion)};
+  // Without the attribute, the default depends on the object's parts (scene::Surface).
   if (attributes->Text("rollingFriction")) {
     surface.rolling_friction = attributes->SpanOrZero("rollingFriction", 0.01);
   }

@@ -5,6 +5,10 @@
 
 #include "scene_xml/internal_expression.h"
 
+// Java's text of a float. C++ has no such function: std::to_chars writes the shortest digits, but
+// Java 8 sometimes writes one more, and places point and exponent by other rules. Values of
+// templates in old scenes depend on it.
+
 namespace smile::scene_xml {
 namespace {
 
@@ -23,6 +27,7 @@ Decimal DigitsOfInteger(float number) {
   const int num_dropped = static_cast<int>((std::ilogb(number) - kFloatBits - 1) * kDigitsPerBit);
   std::int64_t power = 1;
   for (int i = 0; i < num_dropped; ++i) power *= 10;
+  // Rounded half up.
   const std::int64_t kept = (static_cast<std::int64_t>(number) + power / 2) / power;
   std::string digits = std::to_string(kept);
   const int exponent = static_cast<int>(digits.size()) + num_dropped;
@@ -48,6 +53,7 @@ Decimal ShortestDigits(float number) {
 
 /// Inserts the point, with at least one digit on each side of it.
 std::string WithPoint(std::string digits, int exponent) {
+  // Leading zeros, up to the point: 0.d1d2 * 10^0 is 0.d1d2.
   if (exponent <= 0) digits.insert(0, 1 - exponent, '0');
   const auto before = static_cast<std::size_t>(std::max(exponent, 1));
   if (digits.size() <= before) digits.append(before + 1 - digits.size(), '0');
@@ -57,6 +63,8 @@ std::string WithPoint(std::string digits, int exponent) {
 }  // namespace
 
 std::string SinglePrecisionText(float number) {
+  // 2^31, beyond which results do not fit Java's int, and about 2^62, up to which its runtime
+  // computes digits with 64-bit integers.
   constexpr float kIntegerLimit = 2147483648.0f, kLongLimit = 4.6e18f;
   if (std::isnan(number)) return "NaN";
   const std::string sign = number < 0 ? "-" : "";

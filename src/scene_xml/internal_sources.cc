@@ -21,6 +21,8 @@ std::string Sources::ExpansionNote(const SourceLocation& place) const {
   const SourceLocation& inner = expansions_[place.expansion];
   std::string note = " (in the instance at " + Address(inner);
   if (inner.expansion >= 0) {
+    // The whole chain of instances would be long; the innermost and the outermost suffice to find
+    // it.
     SourceLocation outer = inner;
     while (outer.expansion >= 0) outer = expansions_[outer.expansion];
     note += ", within that at " + Address(outer);

@@ -23,6 +23,7 @@ double MetersFromUnits(long double units, double meters_per_unit) {
 }
 
 std::string UnitsText(double meters, double meters_per_unit) {
+  // Nearly exact: the text is what must read back, so the loop tries and does not trust.
   const long double units = meters * UnitsPerMeter(meters_per_unit);
   std::string text;
   // The fewest digits that read back to the same meters, bit by bit; 15 are enough for most.

@@ -32,6 +32,7 @@ std::optional<Float> ParseNumber(std::string_view text) {
   Float number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  // std::from_chars accepts `inf` and `nan`; unlike std::strtod it ignores the locale.
   if (!std::isfinite(number)) return std::nullopt;
   return number + Float{0};  // -0 becomes 0: one zero is enough for a scene
 }
@@ -81,6 +82,7 @@ bool IsId(std::string_view text) {
 
 bool IsRenamedId(std::string_view text) {
   const std::size_t hash = text.find('#');
+  // Exactly one # can pass, since it is no letter of ids.
   if (hash == 0 || hash == std::string_view::npos) return false;
   const std::string_view number = text.substr(hash + 1);
   return IsId(text.substr(0, hash)) && !number.empty() && number.size() <= kMaxRenameDigits &&

@@ -10,6 +10,9 @@
 #include "scene_xml/internal_units.h"
 #include "scene_xml/internal_values.h"
 
+// Text of XML as one appends it. Nothing is checked against the language of scenes; the property
+// tests read everything back and compare bits.
+
 namespace smile::scene_xml {
 namespace {
 
@@ -68,6 +71,8 @@ std::optional<std::string> AnglesText(const Matrix3& R) {
       read_back[i] = *ParseNumber<double>(angle);
       text += (i ? "," : "") + angle;
     }
+    // Compared as the reader will compute it, to the last bit: a rotation that angles only
+    // approximate would make a replay differ.
     if (RotationFromFixedAxes(read_back) == R) return text + ")";
   }
   return std::nullopt;
@@ -114,6 +119,7 @@ XmlText::XmlText(double meters_per_unit, std::vector<MeshFile> mesh_files)
 
 std::string XmlText::FileOf(const scene::Custom& custom) const {
   for (const MeshFile& file : mesh_files_) {
+    // The same object in memory: MeshFilesOf() has listed each mesh once.
     if (file.mesh == custom.mesh) return std::string(kMeshFolder) + "/" + file.name;
   }
   return custom.file;
@@ -184,6 +190,7 @@ void XmlText::Pose(const RigidTransform& X_PE) {
   if (const std::optional<std::string> angles = AnglesText(X_PE.rotation())) {
     Attribute("rotation", *angles);
   } else {
+    // Longer and hard to read, but always exact.
     Attribute("rotationMatrix", MatrixText(X_PE.rotation()));
   }
 }
@@ -191,6 +198,7 @@ void XmlText::Pose(const RigidTransform& X_PE) {
 void XmlText::Indent() { text_.append(2 * open_.size(), ' '); }
 
 void XmlText::EndTag() {
+  // The tag stays open until it is known whether the element has content.
   if (is_tag_open_) text_ += ">\n";
   is_tag_open_ = false;
 }

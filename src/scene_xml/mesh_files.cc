@@ -31,6 +31,7 @@ class MeshFileCollector {
     if (std::ranges::any_of(files_, is_same)) return;
     const std::string word = TameNameOf(custom.file);
     std::string name = word + ".stl";
+    // Different files may have the same last name, or names that differ only in replaced letters.
     for (int number = 2; !names_.insert(name).second; ++number) {
       name = word + "_" + std::to_string(number) + ".stl";
     }
@@ -64,6 +65,7 @@ std::vector<MeshFile> MeshFilesOf(const scene::SceneSpec& scene) {
 std::string WordOfMeshFile(std::string_view file) {
   const std::size_t slash = file.rfind('/');
   if (slash != std::string_view::npos) file.remove_prefix(slash + 1);
+  // Up to the first dot: `gear.v2.obj` is a `gear`.
   return std::string(file.substr(0, file.find('.')));
 }
 

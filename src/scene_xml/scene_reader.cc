@@ -15,6 +15,9 @@
 #include "scene_xml/internal_object_reader.h"
 #include "scene_xml/internal_root_reader.h"
 
+// Reads a scene in passes over one tree of elements. Every pass adds its findings and continues
+// where that is possible; if there are any at the end, the scene is dropped and all are reported.
+
 namespace smile::scene_xml {
 namespace {
 
@@ -27,6 +30,7 @@ void ReadElement(const SceneElement& element, ReadingContext* reading, ObjectLis
     ReadCamera(element, reading, &objects->scene().cameras);
   } else if (const ShapeElement* shape = FindShape(element, Container::kTabletop, reading)) {
     scene::ObjectSpec object = ReadObject(element, *shape, Container::kTabletop, reading);
+    // Read even without room, so that its faults are listed.
     if (objects->HasRoomFor(1, element.place)) objects->Add(std::move(object), element.place);
   }
 }
@@ -50,6 +54,7 @@ SceneReading ReadTree(SceneElement root, const std::filesystem::path* path,
   // A missing target may be in a missing file.
   if (has_all_files) ConnectMechanisms(&scene, &reading);
   const Sources& sources = findings->sources();
+  // For people: comments in the written scene name where each object came from.
   for (const SourceLocation& place : objects.places()) {
     result.origins.push_back(sources.Address(place) + sources.ExpansionNote(place));
   }

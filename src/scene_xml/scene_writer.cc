@@ -6,6 +6,9 @@
 #include "scene_xml/internal_xml_text.h"
 #include "scene_xml/mesh_files.h"
 
+// Writes a scene as one self-contained file: templates are expanded, includes inserted, ids final.
+// Reading it returns the same SceneSpec, and objects keep their order, on which indices depend.
+
 namespace smile::scene_xml {
 namespace {
 
@@ -31,6 +34,7 @@ class ElementWriter {
 
   /// @returns the number of objects of the element.
   std::size_t WriteAt(std::size_t i) {
+    // Only the first object of a mechanism gets a comment; the others come from the same element.
     if (i < origins_.size()) text_.Comment(origins_[i]);
     if (const auto* slider = Beginning(i, scene_.sliders, &next_slider_)) {
       WriteSlider(*slider, scene_.objects.at(i), scene_.objects.at(i + 1), &text_);
@@ -78,6 +82,7 @@ std::string WriteScene(const scene::SceneSpec& scene, std::span<const std::strin
     text.Number("metersPerUnit", scene.meters_per_unit);
   }
   ElementWriter(scene, origins, &text).WriteAll();
+  // After the objects: cameras have an order of their own.
   for (const scene::CameraSpec& camera : scene.cameras) WriteCamera(camera, &text);
   text.Close();
   return text.Take();

@@ -10,6 +10,10 @@
 #include "report/wording.h"
 #include "task/imitation_result.h"
 
+// Evaluation of many runs of imitation: reads their results, computes rates, means and paired
+// comparisons, and writes them as JSON and as a table for terminals. evaluation_page.cc draws the
+// same numbers. Results may come from older versions or other programs, so members may be missing.
+
 namespace smile::report {
 namespace {
 
@@ -17,7 +21,9 @@ namespace {
 constexpr std::size_t kMaxResultBytes = 16 << 20;
 constexpr std::size_t kMaxWordBytes = 64, kMaxTextBytes = 4096;
 constexpr std::uint64_t kMaxCount = 1'000'000'000;
+// Larger numbers are faults, and would spoil every mean.
 constexpr double kMostNumber = 1e12;
+// Format of the JSON; increases when a member changes its meaning.
 constexpr int kEvaluationFormat = 2;
 
 /// Returns an optional number of a result; nullopt if it is missing or null, as in results of older
@@ -58,6 +64,7 @@ EvaluatedRun RunIn(const JsonNode& result, std::uint64_t seed) {
   result.ExpectObject();
   EvaluatedRun run{.seed = seed,
                    .has_succeeded = task::ReadSuccess(result),
+                   // Required in all versions; the fields below may be missing.
                    .score = result.Member("score").Number(0, 1),
                    .error_mm = NumberIn(result, "mean_error_mm"),
                    .error_degrees = NumberIn(result, "mean_error_degrees"),
@@ -78,6 +85,7 @@ std::vector<double> OfSuccesses(const std::vector<EvaluatedRun>& runs,
                                 std::optional<double> EvaluatedRun::*field) {
   std::vector<double> numbers;
   for (const EvaluatedRun& run : runs) {
+    // A failed run has errors, too, but of a structure that is not the demonstrated one.
     if (run.has_succeeded && run.*field) numbers.push_back(*(run.*field));
   }
   return numbers;
@@ -90,6 +98,7 @@ std::optional<Mean> MeanDifference(const EvaluatedBrain& first, const EvaluatedB
                                    std::optional<double> EvaluatedRun::*field) {
   std::vector<double> differences;
   for (std::size_t i = 0; i < first.runs.size(); ++i) {
+    // All brains ran the same seeds in the same order, so the index pairs them.
     const EvaluatedRun &a = first.runs[i], &b = second.runs[i];
     if (a.has_succeeded && b.has_succeeded && a.*field && b.*field) {
       differences.push_back(*(a.*field) - *(b.*field));
@@ -179,6 +188,7 @@ std::string InColumns(const std::vector<std::vector<std::string>>& rows) {
   for (const auto& row : rows) {
     for (std::size_t k = 0; k < row.size(); ++k) {
       const std::string blanks(widths[k] - WidthOf(row[k]), ' ');
+      // Names are left-aligned, numbers right-aligned.
       text += k == 0 ? row[k] + blanks : "   " + blanks + row[k];
     }
     text += "\n";
@@ -224,6 +234,7 @@ EvaluatedRun ReadRun(const std::filesystem::path& result_json, std::uint64_t see
     const Json json = ParseJson(ReadFile(result_json, kMaxResultBytes));
     return RunIn(JsonNode(json, file, ""), seed);
   } catch (const std::invalid_argument& error) {
+    // Line 0: the file as a whole is no JSON.
     throw InputError({file, 0, "", error.what()});
   }
 }
@@ -236,6 +247,7 @@ Summary SummaryOf(const EvaluatedBrain& brain) {
     AddCount(run.grasps, &summary.grasps);
     AddCount(run.retries, &summary.retries);
   }
+  // Wilson's interval, since the usual one has no width when all runs succeed.
   summary.success_interval = WilsonInterval(summary.successes, summary.runs);
   summary.error_mm = MeanOf(OfSuccesses(brain.runs, &EvaluatedRun::error_mm));
   summary.error_degrees = MeanOf(OfSuccesses(brain.runs, &EvaluatedRun::error_degrees));
@@ -249,6 +261,7 @@ BrainComparison Compare(const EvaluatedBrain& first, const EvaluatedBrain& secon
   BrainComparison comparison;
   for (std::size_t i = 0; i < first.runs.size(); ++i) {
     const bool a = first.runs[i].has_succeeded, b = second.runs[i].has_succeeded;
+    // The four cells of a paired table.
     ++(a && b ? comparison.both
        : a    ? comparison.only_first
        : b    ? comparison.only_second
@@ -271,6 +284,7 @@ std::vector<std::pair<const EvaluatedBrain*, const EvaluatedBrain*>> ComparableP
   for (std::size_t i = 0; i < evaluation.brains.size(); ++i) {
     for (std::size_t k = i + 1; k < evaluation.brains.size(); ++k) {
       const EvaluatedBrain &first = evaluation.brains[i], &second = evaluation.brains[k];
+      // Pairs that differ in both have no interpretation: either could be the reason.
       if (first.brain == second.brain || first.demonstrator == second.demonstrator) {
         pairs.emplace_back(&first, &second);
       }

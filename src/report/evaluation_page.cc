@@ -8,6 +8,9 @@
 #include "report/markup.h"
 #include "report/wording.h"
 
+// The page of an evaluation: one self-contained HTML file without scripts. Every diagram has a
+// table with the same numbers, for readers who do not see it and for copying.
+
 namespace smile::report {
 namespace {
 
@@ -30,6 +33,7 @@ std::string SeedsText(const Evaluation& evaluation) {
 
 /// Returns the result in one sentence. The first of equally good brains is named.
 std::string Headline(const Evaluation& evaluation) {
+  // Strictly more: of equally good brains the first one stays.
   const EvaluatedBrain* best = nullptr;
   std::size_t most = 0;
   for (const EvaluatedBrain& brain : evaluation.brains) {
@@ -157,6 +161,7 @@ Markup Retries(const Evaluation& evaluation) {
 
 /// Returns the number of failures for each cause; empty without failures.
 Markup CauseTable(const Evaluation& evaluation) {
+  // The union of all causes, as not every brain fails for each of them; sorted by name.
   std::set<std::string> words;
   std::vector<Summary> summaries;
   for (const EvaluatedBrain& brain : evaluation.brains) {
@@ -245,6 +250,7 @@ Markup Failures(const Evaluation& evaluation) {
   for (const EvaluatedBrain& brain : evaluation.brains) {
     for (const EvaluatedRun& run : brain.runs) is_any |= run.failure_reason.has_value();
   }
+  // Said explicitly: an empty section could be a fault of the page.
   if (!is_any) return Section("Failures", Element("p", {}, "None."));
   Markup content = FailureTable(evaluation);
   content += Element(
@@ -264,6 +270,7 @@ Markup SeedTable(const Evaluation& evaluation) {
     }
   }
   Markup rows;
+  // All brains have the same seeds, in the same order.
   for (std::size_t k = 0; k < evaluation.brains.front().runs.size(); ++k) {
     Markup row = Element("th", {{"scope", "row"}, {"class", "number"}},
                          std::to_string(evaluation.brains.front().runs[k].seed));

@@ -12,9 +12,13 @@
 #include "scene/units.h"
 #include "task/imitation_result.h"
 
+// The page of one experiment: demonstration and imitation next to each other, in pictures, poses
+// and time. It is drawn from the two recordings and the result, without simulation.
+
 namespace smile::report {
 namespace {
 
+// In pixels: two pictures fit beside each other.
 constexpr int kPictureWidth = 560, kPictureHeight = 420;
 
 /// Returns a picture with words below it.
@@ -51,12 +55,14 @@ Markup PicturesOf(const recording::Recording& recording, const std::string& whos
 }
 
 bool HasSucceeded(const Json& result) {
+  // JsonNode keeps a reference to the name, for messages.
   static const std::string file = "result.json";
   return task::ReadSuccess(JsonNode(result, file, ""));
 }
 
 /// Returns the reason of a failure.
 std::string FailureText(const Json& result) {
+  // Results of older versions have only the status of the brain.
   if (result.contains("cause") && !result.at("cause").is_null()) {
     return result.at("cause").at("word").get<std::string>() + ": " +
            result.at("cause").at("text").get<std::string>();
@@ -126,6 +132,7 @@ Markup PlacementTable(const std::vector<Placement>& placements, double meters_pe
 
 /// Returns the wanted and the reached poses: two views, a table and the errors as bars.
 Markup Places(const ExperimentOutcome& outcome) {
+  // The tolerance of a result is in units of the scene.
   const scene::SceneSpec& scene = outcome.imitation.scene();
   const double tolerance_mm =
       1000 * scene.meters_per_unit * outcome.result.at("tolerance").get<double>();

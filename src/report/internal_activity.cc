@@ -8,6 +8,9 @@
 #include "report/internal_plots.h"
 #include "report/wording.h"
 
+// Who held what, and when: the timelines of demonstration and imitation have the same form, whether
+// hands or grippers act.
+
 namespace smile::report {
 namespace {
 
@@ -40,6 +43,8 @@ std::vector<Carry> CarriesOf(const recording::Recording& recording) {
     for (const sim::Event& event : moment->events) {
       const auto key = std::pair(ActorOf(event), event.object);
       if (IsTake(event.kind)) held[key] = now;
+      // A recording may begin while an object is held: its release has no beginning and is left
+      // out.
       if (!IsLetGo(event.kind) || !held.contains(key)) continue;
       carries.push_back({event.object, key.first, held.at(key), now});
       held.erase(key);
@@ -61,6 +66,7 @@ Markup TimelineOf(const std::vector<Carry>& carries, double seconds, const std::
   const auto place = [](const std::vector<std::string>& list, const std::string& name) {
     return static_cast<std::size_t>(std::ranges::find(list, name) - list.begin());
   };
+  // At least one row, so that an empty timeline still has an axis.
   const double bottom = kRow * static_cast<double>(std::max<std::size_t>(objects.size(), 1)) + 6;
   const Axis axis(0, seconds, kLabels, kPlotWidth - 8);
   Markup drawing = axis.Draw(0, bottom, "seconds");

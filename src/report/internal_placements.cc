@@ -35,12 +35,14 @@ double Cross(const Point& a, const Point& b, const Point& c) {
 
 /// Returns the convex hull of points in the plane (Andrew's monotone chain algorithm).
 Outline HullOf(Outline points) {
+  // From left to right, and upwards where x is equal.
   std::ranges::sort(points, [](const Point& a, const Point& b) {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
   });
   Outline hull;
   // Lower chain, then upper chain; the last point of each begins the other one.
   for (int pass = 0; pass < 2; ++pass) {
+    // Points of the other chain must not be removed.
     const std::size_t begin = hull.size();
     for (const Point& point : points) {
       while (hull.size() >= begin + 2 && Cross(hull[hull.size() - 2], hull.back(), point) <= 0) {
@@ -74,6 +76,7 @@ std::vector<Patch> PatchesOf(const scene::Part& whole, const RigidTransform& X_W
     // Controls are drawn in their first state.
     if (visual.choice >= 0 && visual.look != 0) continue;
     const RigidTransform X_WV = X_WB * visual.X_FV;
+    // All vertices; their hull is the outline of a convex piece.
     Outline points;
     double nearness = -1e9;
     for (const Eigen::Vector3f& corner : mesh::MeshOf(visual.shape).positions) {
@@ -94,9 +97,11 @@ class Frame {
     // Small scenes are shown with some surroundings.
     const Point middle = bounds.center();
     bounds.extend(middle - Point(0.3, 0.15)).extend(middle + Point(0.3, 0.15));
+    // The smaller scale of both directions, so that everything fits and nothing is distorted.
     const Point size = bounds.sizes();
     scale_ = std::min((kPlotWidth - 2 * kEdge) / size.x(), kMostHeight / size.y());
     left_ = (kPlotWidth - scale_ * size.x()) / 2 - scale_ * bounds.min().x();
+    // The drawing's y points down, that of the scene up: its largest y is at the top.
     top_ = kEdge + scale_ * bounds.max().y();
     height_ = scale_ * size.y() + 2 * kEdge;
   }
@@ -140,6 +145,7 @@ std::vector<Placement> PlacementsOf(const Json& result, double meters_per_unit) 
   const Json errors = result.value("errors", Json::object());
   const Json& final_objects = result.at("final").at("objects");
   for (const auto& [id, goal] : result.at("goal").at("objects").items()) {
+    // The goal names objects of the demonstration; the imitation may have used others for them.
     Placement placement{.object = result.at("match").value(id, id)};
     placement.X_WWanted = PoseIn(goal, meters_per_unit);
     if (final_objects.contains(placement.object)) {
@@ -155,6 +161,7 @@ std::vector<Placement> PlacementsOf(const Json& result, double meters_per_unit) 
 
 Markup ErrorBars(const std::vector<Placement>& placements, double tolerance_mm) {
   constexpr double kRow = 22, kLabels = 100, kValues = 46, kBar = 12;
+  // The axis includes the tolerance even if all errors are smaller.
   double most = tolerance_mm;
   for (const Placement& placement : placements) {
     most = std::max(most, placement.error_mm.value_or(0));
@@ -201,6 +208,7 @@ Markup DrawPlacements(const scene::SceneSpec& scene, const Json& result,
       for (const Point& point : patch.outline) bounds.extend(point);
     }
   }
+  // Of wanted and reached poses together, so that both views have one scale.
   const Frame frame(bounds);
   // Painter's algorithm: nearer pieces are drawn over farther ones.
   std::ranges::stable_sort(reached, {}, &Patch::nearness);

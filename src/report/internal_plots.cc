@@ -6,6 +6,9 @@
 
 #include "report/wording.h"
 
+// Diagrams as SVG, without a library: the page must be one file that runs no scripts. Colors and
+// fonts come from the page's style sheet by class names, so that light and dark themes work.
+
 namespace smile::report {
 namespace {
 
@@ -19,6 +22,7 @@ double RoundStep(double range, double wanted) {
   const double rough = range / wanted;
   const double power = std::pow(10, std::floor(std::log10(rough)));
   for (double factor : {1.0, 2.0, 5.0}) {
+    // The tolerance is for rounding: a range of exactly five steps must not get four.
     if (factor * power >= rough * (1 - 1e-9)) return factor * power;
   }
   return 10 * power;
@@ -32,6 +36,7 @@ int DigitsOf(double step) {
 /// Returns positions for dots so that none covers another: (x, number of dots below it).
 std::vector<std::pair<double, int>> Stacked(const std::vector<double>& numbers, const Axis& axis,
                                             double width) {
+  // Columns as wide as a dot; dots of a column are stacked in the order of the numbers.
   std::map<long, int> heights;
   std::vector<std::pair<double, int>> dots;
   for (double number : numbers) {
@@ -47,6 +52,7 @@ Markup Dots(const DotRow& row, const Axis& axis, double base, double height, std
   const auto dots = Stacked(row.numbers, axis, 2 * kRadius);
   int highest = 1;
   for (const auto& [x, below] : dots) highest = std::max(highest, below + 1);
+  // Dots overlap in columns that would be higher than the row.
   const double pitch = std::min(2 * kRadius, (height - 2 * kRadius) / highest);
   Markup drawing;
   const std::string css_class = "dot " + SeriesClass(series);
@@ -64,6 +70,7 @@ Markup Dots(const DotRow& row, const Axis& axis, double base, double height, std
 /// Returns |–|, with a halo that makes it visible on any background.
 Markup IntervalMark(double low, double high, double y) {
   Markup drawing;
+  // The halo is drawn first, below the mark.
   for (const char* css_class : {"halo", "whisker"}) {
     drawing += SvgLine(low, y, high, y, css_class);
     for (double end : {low, high}) drawing += SvgLine(end, y - 3.5, end, y + 3.5, css_class);
@@ -132,6 +139,7 @@ Markup SvgRect(double x, double y, double width, double height, std::string_view
                  Markup());
 }
 
+// An axis of one value would have no scale; it gets a range of 1.
 Axis::Axis(double low, double high, double left, double right)
     : low_(low), high_(high > low ? high : low + 1), left_(left), right_(right) {
   // The end is rounded up to a whole number of steps.
@@ -180,6 +188,7 @@ Markup DotPlot(const std::vector<DotRow>& rows, const std::string& axis_name,
   double most = 0;
   for (const DotRow& row : rows) {
     for (double number : row.numbers) most = std::max(most, number);
+    // Intervals can extend beyond all dots.
     if (row.mean && row.mean->interval) most = std::max(most, row.mean->interval->high);
   }
   const double bottom = kRow * static_cast<double>(rows.size()) + 2;
@@ -203,6 +212,7 @@ Markup SuccessMap(const std::vector<MapRow>& rows, const std::string& words) {
     drawing += SvgText(kMargin, y + 13, "name", Shortened(row.name, kNameLetters));
     y += 20;
     for (std::size_t k = 0; k < row.cells.size(); ++k) {
+      // Long rows continue in the next line.
       if (k > 0 && k % columns == 0) y += kPitch;
       const double x = kMargin + kPitch * static_cast<double>(k % columns);
       const MapCell& cell = row.cells[k];

@@ -1,5 +1,7 @@
 #include "report/internal_table.h"
 
+// Tables with captions and scopes of headers, which screen readers announce.
+
 namespace smile::report {
 
 Markup Row(std::initializer_list<Markup> cells) {
@@ -26,6 +28,7 @@ Markup Table(std::string_view caption, const Markup& head, const Markup& rows) {
   Markup table = Element("caption", {}, Element("span", {}, caption));
   table += Element("thead", {}, head);
   table += Element("tbody", {}, rows);
+  // Wide tables scroll by themselves; the tab index makes that possible with the keyboard.
   return Element("div", {{"class", "scroll"}, {"tabindex", "0"}}, Element("table", {}, table));
 }
 

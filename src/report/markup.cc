@@ -5,6 +5,9 @@
 
 #include "report/internal_style.h"
 
+// The only way to make HTML in this room: text is escaped when it becomes Markup, and Markup cannot
+// be made of a plain string otherwise. Names and messages come from files of strangers.
+
 namespace smile::report {
 namespace {
 
@@ -36,6 +39,7 @@ std::string Escaped(std::string_view text) {
         break;
       default: {
         const auto code = static_cast<unsigned char>(letter);
+        // Control characters are not allowed in HTML, even as references.
         html += code < 0x20 || code == 0x7f ? '?' : letter;
       }
     }
@@ -69,6 +73,7 @@ std::string Base64Of(std::string_view bytes) {
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    // Three bytes are four digits of six bits; missing bytes count as zero and become padding.
     unsigned group = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
@@ -96,6 +101,7 @@ Markup Element(std::string_view tag, Attributes attributes, const Markup& conten
     (markup.html_ += Escaped(value)) += '"';
   }
   markup.html_ += '>';
+  // An end tag for these would be an error of the page.
   if (std::ranges::find(kWithoutEnd, tag) != kWithoutEnd.end()) return markup;
   markup += content;
   ((markup.html_ += "</") += tag) += '>';

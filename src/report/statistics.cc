@@ -8,6 +8,7 @@
 namespace smile::report {
 namespace {
 
+// Of two-sided intervals of 95 %: the 97.5 % quantile of the normal distribution.
 constexpr double kNormalQuantile = 1.959963984540054;
 constexpr double kConfidence = 0.95;
 constexpr std::size_t kManyDegrees = 100'000;  ///< t and normal then agree to five digits
@@ -20,6 +21,7 @@ double StudentWithin(double t, std::size_t degrees_of_freedom) {
   const double cosine = std::cos(theta);
   const bool is_odd = degrees_of_freedom % 2 == 1;
   double sum = 0, term = is_odd ? cosine : 1;
+  // Terms of cos^k, each by its ratio to the one before.
   for (std::size_t k = is_odd ? 1 : 0; k + 2 <= degrees_of_freedom; k += 2) {
     sum += term;
     const auto order = static_cast<double>(k);
@@ -34,6 +36,7 @@ double StudentWithin(double t, std::size_t degrees_of_freedom) {
 Interval WilsonInterval(std::size_t successes, std::size_t runs) {
   const auto n = static_cast<double>(runs);
   const double rate = static_cast<double>(successes) / n;
+  // Source: Wilson, "Probable inference, the law of succession, and statistical inference", 1927.
   const double z2 = kNormalQuantile * kNormalQuantile;
   // Center and half width of the score interval; at the ends, rounding must not leave [0, 1].
   const double middle = (rate + z2 / (2 * n)) / (1 + z2 / n);
@@ -45,6 +48,7 @@ Interval WilsonInterval(std::size_t successes, std::size_t runs) {
 double StudentQuantile(std::size_t degrees_of_freedom) {
   if (degrees_of_freedom >= kManyDegrees) return kNormalQuantile;
   double low = 0, high = 20;  // the quantile is 12.7 for one degree of freedom, and less for more
+  // Bisection: the probability increases with t.
   while (high - low > 1e-12 * high) {
     const double middle = (low + high) / 2;
     (StudentWithin(middle, degrees_of_freedom) < kConfidence ? low : high) = middle;
@@ -59,6 +63,7 @@ std::optional<Mean> MeanOf(std::span<const double> numbers) {
   for (double number : numbers) sum += number;
   Mean mean{.value = sum / n, .count = numbers.size()};
   if (numbers.size() == 1) return mean;
+  // In a second pass: the difference of two large sums would lose digits.
   for (double number : numbers) squares += (number - mean.value) * (number - mean.value);
   // Standard error of the mean, with the unbiased estimate of the variance.
   const double half = StudentQuantile(numbers.size() - 1) * std::sqrt(squares / (n - 1) / n);
@@ -70,6 +75,7 @@ std::optional<double> Quantile(std::span<const double> numbers, double fraction)
   if (numbers.empty()) return std::nullopt;
   std::vector<double> sorted(numbers.begin(), numbers.end());
   std::ranges::sort(sorted);
+  // Linear interpolation between the neighbors in sorted order (type 7 of Hyndman and Fan, 1996).
   const double place = fraction * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);
   const std::size_t above = std::min(below + 1, sorted.size() - 1);
@@ -85,6 +91,7 @@ double ExactMcNemar(std::size_t only_a, std::size_t only_b) {
     tail += std::exp(std::lgamma(n + 1) - std::lgamma(heads + 1) - std::lgamma(n - heads + 1) -
                      n * std::numbers::ln2);
   }
+  // Two-sided. With equal counts the middle is in both tails, and twice the tail exceeds 1.
   return std::min(1.0, 2 * tail);
 }
 

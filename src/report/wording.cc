@@ -19,8 +19,10 @@ std::string Fixed(const std::optional<double>& number, int digits) {
 }
 
 std::string Signed(double number, int digits) {
+  // Decided by the rounded number: what is displayed as 0.0 has no direction.
   const std::string size = Fixed(std::abs(number), digits);
   if (size.find_first_of("123456789") == std::string::npos) return "±" + size;
+  // The minus sign of typography, which is as wide as a plus.
   return (number < 0 ? "−" : "+") + size;
 }
 
@@ -31,6 +33,7 @@ std::string Count(const std::optional<std::uint64_t>& count) {
 std::string Percent(double fraction) { return Fixed(100 * fraction, 1) + " %"; }
 
 std::string PercentRange(const Interval& fractions) {
+  // One percent sign for both ends.
   return Fixed(100 * fractions.low, 1) + " to " + Percent(fractions.high);
 }
 

@@ -5,6 +5,10 @@
 
 #include "base/demand.h"
 
+// The list has the start at index 0, so the cursor always points to an action. Each action keeps
+// the whole state before it: undo is a restoration, and no command needs an inverse. Memory is
+// bounded by discarding the oldest of these states.
+
 namespace smile::sim {
 namespace {
 
@@ -23,6 +27,8 @@ ActionHistory::ActionHistory(std::size_t max_state_bytes)
 
 std::vector<TimedCommand> ActionHistory::CommandsDone() const {
   std::vector<TimedCommand> commands;
+  // A load begins another scene; what was done in the former one does not lead to the present
+  // state.
   const std::size_t first = LastLoad();
   for (const Action& action : done().subspan(first)) {
     commands.insert(commands.end(), action.commands.begin(), action.commands.end());
@@ -61,6 +67,7 @@ void ActionHistory::Begin(SimulationState before) {
 
 void ActionHistory::Add(TimedCommand command) {
   DiscardUndone();
+  // A command that is no action belongs to the action before it, which it continues.
   actions_[cursor_].commands.push_back(std::move(command));
 }
 
@@ -72,6 +79,7 @@ const SimulationState& ActionHistory::Undo(SimulationState now) {
   // The action stays in the list, behind the cursor.
   undone.at_undo = std::make_unique<const SimulationState>(std::move(now));
   --cursor_;
+  // Kept, as the action may be redone and undone again.
   return *undone.before;
 }
 
@@ -90,10 +98,12 @@ void ActionHistory::Restart(std::uint64_t tick) {
   cursor_ = 0;
   num_state_bytes_ = 0;
   first_state_ = 1;
+  // Ids go on counting: marks of listeners must not match other actions.
   is_complete_ = false;
 }
 
 void ActionHistory::DiscardUndone() {
+  // An undone action has its state before, as only such actions can be undone.
   for (const Action& action : undone()) num_state_bytes_ -= SizeOf(*action.before);
   actions_.resize(cursor_ + 1);
 }

@@ -1,5 +1,8 @@
 #include "sim/action_summary.h"
 
+// The one place that decides what is an action: a kind of command that EventOfAction() pairs with
+// an event. Everything else (undo, segments of recordings, texts on the page) follows from it.
+
 namespace smile::sim {
 namespace {
 
@@ -17,6 +20,7 @@ ActionSummary SummaryOfRelease(const Event& event, const std::optional<model::Su
 /// also occur without a hand, when an object is destroyed; those begin no action.
 template <class Kind>
 bool Reports(const Event& event) {
+  // Decided by the type: kinds of hands have a member `hand`.
   constexpr bool kIsOfHand = requires(Kind kind) { kind.hand; };
   return EventOfAction<Kind>() == event.kind && (event.hand.has_value() || !kIsOfHand);
 }
@@ -51,6 +55,7 @@ bool IsAction(const Command& command) {
 }
 
 bool BeginsAction(const Event& event) {
+  // Only its type is used, to expand the kinds of the variant.
   constexpr const Command* kAnyCommand = nullptr;
   return ReportsOneOf(event, kAnyCommand);
 }
@@ -95,6 +100,7 @@ std::optional<ActionSummary> SummaryOf(const Event& event,
     return ActionSummary{.kind = kind, .hand = event.hand, .what = what, .onto = {}};
   };
   using enum EventKind;
+  // The name of the object, part or control that people would say.
   switch (event.kind) {
     case kGrasped:
       return summary(ActionKind::kTake, event.object);
@@ -133,6 +139,7 @@ std::string WordsOf(const ActionSummary& summary) {
   std::string words(ToString(*summary.hand));
   words += is_one_hand ? " hand " : " hands ";
   words += ToString(summary.kind);
+  // Third person for one hand, plural for both: `left hand takes`, `both hands take`.
   words += is_one_hand ? "s " : " ";
   words += (summary.kind == ActionKind::kPoint ? "at " : "") + summary.what;
   if (!summary.onto) return words;

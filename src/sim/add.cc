@@ -8,6 +8,10 @@
 #include "sim/internal_command_fields.h"
 #include "sim/spawning.h"
 
+// `add` is a question: it names a ready-made set of objects and a seed, and the answer is the
+// `spawn` command with their XML and places. The log contains only the answer, so that presets may
+// change without changing old recordings.
+
 namespace smile::sim {
 namespace {
 
@@ -19,6 +23,7 @@ layout::PlacementContext PlacementContextOf(const Simulation& simulation) {
                                    .taken = {},
                                    .ids = scene::IdsOf(scene)};
   for (const world::Object& object : simulation.tabletop().objects()) {
+    // Ids of removed objects stay taken, their places do not.
     if (!simulation.tabletop().IsPresent(object)) continue;
     const physics::Body& body = simulation.physics().body(object.body);
     context.taken.push_back(scene::BoundsOf(body.spec().solids, body.pose_in_world()));
@@ -52,6 +57,7 @@ std::optional<Spawn> SpawnOf(const Add& add, const Simulation& simulation, Refus
       return std::nullopt;
     }
     Spawn spawn{.xml = scene_xml::WriteScene(*scene)};
+    // The layout knows only boxes of objects; the physics knows the robot and exact shapes.
     const auto grown = GrownModel(simulation.model(), spawn, refusal);
     if (grown == nullptr) return std::nullopt;
     if (!RefuseOverlap(*grown, simulation.tabletop(), simulation.physics())) return spawn;

@@ -43,6 +43,7 @@ ChangeDetector::ChangeDetector(const RunningModel* running, const Command& comma
 
 std::vector<Event> ChangeDetector::EventsOf(const Command& command) const {
   std::vector<Event> events;
+  // The order is part of recordings: cause first, then its consequences.
   AppendOwn(command, &events);
   AppendBonds(command, &events);
   AppendControls(&events);
@@ -160,6 +161,7 @@ void ChangeDetector::AppendGrippers(std::vector<Event>* events) const {
   const auto now = running_.HeldByGrippers();
   if (now == held_by_grippers_) return;
   for (std::size_t arm = 0; arm < now.size(); ++arm) {
+    // Differences of two short lists: a gripper holds few bodies.
     const auto append_missing = [&](const auto& from, const auto& in, EventKind kind) {
       for (physics::BodyId body : from) {
         if (std::find(in.begin(), in.end(), body) != in.end()) continue;

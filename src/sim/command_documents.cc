@@ -9,6 +9,10 @@
 #include "sim/drag.h"
 #include "sim/internal_command_fields.h"
 
+// Everything that describes commands to people and programs is generated from the fields that each
+// kind lists in command.h: JSON Schema, help, Markdown and TypeScript. A new command therefore
+// appears everywhere, or the tests of generated files fail.
+
 namespace smile::sim {
 namespace {
 
@@ -23,6 +27,7 @@ std::vector<CommandForm> FormsOfCommands() {
   std::vector<CommandForm> forms;
   AnyKindOfCommand([&]<class What>(std::type_identity<What>) {
     forms.push_back({What::kName, FieldsOf<What>()});
+    // Not this one: the search visits all kinds.
     return false;
   });
   forms.push_back({Drag::kName, FieldsOf<Drag>()});
@@ -51,6 +56,7 @@ Json SchemaOf(const CommandForm& form) {
           {"type", "object"},
           {"properties", std::move(properties)},
           {"required", std::move(required)},
+          // As RefuseUnknownKeys() does: a misspelled optional field must not be ignored.
           {"additionalProperties", false}};
 }
 

@@ -30,6 +30,7 @@ void Complete(auto*) {}
 /// positions.
 void Complete(FollowTrajectory* follow) {
   motion::JointTrajectory* trajectory = &follow->trajectory;
+  // One point with velocities is enough: CheckShape() then requires them of all.
   const bool has_velocities = std::ranges::any_of(
       trajectory->points, [](const auto& point) { return !point.velocities.empty(); });
   motion::CheckShape(*trajectory, has_velocities);
@@ -48,6 +49,7 @@ void Read(const Json& json, const WrittenUnit&, std::shared_ptr<const scene::Sce
 }
 
 std::string MeaningOf(const CommandField& field) {
+  // In the order of the enumeration of units.
   constexpr std::array kUnits = {"", " [units]", " [units/s]", " [degrees]", " [rad]", " [rad/s]"};
   return std::string(field.meaning) + kUnits[static_cast<std::size_t>(field.unit)];
 }
@@ -77,6 +79,7 @@ Command ParseCommand(const Json& json, double meters_per_unit) {
   if (name == json.end()) {
     throw std::invalid_argument("\"do\" is missing, expected one of " + NamesOfCommands());
   }
+  // Tries each kind of the variant at compile time and stops at the one with this name.
   Command command;
   const bool is_known = AnyKindOfCommand([&]<class What>(std::type_identity<What>) {
     if (*name != What::kName.name) return false;
@@ -94,6 +97,7 @@ Json ToJson(const Command& command, double meters_per_unit) {
 }
 
 Command OnFileGrid(Command command, double meters_per_unit) {
+  // Lengths are written in units; converting to units and back can change the last bit.
   const auto round = [&](auto& value, const CommandField& field) {
     // Other numbers are written as they are, so they already read back to the same bits.
     if (WrittenUnit(field, meters_per_unit).is_length) RoundToFileGrid(meters_per_unit, &value);

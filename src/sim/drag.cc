@@ -3,6 +3,9 @@
 #include "scene/units.h"
 #include "sim/internal_command_fields.h"
 
+// A drag is a question, too: where would this ray move the hand? The answer depends on the plane in
+// which the hand moves and becomes a plain `move_to`, so a replay needs neither mouse nor camera.
+
 namespace smile::sim {
 
 bool IsDrag(const Json& json) {
@@ -20,6 +23,7 @@ std::optional<MoveTo> MoveOf(const Drag& drag, const Simulation& simulation, Ref
   if (!p_WH) return std::nullopt;
   // In scenes with tiny units, a log could not express a larger number.
   const double limit = scene::FromFileUnits(kMaxNumber, simulation.scene().meters_per_unit);
+  // Written so that NaN is refused.
   if (!(p_WH->cwiseAbs().maxCoeff() <= limit)) {
     *refusal = "the ray meets the motion plane more than 1e6 units away";
     return std::nullopt;

@@ -3,6 +3,7 @@
 namespace smile::sim {
 
 std::string_view ToString(EventKind kind) {
+  // Words of messages to pages and programs, which compare them.
   switch (kind) {
     case EventKind::kGrasped:
       return "grasped";

@@ -12,6 +12,9 @@
 #include "robot/face_expression.h"
 #include "sim/command.h"
 
+// Kinds of values of command fields. Each has a shape that programs check and a phrase that people
+// read; they are next to each other here, so that they do not drift apart.
+
 namespace smile::sim {
 namespace {
 
@@ -56,6 +59,7 @@ std::map<ValueKind, Allowed> MakeKinds() {
       {kPoints,
        {JsonShape::List(point, 0, kMaxMarkers),
         "at most 500 points [x, y, z] of numbers of at most 1e6"}},
+      // The shape cannot express the exception; CheckValue() checks it.
       {kDirection, {point, point_words + ", not all 0"}},
       {kSpeed, {JsonShape::Number(kMinSpeed, kMaxNumber), "a number above 0, from 1e-6 to 1e6"}},
       {kJoints, {JsonShape::List(AnyNumber(), 1, kMaxJoints), "one number per joint of the arm"}},
@@ -87,6 +91,8 @@ const Allowed& AllowedOf(ValueKind kind) {
 /// Checks the form of each point. The number of values and the order of times concern the whole
 /// trajectory: motion::CheckShape() reports those.
 void CheckTrajectoryPoints(const CommandField& field, const Json& points) {
+  // Points are checked one by one, since the shape of the list would only say that the list is
+  // wrong, and with any time, since a time out of range has a better message elsewhere.
   static const JsonShape kPointShape = TrajectoryPointShape(AnyNumber());
   if (!points.is_array() || points.empty() || points.size() > motion::kMaxTrajectoryPoints) {
     ThrowExpected(field.name, points, WordsOf(field.kind));

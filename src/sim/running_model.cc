@@ -91,6 +91,7 @@ std::optional<Refusal> RunningModel::ExecuteOne(const Spawn& spawn) {
 
 std::optional<Refusal> RunningModel::ExecuteOne(const Remove& remove) {
   const world::Object* object = tabletop_.Find(remove.object);
+  // For the reason, such as an unknown id.
   if (object == nullptr) return tabletop_.RefuseToReach(remove.object);
   return demonstrator_.Remove(*object);
 }
@@ -101,12 +102,14 @@ std::optional<Refusal> RunningModel::ExecuteOne(const Clear&) {
   std::vector<const world::Object*> taken;
   for (const world::Object& object : tabletop_.objects()) {
     if (!tabletop_.IsPresent(object) || !physics_.body(object.body).is_carried()) continue;
+    // An assembly is what joints connect: a held object must not lose what is fastened to it.
     for (physics::BodyId member : physics_.Assembly(object.body)) kept.push_back(member);
   }
   for (const world::Object& object : tabletop_.objects()) {
     const bool is_kept = std::ranges::find(kept, object.body) != kept.end();
     if (tabletop_.IsPresent(object) && !is_kept) taken.push_back(&object);
   }
+  // Refused, since an action without an effect could be undone without an effect.
   if (taken.empty()) return "nothing to clear";
   // Nothing is refused here: held objects are not among them.
   for (const world::Object* object : taken) {
@@ -138,6 +141,7 @@ std::vector<std::vector<physics::BodyId>> RunningModel::HeldByGrippers() const {
 }
 
 bool RunningModel::is_still() const {
+  // [m/s, rad/s]
   constexpr double kSpeed = 0.002, kAngularSpeed = 0.02;
   for (const world::Object& object : tabletop_.objects()) {
     if (!tabletop_.IsPresent(object)) continue;

@@ -16,9 +16,14 @@
 #include "sim/command_json.h"
 #include "sim/spawning.h"
 
+// Scripts are lines of JSON, one command each, and three things that are no commands: waits,
+// questions (`drag`, `add`), and names of files in place of inline content. All lines are read and
+// checked before the first one runs.
+
 namespace smile::sim {
 namespace {
 
+// Limits of input: size of a script, findings reported at once, and a day as the longest wait.
 constexpr std::size_t kMaxBytes = 256u << 20;
 constexpr std::size_t kMaxFindings = 100;
 constexpr double kMaxWaitSeconds = 86400;
@@ -70,6 +75,7 @@ std::vector<std::string> NamesOfTouching(const Simulation& simulation, physics::
   for (physics::BodyId member : assembly) {
     std::ranges::copy(physics.BodiesTouching(member), std::back_inserter(touching));
   }
+  // Sorted by body, so that the message is the same in each run, and without duplicates.
   std::ranges::sort(touching);
   touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
   std::vector<std::string> names;
@@ -86,6 +92,7 @@ std::vector<std::string> NamesOfTouching(const Simulation& simulation, physics::
 /// Returns the reason why the first hand that has not arrived is delayed.
 std::string WhyNotArrived(const Simulation& simulation) {
   const demonstrator::Demonstrator& demonstrator = simulation.demonstrator();
+  // Called only if one has not arrived, so there is one.
   const auto hand = std::ranges::find_if(
       demonstrator::kHandNames, [&](HandName name) { return !demonstrator.has_arrived(name); });
   const physics::BodyId held = demonstrator.hand(*hand).held;
@@ -134,6 +141,7 @@ class LineReader {
   ScriptLine Read(std::string_view text, int line) {
     const Json json = ParseLineJson(text);
     ScriptLine read{.line = line, .tick = ParseTick(json), .what = Wait()};
+    // From the special forms to the general one, whose messages list the kinds of commands.
     const bool has_do = json.is_object() && json.contains("do");
     if (has_do && json.at("do") == "wait") {
       read.what = ParseWait(json);
@@ -165,6 +173,7 @@ class LineReader {
 
   Command ReadLoadOf(const Json& json) {
     const std::filesystem::path file = FileNamedBy(json, "load");
+    // The same limits as for a scene inside a command, since the log will contain its text.
     scene_xml::SceneReaderOptions options{.search_roots = folders_, .limits = kCommandSceneLimits};
     return Load{std::make_shared<const scene::SceneSpec>(scene_xml::LoadScene(file, options))};
   }
@@ -196,6 +205,7 @@ class LineReader {
     if (known == trajectories_.end()) {
       known = trajectories_.emplace(file, motion::ReadTrajectory(file)).first;
     }
+    // Counted for each line, not for each file: every line has a copy.
     num_points_ += known->second.points.size();
     if (num_points_ > kMaxPointsFromFiles) {
       throw std::invalid_argument("the trajectories of the script have more than " +
@@ -219,6 +229,7 @@ Script ParseWith(LineReader reader, std::string_view text, std::string file) {
     std::string_view content = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     const std::size_t first = content.find_first_not_of(" \t\r");
+    // Empty lines and comments still count, as line numbers are those of the file.
     if (first == std::string_view::npos || content[first] == '#') continue;
     try {
       script.lines.push_back(reader.Read(content, line));
@@ -255,6 +266,7 @@ Script ScriptOf(motion::JointTrajectory trajectory, std::string file) {
 }
 
 void ScriptPlayer::Advance(Simulation* simulation) {
+  // All lines that are due now are executed within the same tick.
   for (; !is_finished(); ++next_) {
     const ScriptLine& line = script_.lines[next_];
     // Lines are in order: a later one waits for this one.
@@ -304,6 +316,7 @@ bool ScriptPlayer::IsOver(const Wait& wait, const ScriptLine& line, const Simula
     is_over = simulation.demonstrator().has_arrived() && !simulation.is_robot_following();
   } else {
     still_ticks_ = simulation.is_still() ? still_ticks_ + 1 : 0;
+    // A body may be slow for a moment at the top of its path, so one still tick is not enough.
     is_over = still_ticks_ > kStillTicks;
   }
   if (!is_over && is_time_up) {

@@ -30,6 +30,7 @@ void SimulatedRobot::StopFollowingWithArm(int arm) {
 
 void SimulatedRobot::StopFollowingWithGripper(int arm) {
   const auto& gripper = body_.model().arms[arm].gripper;
+  // The left finger stands for the pair.
   if (gripper) follower_.Leave(gripper->left_finger);
 }
 
@@ -41,6 +42,7 @@ void SimulatedRobot::StopFollowingWithHead() {
 std::optional<Refusal> SimulatedRobot::Execute(const JointVelocities& velocities) {
   if (auto refusal = RefuseValues(velocities.left, 0)) return refusal;
   if (auto refusal = RefuseValues(velocities.right, 1)) return refusal;
+  // Everything is checked; from here on nothing can be refused.
   const std::array arms{&velocities.left, &velocities.right};
   for (int arm = 0; arm < 2; ++arm) {
     if (!*arms[arm]) continue;

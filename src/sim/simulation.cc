@@ -7,6 +7,9 @@
 #include "sim/change_detector.h"
 #include "sim/command_json.h"
 
+// The one door: every command of hands, scripts, brains and replays passes Apply(), between ticks.
+// A refused command changes nothing and is not in the history; listeners receive it as an event.
+
 namespace smile::sim {
 
 Simulation::Simulation(std::shared_ptr<const model::Model> model)
@@ -18,6 +21,7 @@ Simulation::Simulation(scene::SceneSpec scene, std::optional<RobotPlacement> rob
 std::optional<Refusal> Simulation::Apply(const Command& wanted) {
   // Rounded as in a log, so that a replay applies the same bits.
   const Command command = OnFileGrid(wanted, scene().meters_per_unit);
+  // First the rules that need no execution; the rest is refused by the parts that carry it out.
   std::optional<Refusal> refusal = Refuse(command);
   if (!refusal) {
     refusal = std::visit(
@@ -52,6 +56,7 @@ std::optional<Refusal> Simulation::Refuse(const Command& command) const {
 
 void Simulation::Undo() {
   const ActionId from = history_.current().id;
+  // The present state is kept with the undone action, for Redo().
   RestoreState(history_.Undo(Save()));
   TellOfMove(from);
 }
@@ -70,6 +75,7 @@ std::optional<Refusal> Simulation::Perform(const Command& command) {
   // The implied releases are actions of their own, before the state for undoing the grasp is saved.
   if (const auto* grasp = std::get_if<Grasp>(&command)) ReleaseFor(*grasp);
   std::optional<SimulationState> before_action;
+  // Saved for every action, also one that is refused then: only execution finds out.
   if (IsAction(command)) before_action = Save();
   const auto* load = std::get_if<sim::Load>(&command);
   std::optional<ChangeDetector> changes;
@@ -83,6 +89,7 @@ std::optional<Refusal> Simulation::Perform(const Command& command) {
   // The history changes only after the command succeeded.
   if (before_action) history_.Begin(*std::move(before_action));
   history_.Add({.tick = tick(), .command = command});
+  // The command before its events, as cause before effect.
   for (Listener* listener : listeners_) listener->OnCommand(*this, command);
   if (load != nullptr) {
     Tell({.kind = EventKind::kLoaded, .object = scene().name});
@@ -95,12 +102,14 @@ std::optional<Refusal> Simulation::Perform(const Command& command) {
 void Simulation::Load(const sim::Load& load) {
   SMILE_DEMAND(load.scene != nullptr);
   running_ = std::make_unique<RunningModel>(
+      // Another model with the same robot, at its start: nothing of the former scene remains.
       std::make_shared<const model::Model>(model(), scene::SceneSpec(*load.scene)));
 }
 
 void Simulation::ReleaseFor(const Grasp& grasp) {
   const demonstrator::GraspPlan plan = demonstrator().PlanGrasp(grasp.hand, grasp.object);
   if (plan.refusal) return;
+  // By Apply(), so that they are logged, and can be undone one by one.
   for (HandName hand : plan.to_release) (void)Apply(Release{.hand = hand});
 }
 
@@ -109,6 +118,7 @@ void Simulation::Tick() {
   // Grippers may grasp or release during the tick.
   const ChangeDetector changes(running_.get());
   const std::vector<const world::Object*> fallen = running_->Tick();
+  // The tick before its events, since these are recorded with the poses at its end.
   for (Listener* listener : listeners_) listener->OnTick(*this);
   for (const Event& event : changes.EventsOfTick()) Tell(event);
   for (const world::Object* object : fallen) {
@@ -117,6 +127,7 @@ void Simulation::Tick() {
 }
 
 void Simulation::Tell(const Event& event) {
+  // A refusal has no effect that undo or a recording would need.
   if (event.kind != EventKind::kCommandRefused) history_.Add(event);
   // The support is a property of the moment of release.
   std::optional<model::Support> support;

@@ -11,6 +11,10 @@
 #include "scene/joined.h"
 #include "scene/units.h"
 
+// Adding objects makes a larger model: the present one with the new objects appended, so that no
+// index changes. Everything is checked on copies first: text, ids, limits, and room at the places
+// of the new objects.
+
 namespace smile::sim {
 namespace {
 
@@ -104,6 +108,7 @@ std::optional<Refusal> RefuseOverlap(const model::Model& grown, const world::Tab
   const model::SceneState& start = grown.initial_state();
   for (std::size_t i = tabletop.objects().size(); i < grown.objects().size(); ++i) {
     const model::ObjectIndex object(i);
+    // Only the solids of the visible looks: a control's other states are not there.
     const std::vector<scene::Solid> solids = scene::SolidsWith(
         grown.LooksOf(object, start.controls), scene::SolidsOf(grown.object(object).whole));
     const physics::Overlaps overlaps = world.OverlapsOf(solids, *start.X_WB[i], kTouching);

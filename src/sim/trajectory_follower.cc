@@ -11,6 +11,9 @@
 #include "motion/trajectory_shape.h"
 #include "sim/tick.h"
 
+// A trajectory becomes joint velocities, tick by tick: the mean velocity of the trajectory over the
+// tick plus a correction of the position error.
+
 namespace smile::sim {
 namespace {
 
@@ -88,6 +91,7 @@ std::optional<Refusal> TrajectoryFollower::RefuseBeyondLimits(
     limits.push_back({.lower = true_limits.lower - kPositionSlack,
                       .upper = true_limits.upper + kPositionSlack,
                       .max_velocity = true_limits.max_velocity * (1 + kVelocitySlack),
+                      // Accelerations are not refused: those of measured trajectories are noisy.
                       .max_acceleration = HUGE_VAL,
                       .slides = true_limits.slides});
   }
@@ -108,6 +112,8 @@ motion::JointTrajectory TrajectoryFollower::WithWayToStart(
   bool is_near = true;
   for (const Following::Column& column : columns) {
     const motion::TrajectoryChannel& channel = channels_[column.channel];
+    // Clamped, since servo errors and measured trajectories exceed limits slightly, which
+    // MoveStraight() would refuse.
     from.push_back(ClampedTo(channel.limits, PositionOf(channel, robot_.model(), q)));
     to.push_back(ClampedTo(channel.limits, first.positions[column.column]));
     limits.push_back(channel.limits);
@@ -124,6 +130,7 @@ motion::JointTrajectory TrajectoryFollower::WithWayToStart(
   // A robot that arrives early rests until just before the start: a single cubic from rest to the
   // velocity of the first point would swing far back to gain it.
   motion::TrajectoryPoint rest = points.back();
+  // Times must increase strictly; this is the largest time before the first point.
   rest.seconds = std::nextafter(first.seconds, 0.0);
   if (points.back().seconds >= rest.seconds) points.pop_back();
   points.push_back(std::move(rest));
@@ -135,6 +142,7 @@ void TrajectoryFollower::Start(motion::JointTrajectory trajectory,
                                std::vector<Following::Column> columns, std::uint64_t tick) {
   // The newest trajectory takes over its joints.
   for (const Following::Column& column : columns) Leave(channels_[column.channel].joint);
+  // Computed once: the state hash of each tick contains it instead of all points.
   const std::uint64_t hash = HashOf(trajectory);
   state_.followings.push_back(
       {.trajectory = std::make_shared<const motion::JointTrajectory>(std::move(trajectory)),
@@ -209,6 +217,7 @@ void TrajectoryFollower::Leave(int joint) {
 
 void TrajectoryFollower::BeforeTick(std::uint64_t tick) {
   for (const Following& following : state_.followings) {
+    // The tick at the end stops the joints: they would keep their last velocity otherwise.
     if (SecondsOf(tick - following.start_tick) < following.trajectory->seconds()) {
       Drive(following, tick);
     } else {
@@ -240,7 +249,9 @@ void TrajectoryFollower::Drive(const Following& following, std::uint64_t tick) {
 }
 
 void TrajectoryFollower::DriveGripper(int arm, double rate, double error) {
-  // A held object is released when the trajectory opens the gripper, not by a correction.
+  // A held object is released when the trajectory opens the gripper, not by a correction. With an
+  // object between them the fingers cannot reach the opening of the trajectory: the error remains,
+  // and must not count as a command.
   const bool keeps = !robot_.HeldBodies(arm).empty() && !(rate > 0 && error > kLetGo);
   robot_.SetGripperVelocity(arm, keeps ? 0.0 : rate + kGain * error);
 }

@@ -8,6 +8,10 @@
 #include "math/angles.h"
 #include "scene/units.h"
 
+// Compares a replayed tick with the recorded one. TickComparison answers two questions: what
+// differs first (is the replay exact?), and how far apart the two are (how different is its
+// outcome?). DeviationMeter collects the latter over time.
+
 namespace smile::replay {
 namespace {
 
@@ -96,6 +100,8 @@ std::optional<Difference> TickComparison::FaceExpression() const {
 }
 
 std::optional<Difference> TickComparison::First() const {
+  // In scene order: one deviating object soon disturbs others, and the first tick usually has only
+  // one.
   for (model::ObjectIndex i : model_.objects()) {
     // Visible differences first, the hash last.
     if (auto difference = Presence(i)) return difference;
@@ -107,6 +113,7 @@ std::optional<Difference> TickComparison::First() const {
   for (model::HostIndex i : model_.hosts()) {
     if (auto difference = Bond(i)) return difference;
   }
+  // Empty without a robot.
   for (model::LinkIndex i : IndexRange<model::LinkIndex>(replayed_.joints.size())) {
     if (auto difference = Joint(i)) return difference;
   }
@@ -157,6 +164,7 @@ void DeviationMeter::Note(std::size_t index, std::uint64_t tick,
   Deviation& deviation = all_[index];
   // The last gap stays; the largest one is kept with its tick.
   deviation.end = gap;
+  // Strictly larger, so the tick is the first one with the largest gap.
   if (!gap || gap->size() <= deviation.largest.size()) return;
   deviation.largest = *gap;
   deviation.tick = tick;
@@ -175,6 +183,7 @@ std::vector<Deviation> DeviationMeter::Deviations() const {
   std::vector<Deviation> deviations;
   std::copy_if(all_.begin(), all_.end(), std::back_inserter(deviations),
                [](const Deviation& deviation) { return deviation.largest.size() > 0; });
+  // Stable: equal deviations stay in the order of the scene.
   std::stable_sort(
       deviations.begin(), deviations.end(),
       [](const Deviation& a, const Deviation& b) { return a.largest.size() > b.largest.size(); });

@@ -8,6 +8,10 @@
 #include "replay/internal_comparison.h"
 #include "replay/log_player.h"
 
+// Replays a recording and compares it tick by tick with its trace. The simulation begins with the
+// scene at its start, runs the commands before the recording without comparison, and then keeps
+// step with the trace.
+
 namespace smile::replay {
 namespace {
 
@@ -28,8 +32,10 @@ class ReplayRun {
   }
 
   ReplayReport Go(const std::function<bool(std::uint64_t tick)>& goes_on) {
+    // After each refusal the replay continues, so that all refused commands are listed.
     while (const auto failure = player_.RunToStart(&simulation_, goes_on)) Note(*failure);
     if (simulation_.tick() < start_tick_) return std::move(report_);  // stopped
+    // Events before the recording are not in its trace.
     collector_.Forget();
     while (!is_over() && Step() && !is_over() && goes_on(simulation_.tick())) {
     }
@@ -51,6 +57,7 @@ class ReplayRun {
     // The first record is the start, before any tick.
     if (has_begun_) simulation_.Tick();
     has_begun_ = true;
+    // Before the commands of this tick: the trace has the state before them.
     if (recorded->tick >= range_.first) Compare(*recorded);
     if (is_over()) return false;
     const bool is_last = recorded->tick == range_.last;
@@ -75,6 +82,7 @@ class ReplayRun {
       if (was_recorded && i < replayed.size() && recorded.events[i] == replayed[i]) continue;
       if (!was_recorded && is_end) return;
       const std::string& object = was_recorded ? recorded.events[i].object : replayed[i].object;
+      // The first different event only: those after it are shifted.
       return Note(Difference{recorded.tick, object, "event", words(recorded.events, i),
                              words(replayed, i)});
     }
@@ -87,6 +95,7 @@ class ReplayRun {
     report_.hash = replayed.hash;
     const TickComparison comparison(recorded, replayed, model_);
     if (const auto difference = comparison.First()) Note(*difference);
+    // As long as nothing visible differs, all deviations are zero and need not be measured.
     if (!has_visible_difference_ || is_over()) return;
     meter_.Watch(recorded, replayed);
     report_.state_differences = comparison.States();
@@ -110,6 +119,7 @@ class ReplayRun {
   /// Notes the end of the trace; commands that remain are a difference.
   void NoteTheEnd() {
     report_.is_cut = trace_.is_cut();
+    // A recording that was cut off may have commands whose ticks are missing.
     if (player_.next() == nullptr || report_.is_cut) return;
     Note(Difference{player_.next()->tick, "simulation", "command", "carried out",
                     "the trace ends before"});

@@ -250,7 +250,7 @@ Markup Failures(const Evaluation& evaluation) {
   for (const EvaluatedBrain& brain : evaluation.brains) {
     for (const EvaluatedRun& run : brain.runs) is_any |= run.failure_reason.has_value();
   }
-  // Said explicitly: an empty section could be a fault of the page.
+  // Stated explicitly: an empty section could be a fault of the page.
   if (!is_any) return Section("Failures", Element("p", {}, "None."));
   Markup content = FailureTable(evaluation);
   content += Element(

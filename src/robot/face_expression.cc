@@ -10,6 +10,7 @@ std::string_view ToString(FaceExpression expression) {
 }
 
 std::optional<FaceExpression> ParseFaceExpression(std::string_view name) {
+  // Names and values are two lists in the same order.
   const auto found = std::find(kFaceExpressionNames.begin(), kFaceExpressionNames.end(), name);
   if (found == kFaceExpressionNames.end()) return std::nullopt;
   return kFaceExpressions[static_cast<std::size_t>(found - kFaceExpressionNames.begin())];

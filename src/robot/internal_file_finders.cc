@@ -9,6 +9,11 @@
 #include "base/wording.h"
 #include "robot/internal_robot_file_set.h"
 
+// A robot description refers to other files. There are two ways to find them: OriginalFinder looks
+// into the file system, within allowed folders, and gives each file the name under which recordings
+// keep it. KeptFinder finds files of a recording by that name only. Both derive the name from the
+// reference alone, so a kept robot reads exactly what the original did.
+
 namespace smile::robot::internal {
 namespace {
 
@@ -36,6 +41,7 @@ Reference Parse(const std::string& text) {
     throw BadReference(": expected the name of a file");
   }
   if (text.starts_with(kPackageScheme)) {
+    // package://PACKAGE/PATH, as in ROS.
     const std::string rest = text.substr(kPackageScheme.size());
     const std::size_t slash = rest.find('/');
     const std::string package = rest.substr(0, slash);
@@ -51,6 +57,7 @@ Reference Parse(const std::string& text) {
   if (!is_url && text.find("://") != std::string::npos) {
     throw BadReference(": expected package://, file:// or a path");
   }
+  // Any other scheme would need a network or is a mistake.
   const fs::path path = is_url ? text.substr(kFileScheme.size()) : text;
   if (is_url && !path.is_absolute()) throw BadReference(": expected file:///PATH from the root");
   return {path.is_absolute() ? Reference::Kind::kAbsolute : Reference::Kind::kRelative,
@@ -150,6 +157,7 @@ class OriginalFinder : public FileFinder {
   }
   /// Returns the places to search, in order; the last one is that of a kept robot.
   std::vector<fs::path> PlacesOf(const FoundFile& from, const Reference& reference) const {
+    // A recording's own robot folder can thus be read like an original one.
     const fs::path kept = kept_ / NameOfKept(from, reference);
     if (reference.kind == Reference::Kind::kAbsolute) return {reference.path, kept};
     if (reference.kind == Reference::Kind::kRelative) {
@@ -159,6 +167,7 @@ class OriginalFinder : public FileFinder {
     for (const fs::path& root : roots_) {
       places.push_back(root / reference.package / reference.path);
       std::error_code error;
+      // A --path folder may contain the package, or be the package itself.
       if (fs::canonical(root, error).filename() == reference.package) {
         places.push_back(root / reference.path);
       }

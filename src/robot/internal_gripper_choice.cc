@@ -25,6 +25,7 @@ struct Choice {
 
 std::vector<std::string> SplitAtDashes(const std::string& text) {
   std::vector<std::string> words;
+  // An empty word between two dashes stays and is refused as unknown.
   for (std::size_t start = 0; start <= text.size();) {
     const std::size_t end = std::min(text.find('-', start), text.size());
     words.push_back(text.substr(start, end - start));
@@ -97,6 +98,7 @@ std::string Replaced(std::string text, const std::vector<Choice>& choices,
   for (const Choice& choice : choices) {
     const std::string pattern = "{" + choice.name + "}";
     for (std::size_t at = text.find(pattern); at != std::string::npos;
+         // Continues behind the inserted word, which may itself look like a placeholder.
          at = text.find(pattern, at + choice.chosen->size())) {
       text.replace(at, pattern.size(), *choice.chosen);
       if (text.size() <= kMaxMadeText) continue;
@@ -142,6 +144,7 @@ GripperChoice ChooseGripper(const JsonNode& grippers, const std::string& wanted)
   }
   GripperChoice chosen{.name = best, .place = gripper.place(), .value = gripper.value()};
   for (Choice& choice : choices) {
+    // The first word is the default. The name lists all words, so that it is complete.
     if (!choice.chosen) choice.chosen = choice.words.front();
     chosen.name += "-" + *choice.chosen;
   }

@@ -9,9 +9,14 @@
 #include "base/wording.h"
 #include "robot/internal_urdf_values.h"
 
+// Makes a RobotModel of one URDF or several: depth first from the root. Links behind fixed joints
+// merge with the moving link that carries them: their shapes, masses and frames are expressed in
+// its frame L. What remains are links with one degree of freedom each.
+
 namespace smile::robot::internal {
 namespace {
 
+// Limits of the whole robot: shapes, and named frames.
 constexpr std::size_t kMaxSolids = 4096;
 constexpr std::size_t kMaxFrames = 2048;
 
@@ -23,6 +28,7 @@ struct MassSum {
   Vector3 moment = Vector3::Zero();   ///< sum of mass * p_LLcm [kg m]
   Matrix3 inertia = Matrix3::Zero();  ///< along L's axes [kg m2]
 
+  // Returns the inertia of a point mass at p about the origin (parallel axis theorem).
   static Matrix3 OfPoint(double mass, const Vector3& p) {
     return mass * (p.squaredNorm() * Matrix3::Identity() - p * p.transpose());
   }
@@ -48,6 +54,7 @@ class ModelBuilder {
     // Masses are complete only when all fixed attachments have been added.
     for (std::size_t i = 0; i < masses_.size(); ++i) FinishMass(masses_[i], &model().links[i]);
     for (const scene::LinkSpec& link : model().links) {
+      // A side file may replace this start.
       model().q_start.push_back(std::clamp(0.0, link.lower, link.upper));
     }
     return std::move(built_);
@@ -76,6 +83,7 @@ class ModelBuilder {
       element.Fail("the robot has more than " + std::to_string(kMaxFrames) + " links");
     }
     const int frame = static_cast<int>(model().frames.size());
+    // Frames of merged links stay addressable by name, for tools, cameras and attachments.
     model().frames.push_back({name, carrier, X_LF});
     AddContents(part, link, carrier, X_LF);
     std::vector<Branch> branches = BranchesOf(part, link);
@@ -129,6 +137,7 @@ class ModelBuilder {
       LinkVisual drawn{.link = carrier, .shape = {}, .color = {}, .X_LV = {}};
       if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(visual->geometry.get())) {
         const Vector3 scale = element.ReadScale(*mesh);
+        // Drawn as it is; only collision shapes are cut into convex pieces.
         drawn.shape = scene::DrawnMesh{FetchMesh(
             element, *mesh, [&] { return files_.FetchDrawn(part.file, mesh->filename, scale); })};
         drawn.X_LV = X_LF * element.ReadPose(visual->origin);
@@ -209,6 +218,7 @@ class ModelBuilder {
                                joint.mimic->multiplier, joint.mimic->offset});
     }
     model().links.push_back(std::move(link));
+    // Before AddLink(), which adds the masses of the child to it.
     masses_.push_back({.part = &part, .name = branch.child->name});
     AddLink(part, *branch.child, model().num_joints() - 1, RigidTransform());
   }
@@ -223,6 +233,7 @@ class ModelBuilder {
     link->mass = sum.mass;
     link->p_LLcm = sum.moment / sum.mass;
     link->inertia = sum.inertia - MassSum::OfPoint(sum.mass, link->p_LLcm);
+    // Principal moments of a body are positive; others would make the dynamics unstable.
     const Eigen::SelfAdjointEigenSolver<Matrix3> solver(link->inertia, Eigen::EigenvaluesOnly);
     if (!(solver.eigenvalues().minCoeff() > 0)) {
       element.Fail("inertia is not positive definite, expected that of a body");

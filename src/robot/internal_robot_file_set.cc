@@ -8,6 +8,9 @@
 #include "mesh/convex_pieces.h"
 #include "mesh/import_mesh.h"
 
+// All files of a robot: each is read once, counted against the limits, and kept with its name for
+// recordings. Meshes are imported once per file and scale.
+
 namespace smile::robot::internal {
 namespace {
 
@@ -46,6 +49,7 @@ void RobotFileSet::Keep(const FoundFile& file) {
   for (const RobotFile& other : files_) {
     if (other.name != file.name) continue;
     // Kept files share a folder, so two different files must not have one name.
+    // The pointer first, as the same file is fetched many times.
     if (other.bytes == file.bytes || *other.bytes == *file.bytes) return;
     throw BadReference(" would be stored as " + Quoted(file.name) +
                        ", like another file of the robot, expected different names");
@@ -77,6 +81,7 @@ scene::SurfaceMesh RobotFileSet::Import(const FoundFile& file) {
   const std::string extension = file.path.extension().string();
   const auto open = [&](const std::string& name, std::size_t max_bytes) {
     if (!IsPlainName(name)) {
+      // A mesh may name further files, such as the buffers of glTF; they must not lead elsewhere.
       throw BadReference(": it refers to " + Quoted(name) + ", expected a file beside it");
     }
     return *Fetch(file, name, max_bytes).bytes;

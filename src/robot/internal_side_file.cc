@@ -13,6 +13,10 @@
 #include "robot/kinematics.h"
 #include "robot/robot_appearance.h"
 
+// The side file `NAME.robot.json` says what URDF cannot: which joints are arms, what the grippers
+// are, limits, poses, the start (docs/robot.md). It is read in two steps: Mountings() before the
+// model is built, as attached parts belong to it, and Apply() afterwards.
+
 namespace smile::robot::internal {
 namespace {
 
@@ -24,6 +28,7 @@ constexpr std::array<std::string_view, 5> kNoArmNames{"both", "any", "all", "hea
 
 constexpr double kMaxPayload = 1e5;  // [kg], the limit for links
 
+// Known members; others are refused, since a misspelled one would be ignored otherwise.
 constexpr std::array<std::string_view, 12> kFileMembers{
     "format", "frames",        "arms",  "grippers", "gripper", "head",
     "limits", "never_collide", "poses", "start",    "look",    "stands"};
@@ -263,6 +268,7 @@ class SideFileReader {
   /// Reverses the axis of a finger whose joint runs from 0 downwards, so that it runs upwards.
   void LetSlideFromZero(scene::LinkSpec* link, const JsonNode& node) {
     if (link->joint_type == scene::JointType::kPrismatic && link->upper == 0) {
+      // Position and axis change sign together, so the finger moves as before.
       link->axis = -link->axis;
       link->upper = -link->lower;
       link->lower = 0;
@@ -280,6 +286,7 @@ class SideFileReader {
     for (int finger : {gripper->left_finger, gripper->right_finger}) {
       scene::LinkSpec& link = model_.links[finger];
       if (!(link.upper > way)) node.Fail("never open, expected joints with a longer range");
+      // The former position `way` becomes 0; the range ends at the same place as before.
       link.X_PJ = link.X_PJ * RigidTransform(Vector3(link.axis * way));
       link.upper -= way;
     }
@@ -291,6 +298,7 @@ class SideFileReader {
   double GapBetween(const JsonNode& pads, const std::string& prefix, int tool) const {
     const std::vector<JsonNode> names = pads.Items(2);
     const std::vector<double> q(model_.links.size(), 0.0);
+    // In the tool's frame G, whose y axis is the closing direction.
     const RigidTransform X_GBase = FramePose(model_, {}, q, tool).inverse();
     const auto y_of = [&](const JsonNode& name) {
       return (X_GBase * FramePose(model_, {}, q, FrameNamedBy(name, prefix))).translation().y();
@@ -329,6 +337,7 @@ class SideFileReader {
         return (mimic.joint == left && mimic.master == right) ||
                (mimic.joint == right && mimic.master == left);
       });
+      // Both fingers then move by the same amount, as the gripper command does.
       if (mirrors && mimic.offset == 0 && sign * master_sign * mimic.multiplier == 1) continue;
       root.Fail("joint " + Quoted(mimic.joint) + " mimics " + Quoted(mimic.master) +
                 ", expected a mimic only between two fingers that open symmetrically");
@@ -424,6 +433,7 @@ class SideFileReader {
   int FrameNamedBy(const JsonNode& node, const std::string& prefix = "") const {
     const std::string name = prefix + node.String();
     if (const auto frame = FindFrame(model_, name)) return *frame;
+    // The root of an attached part has merged with the link it hangs on, but keeps its name.
     for (const auto& [root, frame] : built_.part_roots) {
       if (root == name) return frame;
     }
@@ -484,6 +494,7 @@ std::vector<Mounting> SideFile::Mountings() const {
     if (!gripper_) flange.Fail("there are no grippers, expected the member grippers");
     const std::string prefix = PrefixOf(arm, node);
     const JsonNode gripper(gripper_->value, file_, gripper_->place);
+    // A gripper without parts of its own uses links of the URDF.
     if (!gripper.Has("parts")) continue;
     const std::vector<JsonNode> parts = gripper.Member("parts").Items();
     if (parts.size() > kMaxParts) gripper.Member("parts").Fail("are more than 16, expected fewer");

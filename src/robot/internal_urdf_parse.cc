@@ -12,6 +12,10 @@
 #include "base/wording.h"
 #include "xml/parse.h"
 
+// Reads URDF with urdfdom, which trusts its input: it follows loops without end, reports errors
+// only to a global log, and continues after them. So the text is first parsed and bounded by our
+// own XML reader, the tree of joints is checked, and any report of the parser is an error.
+
 namespace smile::robot::internal {
 namespace {
 
@@ -24,6 +28,7 @@ class LogCollector : public console_bridge::OutputHandler {
   LogCollector() { console_bridge::useOutputHandler(this); }
   ~LogCollector() override { console_bridge::restorePreviousOutputHandler(); }
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    // Warnings do not make a model wrong.
     if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR || text_.size() > kMaxLogBytes) return;
     if (!text_.empty()) text_ += "; ";
     // The log quotes the file, so control characters are replaced.
@@ -91,6 +96,7 @@ void UrdfDocument::CheckTree() const {
   for (const xml::Element& joint : root_.children) {
     if (joint.name != "joint") continue;
     const std::string child = LinkNamedBy(joint, "child");
+    // With one parent per link, the joints form trees and loops only.
     if (!parents.emplace(child, LinkNamedBy(joint, "parent")).second) {
       Fail("link", child, "is the child of two joints, expected one at most");
     }

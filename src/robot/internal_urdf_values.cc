@@ -5,6 +5,9 @@
 
 #include "base/wording.h"
 
+// Values of URDF elements, checked: the parser accepts any number, also NaN. All units are SI
+// already.
+
 namespace smile::robot::internal {
 namespace {
 
@@ -79,6 +82,7 @@ Color UrdfElement::ReadColor(const urdf::Color& color) const {
 }
 
 void UrdfElement::ReadMotion(const urdf::Joint& joint, scene::LinkSpec* link) const {
+  // Planar and floating joints have several degrees of freedom, which links here do not have.
   const bool is_continuous = joint.type == urdf::Joint::CONTINUOUS;
   const bool is_revolute = is_continuous || joint.type == urdf::Joint::REVOLUTE;
   if (!is_revolute && joint.type != urdf::Joint::PRISMATIC) {

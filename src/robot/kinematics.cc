@@ -3,6 +3,9 @@
 #include <stdexcept>
 #include <string>
 
+// Forward kinematics and Jacobians on the tree of links. Poses are in the world W or in the robot's
+// base; each link L turns or slides relative to its joint frame J, which is fixed in its parent.
+
 namespace smile::robot {
 namespace {
 
@@ -58,6 +61,8 @@ Eigen::MatrixXd GeometricJacobian(const RobotModel& model, std::span<const doubl
   const std::vector<RigidTransform> X_BaseL = LinkPoses(model, {}, q);
   const Vector3 p_BaseF = PoseOf(F, {}, X_BaseL).translation();
 
+  // Rows: velocity of the frame's origin, then angular velocity, both in base coordinates. Joints
+  // that do not carry the frame have zero columns.
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(6, static_cast<Eigen::Index>(joints.size()));
   // From the frame's link down to the base: only these joints carry it.
   for (int carrier = F.link; carrier >= 0; carrier = model.links[carrier].parent) {
@@ -66,6 +71,7 @@ Eigen::MatrixXd GeometricJacobian(const RobotModel& model, std::span<const doubl
     const Vector3 axis_Base = X_BaseL[carrier].rotation() * link.axis;
     Eigen::Matrix<double, 6, 1> column;
     if (link.joint_type == JointType::kRevolute) {
+      // A turning joint moves the point by omega x r.
       column << axis_Base.cross(p_BaseF - X_BaseL[carrier].translation()), axis_Base;
     } else {
       column << axis_Base, Vector3::Zero();

@@ -9,6 +9,10 @@
 #include "base/wording.h"
 #include "mesh/import_pieces.h"
 
+// Shipped looks: meshes that are nicer than those of the description and replace none of its
+// collision shapes. A glTF file has one node per link; `mood` in a node's extras makes it visible
+// with one face expression only.
+
 namespace smile::robot {
 namespace {
 
@@ -41,6 +45,7 @@ Appearance LoadAppearance(const std::string& name) {
 
 /// Returns a look, loaded on first use.
 const Appearance& AppearanceNamed(std::string_view name) {
+  // Initialization of a static is thread-safe, and its contents never change afterwards.
   static const std::map<std::string, Appearance, std::less<>> kAppearances = {
       {"baxter", LoadAppearance("baxter")}, {"classic", LoadAppearance("classic")}};
   return kAppearances.at(std::string(name));

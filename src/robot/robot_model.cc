@@ -8,6 +8,7 @@ namespace {
 /// Returns the index of the first item named `name`.
 template <class Items, class NameOf>
 std::optional<int> IndexOf(const Items& items, std::string_view name, NameOf name_of) {
+  // Linear: models have some dozens of links, and names are looked up when files are read.
   const auto found = std::ranges::find(items, name, name_of);
   if (found == items.end()) return std::nullopt;
   return static_cast<int>(found - items.begin());

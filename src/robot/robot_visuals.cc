@@ -18,6 +18,8 @@ void AppendVisuals(const RobotModel& model, int first_frame, std::uint32_t objec
     throw std::invalid_argument("object_id is " + std::to_string(object_id) +
                                 ", expected the index of a named object");
   }
+  // One choice for the face: its looks are the face expressions. All other visuals are always
+  // visible.
   const int choice = visual_model->num_choices++;
   for (const LinkVisual& visual : model.visuals) {
     visual_model->visuals.push_back(
@@ -36,6 +38,7 @@ void AppendVisuals(const RobotModel& model, int first_frame, std::uint32_t objec
 
 scene::FramePoses FramePosesOf(const RobotModel& model, const RigidTransform& X_WBase,
                                std::span<const double> q) {
+  // The base first, then the links: VisualFrameOf() counts in this order.
   scene::FramePoses poses = LinkPoses(model, X_WBase, q);
   poses.insert(poses.begin(), X_WBase);
   return poses;

@@ -42,6 +42,7 @@ class PartReader {
 
   UrdfPart Read(const Mounting& mounting) {
     auto entry = documents_.find(mounting.urdf);
+    // Both arms usually have the same gripper.
     if (entry == documents_.end()) {
       const FoundFile file = Fetch(mounting);
       entry = documents_
@@ -91,6 +92,7 @@ RobotReading Read(const FoundFile& urdf, const RobotReaderOptions& options, Robo
   internal::BuiltModel built = internal::BuildModel(parts, files);
   // Part 0 is the robot itself.
   for (std::size_t i = 0; i < mountings.size(); ++i) {
+    // A part whose link does not exist was never attached.
     if (built.is_used[i + 1]) continue;
     side_file->Fail(mountings[i].place, "would be attached to " + Quoted(mountings[i].to) +
                                             ", expected the name of a link");
@@ -111,6 +113,7 @@ RobotReading Read(const FoundFile& urdf, const RobotReaderOptions& options, Robo
 /// Returns the name for a kept URDF. Recordings store it in JSON, so a name that is not UTF-8 is
 /// replaced.
 std::string NameOfKept(const std::filesystem::path& urdf_path) {
+  // ToText() replaces invalid UTF-8, so the name changes if it has any.
   const Json name = urdf_path.filename().string();
   return ParseJson(ToText(name)) == name ? name.get<std::string>() : "robot.urdf";
 }

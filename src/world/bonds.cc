@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <map>
 
+// Bonds between guest points (screws) and host points (holes). A bond is a fixed joint at the pose
+// of its stage of tightness; changing the stage removes the joint, moves the guest with all that is
+// connected to it, and adds another joint. docs/decisions/mechanisms.md lists the differences from
+// the original.
+
 namespace smile::world {
 namespace {
 
@@ -60,6 +65,7 @@ std::optional<GuestIndex> Bonds::NearestGuest(ObjectIndex object, const Vector3&
   for (GuestIndex guest : model_->guests()) {
     if (model_->guest(guest).object != object) continue;
     const double distance = (X_WB * model_->guest(guest).X_BG.translation() - p_WQ).norm();
+    // The first one in scene order wins a tie, so that the choice is deterministic.
     if (nearest && distance >= nearest_distance) continue;
     nearest = guest;
     nearest_distance = distance;
@@ -78,6 +84,7 @@ std::vector<bool> Bonds::ConnectedWith(ObjectIndex object) const {
     neighbours.insert({{a, b}, {b, a}});
   }
   std::vector<bool> is_connected(objects_->size());
+  // Visits the graph of both kinds of connections, starting from the body's whole assembly.
   std::vector<std::size_t> to_visit{object};
   const std::vector<physics::BodyId> assembly = world_->Assembly((*objects_)[object].body);
   for (std::size_t i = 0; i < objects_->size(); ++i) {
@@ -103,6 +110,7 @@ std::optional<HostIndex> Bonds::HostInReach(GuestIndex guest, double reach,
   const Vector3 p_WG = point_in_world(plug.object, plug.X_BG);
   const std::vector<bool> is_connected = ConnectedWith(plug.object);
   std::optional<HostIndex> nearest;
+  // Hosts of connected objects are left out: such a bond would close a loop of joints.
   double nearest_distance = reach;
   bool is_any_locked = false;
   for (HostIndex host : model_->hosts()) {
@@ -141,6 +149,7 @@ std::optional<Refusal> Bonds::Fasten(ObjectIndex object, const Vector3& p_WQ) {
   if (!guest) return name + " has no guestBondPoint to fasten it by";
   if (const auto host = HostOf(*guest)) {
     const int tightness = states_[*host].tightness;
+    // Stages count from 1; 0 means free.
     if (tightness == static_cast<int>(model_->host(*host).point->stages.size())) {
       return name + " is already at its tightest stage";
     }
@@ -187,6 +196,7 @@ std::optional<Refusal> Bonds::RefuseToMove(GuestIndex guest, HostIndex host,
   if (std::ranges::binary_search(moved, holder)) {
     return NameOf(body) + " and " + NameOf(holder) + " are also joined in another way";
   }
+  // The motion of the guest in the world; everything connected to it moves along rigidly.
   const RigidTransform X_moved = X_WB * world_->body(body).pose_in_world().inverse();
   for (physics::BodyId member : moved) {
     if (IsHeldByRobot(member)) return NameOf(member) + " is held by the robot";
@@ -207,6 +217,7 @@ std::optional<Refusal> Bonds::RefuseToMove(GuestIndex guest, HostIndex host,
 
 bool Bonds::IsHeldByRobot(physics::BodyId body) const {
   return std::ranges::any_of(world_->joints(), [body](const physics::Joint& joint) {
+    // Only grippers weld.
     return std::holds_alternative<physics::WeldSpec>(joint.spec) && Joins(joint.spec, body);
   });
 }
@@ -221,6 +232,7 @@ void Bonds::Join(GuestIndex guest, HostIndex host, int tightness) {
   BondState& state = states_[host];
   state.tightness = tightness;
   state.guest = tightness > 0 ? std::optional(guest) : std::nullopt;
+  // Two static objects need no joint: neither moves.
   if (tightness > 0 && !(world_->body(holder).is_static() && world_->body(body).is_static())) {
     state.joint = world_->AddJoint(physics::FixedJointSpec{
         .a = holder,
@@ -236,6 +248,8 @@ void Bonds::Join(GuestIndex guest, HostIndex host, int tightness) {
 void Bonds::TellDownstream(HostIndex index) {
   const model::Host& host = model_->host(index);
   const int tightness = states_[index].tightness;
+  // Set: the state is the tightness. Override: the stage decides what the control shows. Lock: the
+  // stage decides whether another host can be turned.
   if (host.downstream) controls_->Set(*host.downstream, tightness);
   if (host.downstream_override) {
     controls_->Override(*host.downstream_override, model::OverrideAt(host, tightness));
@@ -251,6 +265,7 @@ void Bonds::EndBondsOf(ObjectIndex object) {
     if (!state.guest) continue;
     if (model_->host(host).object != object && model_->guest(*state.guest).object != object)
       continue;
+    // The other object stays where it is, without its joint.
     if (state.joint) world_->RemoveJoint(state.joint);
     // The lock belongs to the host, not to the bond.
     state = BondState{{.is_locked = state.is_locked}};

@@ -7,6 +7,9 @@
 #include "base/wording.h"
 #include "scene/controls_of.h"
 
+// Rules of switches and custom controls: what happens when a hand triggers them. The states of all
+// controls are in one list by index, and the model has the wiring that drives other controls.
+
 namespace smile::world {
 namespace {
 
@@ -32,6 +35,7 @@ void AppendTargets(const scene::Part& part, int inherited, std::vector<Target>* 
 /// Returns the parts of the present state that lead to another state.
 std::vector<Target> TargetsOf(const CustomControl& control, int state) {
   std::vector<Target> targets;
+  // -1: at the top level nothing is inherited, so such parts lead nowhere.
   for (const scene::Part& part : control.states[state].parts) AppendTargets(part, -1, &targets);
   std::erase_if(targets, [&](const Target& target) {
     return target.next_state < 0 || target.next_state == state ||
@@ -73,6 +77,7 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
   const auto press = [&](const ToggleSwitch& toggle) -> std::optional<Refusal> {
     const std::string left = scene::ButtonId(control.id(), scene::Button::kLeft);
     const std::string right = scene::ButtonId(control.id(), scene::Button::kRight);
+    // A switch is a rocker: one button is always down.
     const bool is_left_down = PressedButtonOf(control, state) == scene::Button::kLeft;
     const std::string& raised = is_left_down ? right : left;
     if (!part.empty() && part != left && part != right) {

@@ -4,6 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+// Decides what a gripper has between its fingers: bodies that both fingers touch, each at a face
+// towards it, at about the same depth. Without the last condition a gripper would grasp a body that
+// stands across its fingertips at two unrelated corners.
+
 namespace smile::world {
 namespace {
 
@@ -15,8 +19,11 @@ constexpr double kFacing = 0.7071;
 std::vector<physics::BodyId> GraspedBodies(std::span<const physics::Contact> left,
                                            std::span<const physics::Contact> right,
                                            const RigidTransform& X_WG, double opening) {
+  // In the tool's frame G, fingers close along y and point along z.
   const Vector3 across = X_WG.rotation().col(1), along = X_WG.rotation().col(2);
   // Greatest difference in depth of two opposite points [m].
+  // At most a sixteenth of a half turn (11 degrees) between the line through the points and the
+  // closing direction.
   const double max_offset = opening * std::tan(std::numbers::pi / 16);
   std::vector<physics::BodyId> bodies;
   for (const physics::Contact& a : left) {

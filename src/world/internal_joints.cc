@@ -12,6 +12,7 @@ constexpr double kMaxMemberOverlap = 0.001;
 
 void AddBall(physics::BodyId a, const Vector3& p_AQ, physics::BodyId b, const Vector3& p_BQ,
              physics::World* world) {
+  // A joint between two bodies that never move has no effect, and the solver no unknowns for it.
   if (world->body(a).is_static() && world->body(b).is_static()) return;
   world->AddJoint(physics::BallJointSpec{.a = a, .b = b, .p_AQ = p_AQ, .p_BQ = p_BQ});
 }
@@ -42,6 +43,8 @@ void AddSliderJoint(const scene::SliderSpec& slider, const std::vector<Object>& 
                     physics::World* world) {
   const physics::BodyId a = objects[slider.first_object].body;
   const physics::BodyId b = objects[slider.first_object + 1].body;
+  // J is the joint frame on the first member and K on the second; the poses in scenes are those of
+  // the members in the joint frame.
   // The offset counts along -x of the rail in scenes, along +x in physics.
   world->AddJoint(physics::SliderJointSpec{.a = a,
                                            .b = b,

@@ -9,6 +9,10 @@
 #include "robot/kinematics.h"
 #include "world/grasp_rule.h"
 
+// The robot in the physics world. Arms and head are driven by velocity. A gripper either attaches
+// what it has grasped (a weld, the default) or holds by friction, depending on options of the
+// robot.
+
 namespace smile::world {
 namespace {
 
@@ -42,6 +46,8 @@ void PadFingers(const robot::RobotModel& model, double effort_scale,
     if (!arm.gripper) continue;
     spec->links[arm.gripper->left_finger].friction = kPadFriction;
     spec->links[arm.gripper->right_finger].friction = kPadFriction;
+    // Motors of all joints have more effort than described, by this factor; the pressing finger has
+    // exactly the described one.
     spec->links[arm.gripper->right_finger].max_effort /= effort_scale;
   }
 }
@@ -89,9 +95,11 @@ void RobotBody::SetGripperVelocity(int arm, double velocity) {
 void RobotBody::CommandFingers(int arm) {
   const robot::Gripper& gripper = *model().arms[arm].gripper;
   const GripperState& state = state_.grippers[arm];
+  // Each finger moves by half of the opening.
   const double velocity = state.welds.empty() ? state.opening_velocity / 2 : 0.0;
   articulation().SetVelocityTarget(gripper.right_finger, velocity);
   if (options().grasps_by_friction && velocity < 0 && IsSqueezing(gripper)) {
+    // Once only: HoldStill() takes the present position as its target, which must not creep.
     const bool moves = articulation().velocity_targets()[gripper.left_finger] != 0;
     if (moves) articulation().HoldStill(gripper.left_finger);
   } else {
@@ -129,6 +137,7 @@ void RobotBody::SetArmAngles(int arm, std::span<const double> angles) {
     const auto& weld = std::get<physics::WeldSpec>(joint.spec);
     world_->MoveAssembly(weld.body, X_WL[weld.link] * weld.X_LB);
   }
+  // Bodies that sleep on or against the robot must notice that it is elsewhere.
   world_->WakeAll();
 }
 
@@ -141,6 +150,7 @@ void RobotBody::SetHeadAngle(double angle) {
 void RobotBody::AfterStep() {
   for (int arm = 0; arm < num_arms(); ++arm) {
     const GripperState& state = state_.grippers[arm];
+    // Only grippers that are closing and hold nothing yet.
     if (state.opening_velocity >= 0 || !state.welds.empty()) continue;
     if (options().grasps_by_friction) {
       CommandFingers(arm);
@@ -157,6 +167,7 @@ void RobotBody::CloseAround(int arm) {
   // The common case while closing: nothing to compute.
   if (left.empty() || right.empty()) return;
 
+  // Welded to the palm and not to a finger, so that forces on the object do not open the gripper.
   const int palm = model().frames[model().arms[arm].tool].link;
   const RigidTransform X_LW = articulation().link_poses()[palm].inverse();
   double payload = model().arms[arm].payload;

@@ -6,6 +6,10 @@
 #include "world/internal_ground.h"
 #include "world/internal_joints.h"
 
+// The objects of a scene in the physics world. The model says what there is; this class keeps which
+// body each object has, and the states of controls and bonds. The order in which bodies and joints
+// are added is part of the determinism: the solver visits them in this order.
+
 namespace smile::world {
 namespace {
 
@@ -56,6 +60,7 @@ void Tabletop::Grow(std::shared_ptr<const model::Model> model) {
                       .num_guests = model_->guests().size()};
   objects_ = ObjectsOf(*model, state().bodies);
   object_states_.resize(objects_.size());
+  // The states of existing objects stay; those of new ones are initial.
   controls_.Grow(*model);
   bonds_.Grow(*model);
   model_ = std::move(model);
@@ -99,6 +104,7 @@ const Object* Tabletop::Find(std::string_view id) const {
 
 const Object* Tabletop::Find(physics::BodyId body) const {
   for (const Object& object : objects_) {
+    // Removed bodies keep their ids, so an id never means another object.
     if (object.body == body) return IsPresent(object) ? &object : nullptr;
   }
   return nullptr;
@@ -147,6 +153,7 @@ void Tabletop::FollowControls(const std::vector<ControlState>& before) {
     const std::vector<scene::Solid> solids = SolidsNow(object);
     // Lights look different but have the same form.
     if (solids == world_->body(object.body).spec().solids) continue;
+    // The body stays the same for joints and snapshots, with another shape and mass.
     world_->ChangeForm(
         object.body, solids,
         scene::MassPropertiesOf(solids, object.spec->mass, object.spec->center_of_mass));
@@ -181,6 +188,7 @@ std::optional<Refusal> Tabletop::Loosen(const Object& object, const Vector3& p_W
 
 void Tabletop::Destroy(const Object& object) {
   const std::vector<ControlState> before = controls_.states();
+  // Before the body, on which the joints of the bonds depend; controls downstream follow last.
   bonds_.EndBondsOf(object.index);
   world_->RemoveBody(object.body);
   FollowControls(before);
@@ -225,6 +233,7 @@ void Tabletop::AddToHash(StateHash* hash) const {
     hash->Add(static_cast<std::uint64_t>(control.position));
   }
   for (const BondState& bond : bonds_.states()) {
+    // All bits set means no guest: it is no index.
     hash->Add(bond.guest ? std::uint64_t{*bond.guest} : ~std::uint64_t{0});
     hash->Add(static_cast<std::uint64_t>(bond.tightness));
     hash->Add(std::uint64_t{bond.is_locked});

@@ -27,6 +27,8 @@ std::optional<Refusal> Tabletop::RefuseToReach(const Object& object) const {
 }
 
 std::optional<Refusal> Tabletop::RefuseToReach(std::string_view id) const {
+  // The most specific reason first: this object, a part of another one, and last a spelling
+  // suggestion.
   std::vector<std::string_view> known;
   for (const Object& object : objects_) {
     if (object.id() == id) return RefuseToReach(object);
@@ -42,12 +44,14 @@ std::optional<Refusal> Tabletop::RefuseToReach(std::string_view id) const {
 
 std::optional<Refusal> Tabletop::RefuseToPoint(std::string_view id) const {
   if (const Object* object = FindPointable(id)) return RefuseToReach(*object);
+  // An object that exists no longer has a better reason than an unknown id.
   const auto gone = std::ranges::find(objects_, id, &Object::id);
   if (gone != objects_.end()) return RefuseToReach(*gone);
   return "there is no object " + Named(id) + ", and no pointable part with this id";
 }
 
 std::vector<const Object*> Tabletop::NoticeFallen() {
+  // Asked in each physics step: a bounce may last less than a tick.
   const std::vector<physics::BodyId> on_floor = world_->BodiesTouching(floor_);
   std::vector<const Object*> fallen;
   for (const Object& object : objects_) {

@@ -11,6 +11,10 @@
 #include "recording/trace_reader.h"
 #include "sim/eye.h"
 
+// Follows a simulation and writes log, trace and classic view as it goes. Log first, trace second:
+// a line without its record can be recognized when the recording is opened, a record without its
+// line could not. Marks of actions are positions in all three, so that an undo can lead back.
+
 namespace smile::recorder {
 namespace {
 
@@ -69,6 +73,8 @@ classic::ClassicOptions ClassicOptionsOf(const RecorderOptions& options) {
 /// properties that were pointed out.
 std::vector<sim::Event> StandingOf(const sim::Simulation& simulation) {
   using enum sim::EventKind;
+  // These events come before the first tick's record; readers learn from them what the poses do not
+  // show.
   std::vector<sim::Event> standing;
   for (const world::Object& object : simulation.tabletop().objects()) {
     if (simulation.tabletop().HasFallen(object)) {
@@ -117,6 +123,7 @@ void Recorder::Begin(const RecorderOptions& options, sim::Eye* eye,
   const recording::TraceTick first = recording::Observe(simulation);
   const std::vector<sim::Event> standing = StandingOf(simulation);
   log_.emplace(directory_ / "commands.jsonl");
+  // A replay runs these first and arrives at the state in which the recording begins.
   for (const sim::TimedCommand& past : simulation.history().CommandsDone()) {
     Write({.tick = past.tick, .what = past.command}, simulation.scene().meters_per_unit);
   }
@@ -146,6 +153,7 @@ Recorder::Mark Recorder::MarkNow() const {
 std::optional<sim::Refusal> Recorder::Refuse(const sim::Simulation& simulation,
                                              const sim::Command& command) {
   const sim::ActionHistory& history = simulation.history();
+  // Only actions since the start of the recording have marks.
   if (std::holds_alternative<sim::Undo>(command) && marks_.Find(history.current().id) == nullptr) {
     return std::string("nothing to undo in this recording") +
            (history.can_undo() ? "; finish it to undo earlier actions" : "");
@@ -182,6 +190,7 @@ void Recorder::OnTick(const sim::Simulation& simulation) {
 
 void Recorder::OnMove(const sim::Simulation& simulation, sim::ActionId from, sim::ActionId to) {
   // Refuse() allows the cursor to move only over actions with marks.
+  // Ids increase along the history: the later one is the action that is undone or redone.
   ActionMark* mark = marks_.Find(std::max(from, to));
   SMILE_DEMAND(mark != nullptr);
   if (to < from) {
@@ -210,6 +219,8 @@ void Recorder::Redo(const sim::Simulation& simulation, const ActionMark& redone)
 
 void Recorder::Return(recording::ReturnKind kind, const Mark& to,
                       const sim::Simulation& simulation) {
+  // The line has the tick at which the button was pressed; the state afterwards has that of the
+  // target.
   Write({.tick = tick_, .what = recording::Return{.kind = kind, .to = to.point}},
         simulation.scene().meters_per_unit);
   tick_ = simulation.tick();

@@ -53,6 +53,7 @@ class ReplayAlong {
       if (!does) throw std::runtime_error("interrupted");
       return does;
     };
+    // Without events the places of actions in the trace are unknown.
     if (!trace_.has_events()) Fail(recording_, "has an older format and cannot be continued");
     if (player_.RunToStart(simulation_, goes_on)) FailAsDifferent();
     collector_.Forget();
@@ -74,8 +75,10 @@ class ReplayAlong {
   bool Step() {
     auto moment = trace_.Next();
     if (!moment) return false;
+    // Events of the tick before, which are complete now.
     if (last_ && last_->events != collector_.events()) FailAsDifferent();
     if (last_) simulation_->Tick();
+    // The hash covers everything that determines the future, so the continuation is exact.
     if (simulation_->state_hash() != moment->hash) FailAsDifferent();
     if (player_.ApplyDue(simulation_)) FailAsDifferent();
     num_actions_ += std::ranges::count_if(collector_.events(), &sim::BeginsAction);
@@ -118,6 +121,7 @@ class ReplayAlong {
 std::uint64_t BytesOfLines(const std::filesystem::path& path, std::size_t num_lines) {
   const std::string text = ReadFile(path, std::size_t{1} << 30);
   std::size_t end = 0;
+  // The log has been read already, so each of these lines has its newline.
   for (std::size_t i = 0; i < num_lines; ++i) end = text.find('\n', end) + 1;
   return end;
 }
@@ -160,16 +164,19 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
   // The classic view is removed before log and trace change: it is rebuilt in any case, and an
   // interruption must not leave an outdated one.
   recording::RemoveClassicView(directory);
+  // Removes what opening has dropped: an unfinished line, or a return that was not carried out.
   recorder->log_->Cut(BytesOfLines(log_path, num_lines));
   recorder->num_lines_ = num_lines;
   recorder->tick_ = recording::TicksOf(recording).last;
   const recording::TracePlace end = recording::TraceReader(recording).size();
   recorder->trace_.emplace(directory / "trace.bin", end, from.tick);
   const recording::CommandLog& log = recording.log;
+  // A checkout is needed only if the point is not where log and trace end anyway.
   if (log.LineBefore(num_lines + 1) != log.LineBefore(from.line + 1) || reached.place != end) {
     recorder->Return(recording::ReturnKind::kCheckout, {.point = from, .place = reached.place},
                      *simulation);
   }
+  // Completes the trace: these events follow from commands that the log has.
   for (const sim::Event& event : reached.untold) recorder->trace_->Add(event);
   recorder->tick_ = from.tick;
   recorder->Rebuild(recording::OpenRecording(directory), eye, *simulation, progress);
@@ -178,6 +185,7 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
 
 void Recorder::Rebuild(const recording::Recording& recording, sim::Eye* eye,
                        const sim::Simulation& simulation, const recording::Progress& progress) {
+  // Marks for the actions on the path, so that they can be undone in the continued recording.
   std::vector<recording::HistoryPoint> before_actions;
   for (const recording::LoggedCommand& logged : recording.commands) {
     if (logged.line <= recording.info.start.line || !IsAction(logged.command)) continue;
@@ -197,6 +205,7 @@ void Recorder::Rebuild(const recording::Recording& recording, sim::Eye* eye,
           eye, simulation.shared_model(), *moment, trace.events_before_start());
     }
     for (std::size_t i = 0; i < moment->events.size(); ++i) {
+      // Actions of the trace, of the log and of the simulation are in the same order.
       if (BeginsAction(moment->events[i])) {
         const std::size_t number = marks_.size();
         marks_[actions[number].id].before = {.point = before_actions.at(number),

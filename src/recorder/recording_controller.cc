@@ -10,6 +10,10 @@
 #include "model/eye.h"
 #include "recording/recording_names.h"
 
+// Starts and finishes recordings on command, and forwards the simulation's calls to the recorder.
+// An error while recording (a full disk, a removed folder) ends the recording and is kept for the
+// next question; the simulation continues.
+
 namespace smile::recorder {
 
 RecordingController::RecordingController(sim::Simulation* simulation, Options options)
@@ -27,6 +31,7 @@ std::optional<sim::Refusal> RecordingController::Start(const sim::Simulation& si
     return "\"name\" is " + Quoted(name) + ", expected " + recording::kNameForm;
   if (recording::IsBlank(start.title)) return recording::kBlankTitle;
   RecorderOptions options = options_.recording;
+  // What the command leaves open comes from the options of the program.
   if (!start.title.empty()) options.title = start.title;
   if (!start.notes.empty()) options.notes = start.notes;
   try {
@@ -43,6 +48,7 @@ std::optional<sim::Refusal> RecordingController::Start(const sim::Simulation& si
 
 void RecordingController::Start(const std::filesystem::path& directory,
                                 const RecorderOptions& options, const sim::Simulation& simulation) {
+  // The failure of the recording before has been reported, or no longer matters.
   failure_.reset();
   recorder_ = std::make_unique<Recorder>(directory, options, options_.eye, simulation);
   directories_.push_back(directory);
@@ -62,6 +68,7 @@ void RecordingController::Continue(const std::filesystem::path& directory,
 
 std::optional<sim::Refusal> RecordingController::Finish(const sim::Simulation&) {
   EndIfRemoved();
+  // It ended by itself: the reason answers the command.
   if (!recorder_) return failure_;
   recorder_.reset();
   return std::nullopt;
@@ -106,6 +113,7 @@ std::optional<sim::Refusal> RecordingController::RefuseWithoutCamera(
     const sim::Simulation& simulation, const sim::Load& load) const {
   if (options_.eye == nullptr) return std::nullopt;
   const std::string& camera = options_.eye->spec().camera;
+  // Cameras of the robot and the fixed eye exist in every scene.
   if (!model::IsSceneCamera(simulation.model(), camera)) return std::nullopt;
   const auto& cameras = load.scene->cameras;
   if (std::ranges::find(cameras, camera, &scene::CameraSpec::id) != cameras.end()) {

@@ -8,6 +8,10 @@
 #include <stdexcept>
 #include <string>
 
+// Files that only grow: log and trace. Each append reaches the operating system before it returns,
+// so a killed program loses at most the end of its last record. Power failures are not covered:
+// that would need an fsync per tick.
+
 namespace smile::recording {
 namespace {
 
@@ -20,6 +24,7 @@ namespace {
 AppendFile::AppendFile(const std::filesystem::path& path, Existence existence)
     : path_(path),
       file_(std::fopen(path.c_str(), existence == kNew ? "wbxe" : "r+be"), &std::fclose) {
+  // `x` fails if the file exists, `e` closes it in child processes such as brains.
   // The advisory lock excludes other writers and lasts until the file is closed; readers are not
   // affected. A lock that is taken fails at once and does not wait.
   if (!file_) Fail(path_);
@@ -31,6 +36,7 @@ AppendFile::AppendFile(const std::filesystem::path& path, Existence existence)
 }
 
 void AppendFile::Cut(std::uint64_t size) {
+  // Only an unfinished end is ever cut off.
   if (ftruncate(fileno(file_.get()), static_cast<off_t>(size)) != 0 ||
       std::fseek(file_.get(), 0, SEEK_END) != 0) {
     Fail(path_);

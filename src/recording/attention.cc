@@ -15,6 +15,7 @@ std::map<std::string, std::vector<std::string>> AttentionOf(const Recording& rec
     }
   };
   TraceReader trace(recording);
+  // Properties that were marked before the recording began still hold.
   note(trace.events_before_start());
   while (const auto moment = trace.Next()) note(moment->events);
   return attention;

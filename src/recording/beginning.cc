@@ -9,6 +9,10 @@
 #include "base/files.h"
 #include "recording/recording.h"
 
+// A recording can be opened once its demo.json exists, which is written last. Until then a mark
+// file with a lock shows that its program is alive; a directory with a mark and without a lock was
+// abandoned and may be replaced.
+
 namespace smile::recording {
 namespace {
 

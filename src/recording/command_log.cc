@@ -8,9 +8,14 @@
 #include "base/files.h"
 #include "sim/command_json.h"
 
+// The log is a tree in a sequential file. Most lines follow the line before them; a return (undo,
+// redo, checkout) makes the next line follow an earlier one. A path is therefore read backwards,
+// from its end to the start.
+
 namespace smile::recording {
 namespace {
 
+// Bounds the memory for a damaged or hostile file.
 constexpr std::size_t kMaxLogBytes = std::size_t{1} << 30;
 
 constexpr std::array kReturnKinds = {ReturnKind::kUndo, ReturnKind::kRedo, ReturnKind::kCheckout};
@@ -18,6 +23,7 @@ constexpr std::array kReturnKinds = {ReturnKind::kUndo, ReturnKind::kRedo, Retur
 /// Returns the kind of a line that is a return; nullopt for all other lines.
 std::optional<ReturnKind> ParseReturnKind(const Json& json) {
   if (!json.is_object() || !json.contains("do")) return std::nullopt;
+  // As commands, undo and redo have the same words; in a log they have a target.
   for (ReturnKind kind : kReturnKinds) {
     if (json.at("do") == ToString(kind)) return kind;
   }

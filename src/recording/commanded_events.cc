@@ -3,6 +3,9 @@
 #include <type_traits>
 #include <utility>
 
+// For traces of old versions, which have no events: derives from a command the event that it
+// reports. Less is known than from the trace, for example not what an object was put on.
+
 namespace smile::recording {
 
 std::optional<sim::Event> CommandedEvents::Next(const sim::Command& command) {

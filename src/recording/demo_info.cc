@@ -15,9 +15,13 @@
 #include "base/wording.h"
 #include "recording/append_file.h"
 
+// `demo.json`: the facts about a recording, in formats of several versions. Unknown members are
+// refused, since a program that does not know one could misread the recording.
+
 namespace smile::recording {
 namespace {
 
+// The notes are the largest member, 8 kB.
 constexpr std::size_t kMaxInfoBytes = 64u << 10;
 /// Limits on the start of a recording, about a month of simulated time, to bound the work that a
 /// damaged file can cause.
@@ -47,6 +51,7 @@ constexpr std::array<std::string_view, 7> kRobotMembers{
 constexpr std::array<std::string_view, 9> kEyeMembers{
     "width_px", "height_px", "fx", "fy", "cx", "cy", "position_m", "rotation_wxyz", "camera"};
 
+// Limit on the sides of pictures.
 constexpr int kMaxSizePx = 8192;
 
 Json ToJson(const CameraView& view) {
@@ -78,6 +83,7 @@ Json ToJson(const RobotInfo& info) {
 Origin ReadOrigin(const JsonNode& node) {
   const std::string name = node.String();
   for (std::size_t i = 0; i < kOriginNames.size(); ++i) {
+    // Names are in the order of the enumeration.
     if (name == kOriginNames[i]) return static_cast<Origin>(i);
   }
   node.Fail("found " + Quoted(name) + ", expected " + OneOf(kOriginNames));
@@ -88,6 +94,7 @@ CameraView ReadView(const JsonNode& node) {
   CameraIntrinsics& intrinsics = view.intrinsics;
   intrinsics.width_px = static_cast<int>(node.Member("width_px").Whole(1, kMaxSizePx));
   intrinsics.height_px = static_cast<int>(node.Member("height_px").Whole(1, kMaxSizePx));
+  // Focal lengths are positive and finite; the principal point lies within the picture.
   intrinsics.fx = node.Member("fx").Number(1e-3, 1e9);
   intrinsics.fy = node.Member("fy").Number(1e-3, 1e9);
   intrinsics.cx = node.Member("cx").Number(0, intrinsics.width_px);

@@ -120,6 +120,7 @@ std::uint64_t Demonstration::duration() const {
 }
 
 std::vector<LoggedCommand> Demonstration::Schedule() const {
+  // Commands before the start are fixed; those of segments move with the segments before them.
   std::vector<LoggedCommand> schedule = past;
   std::uint64_t begin = start.tick;
   for (const EditableSegment& segment : segments) {

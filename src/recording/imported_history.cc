@@ -7,6 +7,8 @@
 namespace smile::recording {
 
 std::vector<Segment> ImportedHistoryOf(const Recording& recording) {
+  // A classic recording has no branches, so each step follows the one before. All points have the
+  // same line: there is no log.
   std::vector<Segment> steps{
       {.begin = recording.info.start, .end = recording.info.start, .is_on_path = true}};
   // Actions whose summary is computed again at the next moment: the classic format writes an action

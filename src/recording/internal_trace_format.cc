@@ -1,5 +1,8 @@
 #include "recording/internal_trace_format.h"
 
+// Layout of names, counts and events in `trace.bin`. Numbers are little-endian, strings have their
+// length before them (u32). A list of names is its length (u32) and the strings.
+
 namespace smile::recording {
 namespace {
 
@@ -17,6 +20,7 @@ void PutNames(const std::vector<std::string>& names, ByteWriter* out) {
 std::vector<std::string> GetNames(std::uint32_t max_count, ByteReader* in) {
   std::vector<std::string> names;
   const auto count = in->Get<std::uint32_t>();
+  // Stops at the first error: a damaged length must not cost memory.
   for (std::uint32_t i = 0; i < count && i < max_count && in->ok(); ++i) {
     names.push_back(in->GetString());
   }
@@ -36,6 +40,8 @@ TraceCounts GetCounts(ByteReader* in) {
 }
 
 void Put(const sim::Event& event, ByteWriter* out) {
+  // kind u8, hand u8 (255: none), six strings, guest, host and tightness (i32, -1: none),
+  // properties, and for events of several objects their ids.
   out->Put(static_cast<std::uint8_t>(event.kind));
   out->Put(event.hand ? static_cast<std::uint8_t>(*event.hand) : kNoHand);
   for (const std::string* text :

@@ -45,6 +45,7 @@ motion::JointTrajectory JointMotionOf(const Recording& recording,
     motion::TrajectoryPoint point{.seconds = sim::SecondsOf(since)};
     for (const motion::TrajectoryChannel& channel : channels) {
       const double q = PositionOf(channel, recording.robot()->model, moment->joints);
+      // Otherwise a robot that touched its limit would be refused when it follows its own motion.
       point.positions.push_back(AtItsLimit(channel.limits, q));
     }
     trajectory.points.push_back(std::move(point));

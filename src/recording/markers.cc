@@ -5,6 +5,7 @@
 
 namespace smile::recording {
 
+// One empty element before all changes: before the first command there are no markers.
 MarkerTrack::MarkerTrack(const Recording& recording) : changes_(1) {
   for (const LoggedCommand& logged : recording.commands) {
     if (const auto* markers = std::get_if<sim::Markers>(&logged.command)) {

@@ -13,6 +13,10 @@
 #include "scene_xml/scene_reader.h"
 #include "sim/spawning.h"
 
+// Opens a recording: reads its files in the order of their dependence, checks that they fit each
+// other, and drops what an interrupted program left unfinished. Files are untrusted: recordings are
+// shared.
+
 namespace smile::recording {
 namespace {
 
@@ -99,6 +103,7 @@ void CheckStart(const Recording& recording) {
 /// Compiles the model of scene and robot as recorded in the directory.
 std::shared_ptr<const model::Model> ModelOf(const std::filesystem::path& directory,
                                             const DemoInfo& info) {
+  // The name is that of the original scene; the file here is always scene.xml.
   scene::SceneSpec scene = scene_xml::LoadScene(directory / "scene.xml");
   scene.name = info.scene;
   scene.physics_version = info.physics_version;
@@ -124,6 +129,7 @@ scene::SceneSpec SceneAfter(const Recording& recording, std::size_t line) {
     if (spawn == nullptr) continue;
     sim::Refusal refusal;
     auto grown = sim::WithSpawned(scene, *spawn, &refusal);
+    // A command that succeeded when it was recorded: the log or the scene has been changed.
     if (!grown) {
       throw InputError({(recording.directory / "commands.jsonl").string(),
                         static_cast<int>(logged.line), "", refusal});

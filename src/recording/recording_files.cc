@@ -15,6 +15,7 @@ void RequireNewDirectory(const std::filesystem::path& directory) {
     throw InputError({directory.string(), 0, "",
                       "is inside the recording " + around->string() + ", which is not changed"});
   }
+  // An abandoned beginning contains no recording and is replaced.
   if (IsAbandoned(directory)) return;
   std::error_code error;
   if (std::filesystem::exists(directory, error) && !std::filesystem::is_empty(directory, error)) {

@@ -58,6 +58,7 @@ class Summaries {
   /// Returns the steps from the first action to `last`, in order.
   std::vector<std::size_t> PathTo(std::size_t last) const {
     std::vector<std::size_t> path;
+    // Every step but the first has a parent with a smaller number.
     for (std::size_t step = last; step > 0; step = *steps_[step].parent) path.push_back(step);
     std::reverse(path.begin(), path.end());
     return path;

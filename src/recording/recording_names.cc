@@ -6,9 +6,13 @@
 
 #include "recording/beginning.h"
 
+// Names of recordings are names of directories and parts of URLs: no separator, no leading point,
+// valid on common file systems.
+
 namespace smile::recording {
 namespace {
 
+// File systems allow 255 bytes; a number may be appended.
 constexpr std::size_t kMaxNameBytes = 100;
 constexpr int kMaxSameNames = 100'000;
 

@@ -14,6 +14,7 @@ void WriteSceneFiles(const scene::SceneSpec& scene, const std::filesystem::path&
   const std::vector<scene_xml::MeshFile> meshes = scene_xml::MeshFilesOf(scene);
   if (!meshes.empty()) MakeDirectories(folder);
   for (const scene_xml::MeshFile& mesh : meshes) {
+    // Before the scene that refers to them.
     mesh::WriteStl(mesh.mesh->surface, folder / mesh.name);
   }
   WriteFile(file, scene_xml::WriteScene(scene));

@@ -6,6 +6,9 @@
 #include <system_error>
 #include <vector>
 
+// The classic view has one text and one folder of pictures per segment, named by its number. Only
+// files with such names are deleted, as users may keep others beside them.
+
 namespace smile::recording {
 namespace {
 
@@ -28,6 +31,7 @@ void RemovePictures(const std::filesystem::path& folder) {
     if (is_picture) pictures.push_back(entry.path());
   }
   for (const auto& picture : pictures) std::filesystem::remove(picture);
+  // Folders with other files stay.
   std::error_code not_empty;
   std::filesystem::remove(folder, not_empty);
 }

@@ -18,6 +18,7 @@ std::string SecondsText(double seconds) { return NumberText(std::round(seconds *
 
 TickRange TicksOf(const Recording& recording) {
   const std::uint64_t begin = recording.info.start.tick;
+  // The end is known only from reading: records have no fixed length.
   TickRange whole{.first = begin, .last = begin};
   TraceReader trace(recording);
   for (bool has_begun = false; const auto moment = trace.Next(); has_begun = true) {
@@ -63,6 +64,7 @@ double SecondsInto(const Recording& recording, std::uint64_t tick) {
 bool IsFrameDue(std::uint64_t frame, std::uint64_t ticks_since_first, double frames_per_second) {
   // Allows for rounding in the division, so that a frame due exactly at a tick is not late by one.
   constexpr double kRounding = 1e-9;  // [ticks]
+  // By the number of the frame and not by adding up periods, which would accumulate rounding.
   const double due = static_cast<double>(frame) * sim::kTicksPerSecond / frames_per_second;
   return static_cast<double>(ticks_since_first) + kRounding >= due;
 }

@@ -16,6 +16,7 @@ TracePose TracePose::At(const RigidTransform& X_WB, bool is_awake) {
   const Quaternion q = X_WB.quaternion();
   return {.is_awake = is_awake,
           .position = X_WB.translation(),
+          // Not normalized again: these bits must read back as they are.
           .rotation = {q.w(), q.x(), q.y(), q.z()}};
 }
 

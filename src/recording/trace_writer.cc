@@ -2,6 +2,10 @@
 
 #include "recording/internal_trace_format.h"
 
+// Records of `trace.bin`, see internal_trace_format.h. A tick's record has what changed since the
+// record before; the first one after the start or a return is complete, so that a reader can begin
+// there.
+
 namespace smile::recording {
 
 TraceWriter::TraceWriter(const std::filesystem::path& path, const model::Model& model)
@@ -51,6 +55,7 @@ void TraceWriter::Add(const TraceTick& tick) {
   for (std::uint32_t i = 0; i < tick.objects.size(); ++i) {
     if (!last_ || tick.objects[i] != last_->objects[i]) moved.push_back(i);
   }
+  // Each moved object: index u32, flags u8, position and quaternion as seven doubles.
   record.Put(static_cast<std::uint32_t>(moved.size()));
   for (std::uint32_t i : moved) {
     record.Put(i);

@@ -13,6 +13,9 @@
 #include "recording/trace_reader.h"
 #include "video/video_writer.h"
 
+// Films are functions of the trace: each frame is rendered from the recorded poses, without
+// physics. A film runs at its own rate; `speed` maps its time to that of the recording.
+
 namespace smile::picture {
 namespace {
 
@@ -63,6 +66,7 @@ void MakeNewDirectory(const std::filesystem::path& directory) {
 
 std::string NumberedName(std::uint64_t frame) {
   char name[40];
+  // Six digits sort correctly up to four and a half hours at 60 frames per second.
   std::snprintf(name, sizeof name, "%06llu.png", static_cast<unsigned long long>(frame));
   return name;
 }
@@ -77,6 +81,7 @@ void FilmInto(const std::filesystem::path& mp4, const recording::Recording& reco
   const bool is_whole = ForEachFrame(
       recording, range, options, renderer, progress,
       [&video](std::uint64_t, std::uint64_t, const Image& image) { video.Add(image); });
+  // By an exception, so that the caller removes the partial file.
   if (!is_whole) throw std::runtime_error("interrupted");
   video.Finish();
 }
@@ -114,6 +119,7 @@ void FilmAsPictures(const recording::Recording& recording, const std::filesystem
                [&](std::uint64_t frame, std::uint64_t tick, const Image& image) {
                  const auto written = WriteChannels(directory / NumberedName(frame), image,
                                                     options.request.channels);
+                 // After its picture: each line of the index names a file that exists.
                  index.Append(std::to_string(frame) + "," + std::to_string(tick) + "," +
                               NumberText(recording::SecondsInto(recording, tick)) + "," +
                               written.front().filename().string() + "\n");

@@ -8,6 +8,10 @@
 
 #include "mesh/modeling.h"
 
+// The shape of the demonstrator's arms and how they bend. A hand has a frame H with its origin in
+// the grip (see the header). Posture is given by where fingertips are; all joint angles follow by
+// inverse kinematics.
+
 namespace smile::picture {
 namespace {
 
@@ -55,6 +59,8 @@ RigidTransform FrameAlong(const Vector3& p, const Vector3& z_direction, const Ve
 /// Returns a tapered rod along z from the origin, with hemispherical ends.
 scene::SurfaceMesh Bone(double length, double radius_at_0, double radius_at_end) {
   constexpr int kSteps = 5;
+  // Radius and height along the rod, from tip to tip: a quarter circle, the cone between, and
+  // another quarter circle.
   std::vector<Eigen::Vector2d> profile;
   for (int k = 0; k <= kSteps; ++k) {
     const double angle = std::numbers::pi / 2 * k / kSteps;
@@ -225,10 +231,12 @@ std::array<RigidTransform, kArmPieces> PiecePoses(HandSide side, const HandPostu
   const RigidTransform& X_WH = posture.X_WH;
   const auto to_thumb = OfSide(side, Vector3::UnitY());
   const Vector3 knuckles = (Digits()[2].p_HRoot + Digits()[3].p_HRoot) / 2;
+  // The palm, from the wrist to the middle of the knuckles.
   poses[0] =
       X_WH * FrameAlong(kWrist, Vector3(knuckles.x(), 0, knuckles.z()) - kWrist, Vector3::UnitY());
   for (std::size_t digit = 0; digit < Digits().size(); ++digit) {
     const Digit& d = Digits()[digit];
+    // The side to which the joints bend: away from the object and up.
     const Vector3 outward = digit == 0 ? Vector3(-1, 0.5, 0.2) : Vector3(1, 0, 1);
     const auto joints = BentTo(d.p_HRoot, d.lengths, TipOf(digit, posture), outward);
     for (std::size_t k = 0; k < 3; ++k) {

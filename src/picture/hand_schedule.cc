@@ -12,6 +12,10 @@
 #include "recording/view_sample.h"
 #include "scene/parts.h"
 
+// Which of the two visible hands touches what, and when. The recording knows four logical hands
+// (left, right, both, any); a person has two. Contacts are collected along the trace and then
+// assigned: named hands first, `both` to both, `any` to the hand that is free.
+
 namespace smile::picture {
 namespace {
 
@@ -138,6 +142,7 @@ class ContactCollector {
     const auto& commands = recording_.commands;
     auto logged =
         std::ranges::lower_bound(commands, moment.tick, {}, &recording::LoggedCommand::tick);
+    // Several commands may have this tick; the grasp of this hand and object is the one.
     for (; logged != commands.end() && logged->tick == moment.tick; ++logged) {
       const auto* grasp = std::get_if<sim::Grasp>(&logged->command);
       const bool is_it =
@@ -220,6 +225,7 @@ void AssignToOneHand(ContactInterval interval, HandSchedule* schedule) {
 /// axis.
 void AssignToBoth(const ContactInterval& interval, const SurfaceProbe& probe,
                   HandSchedule* schedule) {
+  // Distance of each hand from the end of the object, towards its middle [m].
   constexpr double kInside = 0.02;
   const RigidTransform& X_WB = interval.begin.poses[interval.frame];
   const Vector3 x_B = X_WB.rotation().transpose() * Vector3::UnitX();
@@ -246,6 +252,8 @@ void RemoveOverlaps(std::vector<ContactInterval>* intervals) {
 /// Returns the side of the hand called `left`: the one for which its objects lie more to its own
 /// side.
 HandSide CalledLeft(const std::vector<NamedInterval>& all) {
+  // Left and right are names in commands, and users put either on either side. The table is seen
+  // from the demonstrator's place, where +x is left.
   double balance = 0;
   for (const auto& [hand, interval] : all) {
     const double x = interval.begin.poses[interval.frame].translation().x();

@@ -86,6 +86,7 @@ class HandPlayer {
              const SurfaceProbe& probe, double table_edge)
       : side_(side), intervals_(intervals), probe_(probe), edge_(table_edge) {
     for (const ContactInterval& interval : intervals_) {
+      // The yaw is chosen once per contact: a hand that holds an object must not turn about it.
       yaws_.push_back(interval.kind == ContactInterval::Kind::kTouch ? 0 : BestYaw(interval));
     }
     LookAhead();
@@ -101,6 +102,7 @@ class HandPlayer {
     const bool is_at_it = now_ && tick <= intervals_[*now_].last;
     const Aim aim = is_at_it ? AimAt(*now_, state) : AimBetween(tick);
     if (is_at_it) left_ = aim;
+    // A huge first step: the first posture is taken as it is.
     const double dt = is_begun_ ? sim::SecondsOf(tick - tick_) : 1e9;
     is_begun_ = true;
     tick_ = tick;

@@ -8,6 +8,10 @@
 #include "picture/viewpoint.h"
 #include "recording/view_sample.h"
 
+// Renders recorded moments, through the robot's cameras or from views for people. Pictures for
+// people may show markers and the demonstrator; pictures of the robot's cameras are those of the
+// recording, except for the demonstrator on request.
+
 namespace smile::picture {
 namespace {
 
@@ -45,7 +49,9 @@ RecordingRenderer::RecordingRenderer(const model::Model& model, RenderRequest re
       request_(std::move(request)),
       eye_{.width_px = request_.width_px, .height_px = request_.height_px} {
   const std::vector<std::string> names = model::CameraNames(model);
+  // Cameras of the model come first; other words are views for people.
   if (std::ranges::find(names, request_.camera) != names.end()) {
+    // `eye` means the camera with which the recording was made, which may be the robot's head.
     eye_.camera = request_.camera == model::kEyeCamera ? request_.eye : request_.camera;
   } else {
     view_for_people_ =
@@ -108,6 +114,7 @@ void RecordingRenderer::AddMarkers(const model::ViewSample& sample,
   marker.casts_shadow = false;
   for (const Vector3& p_WM : markers) {
     marker.X_FV = RigidTransform(p_WM);
+    // Markers are drawn into a copy and mixed in, so that they are half transparent.
     model.visuals.push_back(marker);
   }
   Mix(model, sample);

@@ -14,6 +14,8 @@ bool IsPartOf(const model::ViewSample& sample, const model::ViewSample& other) {
 }  // namespace
 
 const Image& RenderedEye::Draw(const scene::VisualModel& model, const model::ViewSample& sample) {
+  // The last picture is kept: recorder, brain and preview often ask for the same moment. Rendering
+  // is a function of the sample, so the bytes are the same.
   if (seen_ && &model == model_seen_ && IsPartOf(sample, *seen_)) return image_;
   renderer_.Render(model, sample.state, sample.view,
                    {.color = sample.channels.rgb,

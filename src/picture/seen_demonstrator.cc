@@ -2,6 +2,9 @@
 
 #include <utility>
 
+// A copy of the recording's visual model with the demonstrator's arms appended. Frames and object
+// ids of the model itself do not change, so ids in pictures mean the same with and without arms.
+
 namespace smile::picture {
 namespace {
 
@@ -36,6 +39,7 @@ void SeenDemonstrator::AddHand(HandSide side) {
                                                                  : kSkin;
     visual.frame = visual_model_.num_frames++;
     visual.object_id = object_id(side);
+    // A ghost casts none, as it is not there.
     visual.casts_shadow = appearance_ == DemonstratorAppearance::kForearm;
     visual_model_.visuals.push_back(std::move(visual));
   }

@@ -8,6 +8,10 @@
 
 #include "mesh/primitives.h"
 
+// Measures objects along lines, as a hand would feel them: where a line enters and leaves the
+// visible surfaces of an object. Visible meshes are used and not collision shapes, since fingers
+// must touch what is seen.
+
 namespace smile::picture {
 namespace {
 
@@ -23,6 +27,7 @@ std::optional<double> Meet(const Vector3& p, const Vector3& direction, const Vec
   const Vector3 ab = b - a, ac = c - a;
   const Vector3 h = direction.cross(ac);
   const double determinant = ab.dot(h);
+  // Parallel to the triangle.
   if (std::abs(determinant) < 1e-15) return std::nullopt;
   const Vector3 s = p - a;
   const double u = s.dot(h) / determinant;
@@ -59,6 +64,8 @@ std::vector<Span> Within(const mesh::TriangleMesh& mesh, const Vector3& p,
   std::vector<Span> spans;
   auto exit = out.begin();
   for (const double entry : in) {
+    // The next exit that is not before the entry. An unpaired one, of a surface with a hole, is
+    // skipped.
     exit = std::lower_bound(exit, out.end(), entry);
     if (exit == out.end()) break;
     spans.push_back({entry, *exit});
@@ -108,6 +115,7 @@ Span SurfaceProbe::Around(model::FrameIndex frame, const std::vector<int>& looks
                           const Vector3& p_FQ, const Vector3& direction) const {
   constexpr double kOnSurface = 1e-3;
   for (const Span& span : Along(frame, looks, p_FQ, direction)) {
+    // A point on the surface counts as inside, in spite of rounding.
     if (span.from <= kOnSurface && span.to >= -kOnSurface) {
       return {std::min(span.from, 0.0), std::max(span.to, 0.0)};
     }
@@ -117,6 +125,7 @@ Span SurfaceProbe::Around(model::FrameIndex frame, const std::vector<int>& looks
 
 Vector3 SurfaceProbe::PointWithin(model::FrameIndex frame, const std::vector<int>& looks,
                                   const Vector3& p_FQ) const {
+  // Depth of the point below the surface: about the radius of a fingertip [m].
   constexpr double kBelow = 0.012;
   const Span up = Around(frame, looks, p_FQ, Vector3::UnitZ());
   if (up.to > up.from) return p_FQ;

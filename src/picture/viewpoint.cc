@@ -12,6 +12,9 @@
 #include "mesh/primitives.h"
 #include "scene/visual_model.h"
 
+// Named views for people, and views given by two points. They depend on the scene at its start and
+// not on the moment, so that a film keeps its view.
+
 namespace smile::picture {
 namespace {
 
@@ -28,6 +31,7 @@ const std::array<Preset, 5>& Presets() {
       {"front", {0, 2.3, 0.9}, {0, -0.3, 0.2}},
       {"left", {-2.3, -0.2, 0.9}, {0, -0.3, 0.2}},
       {"right", {2.3, -0.2, 0.9}, {0, -0.3, 0.2}},
+      // Not exactly vertical, as the up direction would be undefined.
       {"top", {0, -0.1, 2.6}, {0, -0.099, 0}},
   }};
   return kPresets;
@@ -75,6 +79,7 @@ RigidTransform ClosePose(const std::vector<Ball>& balls, const CameraIntrinsics&
       // The edge of the picture is a plane through the camera; the ball must lie inside it.
       const double edge = std::atan(half_size_px / focal_px);
       const double needed = (std::abs(sideways) + ball.radius / std::cos(edge)) / std::tan(edge);
+      // The camera moves back along its axis until the last ball fits; the ball's own depth counts.
       distance = std::max(distance, needed - p_C.z());
     };
     fit(p_C.x(), intrinsics.width_px / 2.0, intrinsics.fx);

@@ -13,6 +13,7 @@ std::vector<RigidTransform> LinkPoses(std::span<const LinkSpec> links,
     const LinkSpec& link = links[i];
     // Parents precede their children, so their poses are known.
     const RigidTransform& X_WP = link.parent < 0 ? X_WBase : X_WL[link.parent];
+    // X_WL = X_WP * X_PJ * X_JL(q): parent, fixed joint frame, motion of the joint.
     const RigidTransform X_JL =
         link.joint_type == JointType::kRevolute
             ? RigidTransform(Eigen::AngleAxisd(q[i], link.axis).toRotationMatrix(), Vector3::Zero())

@@ -12,6 +12,7 @@ void AppendPoints(const Part& part, std::vector<Point> Composite::*points,
                   const RigidTransform& X_BE, std::vector<PlacedPoint<Point>>* placed) {
   const auto* composite = std::get_if<Composite>(&part.shape);
   if (composite == nullptr) return;
+  // The order is that of the file, parents first: indices of hosts and guests depend on it.
   for (const Point& point : composite->*points) placed->push_back({&point, X_BE * PoseOf(point)});
   for (const Part& child : composite->parts) {
     AppendPoints(child, points, X_BE * child.X_PE, placed);

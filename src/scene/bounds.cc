@@ -10,6 +10,7 @@ namespace {
 /// Returns half of the extent, along the axes of A, of a shape that is symmetric about its origin
 /// [m].
 Vector3 HalfExtent(const Block& block, const Matrix3& R_AS) {
+  // Along an axis of A the eight corners reach as far as the sum of the absolute components.
   return R_AS.cwiseAbs() * (block.size / 2);
 }
 
@@ -40,6 +41,7 @@ void Bounds::Add(const Bounds& other) {
 bool Bounds::Meets(const Bounds& other, double margin) const {
   if (is_empty() || other.is_empty()) return false;
   return (low.array() - margin < other.high.array()).all() &&
+         // Strict: boxes that only touch do not meet with a margin of 0.
          (other.low.array() - margin < high.array()).all();
 }
 

@@ -5,6 +5,9 @@
 #include "scene/scene_spec.h"
 #include "scene/units.h"
 
+// The pieces of a chain as ordinary objects: two static ends and the links between them. They are
+// derived from the chain whenever a scene is read, so a scene file contains only the chain.
+
 namespace smile::scene {
 namespace {
 
@@ -42,6 +45,7 @@ std::vector<ObjectSpec> PiecesOf(const ChainSpec& chain, double meters_per_unit)
                  .X_PE = {R_WPiece, p_WPiece},
                  .color = {1, 1, 1},
                  .shape = Block{FromFileUnits(Vector3::Constant(kEndUnits), meters_per_unit)}};
+    // The ends cannot move: they hang the chain up.
     end.mass = 0;
     Describe("chain-endpoint", Vector3::Constant(kEndUnits), &end);
     pieces.push_back(end);

@@ -46,6 +46,7 @@ std::string KindOf(const Part& control) {
 }
 
 std::string ButtonId(const std::string& switch_id, Button button) {
+  // These names are part of commands and recordings.
   return switch_id + (button == Button::kLeft ? "-b1" : "-b2");
 }
 
@@ -67,6 +68,7 @@ const std::vector<std::string>& DownstreamOf(const Part& control) {
 std::vector<Solid> SolidsWith(const std::vector<int>& looks, const std::vector<Solid>& solids) {
   std::vector<Solid> present;
   for (const Solid& solid : solids) {
+    // Solids outside of controls are always there.
     if (solid.control < 0 || looks.at(solid.control) == solid.look) present.push_back(solid);
   }
   return present;

@@ -105,6 +105,7 @@ VolumeMoments MomentsOf(const Hull& hull) {
                 (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
     }
   }
+  // Flat, or its faces are oriented inwards.
   if (!(volume > 0)) return {};
   const Vector3 p_OCenter = first / volume;
   // Covariance of the volume about its center; the inertia tensor is trace(covariance) I -

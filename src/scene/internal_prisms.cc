@@ -91,9 +91,11 @@ std::vector<RingPiece> PiecesOf(const Ring& ring) {
     return {{HullBetween(disc, disc, ring.height), RigidTransform()}};
   }
   std::vector<RingPiece> pieces;
+  // Pieces of equal size share one hull, which physics and pictures then process once.
   std::map<int, Hull> segments;  // by their number of sides; it has two values at most
   const auto num_pieces = static_cast<int>(NumPiecesOf(ring));
   for (int i = 0; i < num_pieces; ++i) {
+    // Integer arithmetic distributes the sides evenly and without gaps.
     const int begin = i * ring.sides / num_pieces, end = (i + 1) * ring.sides / num_pieces;
     Hull& segment = segments[end - begin];
     if (segment == Hull()) segment = RingSegment(ring, end - begin);

@@ -5,6 +5,10 @@
 
 #include "scene/control.h"
 
+// Joining scenes, for objects that are added while a simulation runs: the second scene is appended
+// to the first, so no index of the first changes. The caller has checked that units, table and ids
+// are compatible.
+
 namespace smile::scene {
 namespace {
 

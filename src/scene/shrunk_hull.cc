@@ -5,6 +5,10 @@
 #include <cstdint>
 #include <utility>
 
+// Shrinks a hull by a margin, for collision shapes that the physics library inflates by the same
+// margin again: the outer faces are then where the scene has them. Corners move, and faces keep
+// their directions.
+
 namespace smile::scene {
 namespace {
 

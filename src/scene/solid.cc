@@ -8,6 +8,10 @@
 #include "scene/internal_lights.h"
 #include "scene/internal_prisms.h"
 
+// Collision shapes of objects: every shape of the scene language as a union of convex solids, in a
+// fixed order. The order matters twice: controls are numbered along it, and contacts are computed
+// in it.
+
 namespace smile::scene {
 namespace {
 
@@ -44,6 +48,8 @@ class SolidCollector {
                    },
                    [&](const ToggleSwitch& toggle) { AppendSwitch(toggle, part, place); },
                    [&](const IndicatorLights& lights) {
+                     // Their discs do not depend on the state, but the number is taken: indices
+                     // count all controls.
                      ++num_controls_;
                      for (int i = 0; i < lights.num_lights; ++i) {
                        const Belonging at = place.Child(PoseOfLight(lights, i));
@@ -95,6 +101,8 @@ class SolidCollector {
     const RigidTransform X_raised =
         AboutY(-toggle.angle) * RigidTransform(Vector3(width / 2, 0, height / 2));
     for (int position : {0, 1}) {
+      // The rocker turns about its middle: in position 0 the left button is flat, in position 1 the
+      // right.
       const RigidTransform X_ERocker = position == 0 ? RigidTransform() : AboutY(toggle.angle);
       const auto add = [&](Button which, const RigidTransform& X_RockerButton) {
         solids_.push_back({button, place.X_BE * (X_ERocker * X_RockerButton), part.color, part.id,
@@ -196,6 +204,7 @@ MassProperties MassPropertiesOf(const std::vector<Solid>& solids, double mass,
     return properties;
   }
   for (std::size_t i = 0; i < solids.size(); ++i) {
+    // One density for the whole object. Overlapping pieces count twice.
     const double share = mass * moments[i].volume / volume;
     const Matrix3& R = solids[i].X_BS.rotation();
     const Vector3 p = solids[i].X_BS * moments[i].center - center;

@@ -3,6 +3,10 @@
 #include <cmath>
 #include <limits>
 
+// Lengths in SI to numbers in the unit of a file such that reading returns the same bits. Unlike
+// for scene files, which use extended precision (scene_xml/internal_units.h), doubles suffice here:
+// values are rounded to the file grid before they are used.
+
 namespace smile::scene {
 
 double ToFileUnits(double length, double meters_per_unit) {

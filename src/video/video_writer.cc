@@ -7,6 +7,9 @@
 
 #include "video/internal_libav.h"
 
+// Writes films with libav and x264. The same pictures must give the same bytes, so that films can
+// be compared in tests: one thread, fixed settings, bit-exact flags, no dates.
+
 namespace smile::video {
 
 using internal::Check;
@@ -89,6 +92,7 @@ class VideoWriter::Encoder {
     codec_->flags |= AV_CODEC_FLAG_GLOBAL_HEADER | AV_CODEC_FLAG_BITEXACT;
     AVDictionary* options = nullptr;
     av_dict_set(&options, "preset", "veryfast", 0);
+    // Constant quality: the size follows from the content. 20 is nearly without visible loss.
     av_dict_set(&options, "crf", "20", 0);
     const int result = avcodec_open2(codec_.get(), x264, &options);
     av_dict_free(&options);
@@ -151,6 +155,7 @@ class VideoWriter::Encoder {
       const int result = avcodec_receive_packet(codec_.get(), packet_.get());
       if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
       Check(result, path_, "avcodec_receive_packet");
+      // In the codec's time base, one frame; the file's time base is finer.
       packet_->duration = 1;
       av_packet_rescale_ts(packet_.get(), codec_->time_base, stream_->time_base);
       packet_->stream_index = stream_->index;
@@ -199,6 +204,7 @@ void VideoWriter::Finish() { encoder_->Finish(); }
 int VideoWriter::num_frames() const { return encoder_->num_frames(); }
 
 VideoInfo ReadVideoInfo(const std::filesystem::path& path) {
+  // Faults of the file are reported by exceptions below.
   av_log_set_level(AV_LOG_FATAL);
   const AVInputFormat* mp4 =
       CheckMade(av_find_input_format("mp4"), path, "av_find_input_format(mp4)");

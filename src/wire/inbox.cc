@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cstring>
 
+// Collects bytes of a socket and returns whole messages. Most messages fit into one small buffer
+// and are decoded in place; a larger body, such as a picture, is received directly into memory of
+// its own, without a copy. A view that was returned is valid until the next call.
+
 namespace smile::wire {
 namespace {
 
@@ -54,6 +58,7 @@ void Inbox::BeginLargeBody(const FrameHeader& header) {
   if (make_room_) {
     large_body_ = make_room_(header.body_bytes);
   } else {
+    // Grows only: the next picture has the same size.
     own_room_.resize(std::max<std::size_t>(own_room_.size(), header.body_bytes));
     large_body_ = std::span(own_room_).first(header.body_bytes);
   }

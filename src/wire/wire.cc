@@ -6,6 +6,12 @@
 
 #include "base/bytes.h"
 
+// Layout of a message, little-endian: header of 16 bytes (magic, type, sequence number, length of
+// the body, each u32); body: number of arrays u32, padding u32, then the arrays. An array: letters
+// of its name u8, type u8, number of dimensions u8, flags u8, dimensions u32, name, padding,
+// elements, padding. Padding leads to multiples of 8 bytes. Encoder and decoder are both here and
+// share their checks.
+
 namespace smile::wire {
 namespace {
 
@@ -50,7 +56,9 @@ std::string WhyUnfit(std::string_view name, ElementType type, std::uint8_t flags
   };
   if (type > ElementType::kText) return array_that("has an unknown element type");
   const int known_flags = kRowMajorFlag | (type == ElementType::kByte ? kFractionFlag : 0);
+  // Only bytes can stand for fractions.
   if (flags & ~known_flags) return array_that("has unknown flags");
+  // At least two, as all arrays of Octave have.
   if (dims.size() < 2 || dims.size() > kMaxDimensions) {
     return array_that("has " + std::to_string(dims.size()) + " dimensions, expected 2 to " +
                       std::to_string(kMaxDimensions));
@@ -107,6 +115,7 @@ void CopyToRowMajor(std::span<const std::uint32_t> dims, std::size_t element_byt
   for (std::size_t k = 0; k < to.size(); k += element_bytes) {
     std::memcpy(&to[k], &from[at], element_bytes);
     // Advances the last dimension; at its end returns to 0 there and advances the one before.
+    // The stride of the last dimension is the largest in column-major order.
     std::size_t stride = from.size();
     for (std::size_t d = dims.size(); d-- > 0;) {
       stride /= dims[d];
@@ -252,6 +261,7 @@ std::span<std::byte> MessageWriter::AddSpace(std::string_view name, ElementType 
   frame_.insert(frame_.end(), letters.begin(), letters.end());
   PutPadding();
 
+  // The caller writes the elements into this space, without a copy in between.
   const std::size_t begin = frame_.size();
   const std::size_t size = *DataBytes(type, dims);
   frame_.resize(begin + size + Padding(size));
@@ -305,11 +315,13 @@ std::variant<MessageView, WireError> DecodeBody(const FrameHeader& header,
     auto decoded = DecodeArray(reader, body.size());
     if (auto* error = std::get_if<WireError>(&decoded)) return std::move(*error);
     const auto& array = std::get<ArrayView>(decoded);
+    // Names must be unique, as receivers look arrays up by name.
     const bool is_double = std::any_of(message.arrays.begin(), message.arrays.end(),
                                        [&](const ArrayView& it) { return it.name == array.name; });
     if (is_double) return WireError{"array '" + std::string(array.name) + "' appears twice"};
     message.arrays.push_back(array);
   }
+  // A strict check: both sides must agree on the length to the last byte.
   if (reader.remaining() > 0) return WireError{"bytes are left over after the last array"};
   return message;
 }

@@ -18,6 +18,7 @@ const Element* Element::FindChild(std::string_view child_name) const {
 
 std::string AddressOf(std::string_view element_name, std::string_view key,
                       const std::string* value) {
+  // Names of elements come from the file, and may be of any length.
   constexpr std::size_t kMaxNameBytes = 60;
   std::string address(element_name.substr(0, kMaxNameBytes));
   if (value) address += " " + std::string(key) + "=" + Quoted(*value);

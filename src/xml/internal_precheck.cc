@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 
+// Checks that must be made before libxml2 sees a file: it collects all attributes of a tag before
+// it reports the tag, with a duplicate search that is quadratic in their number, and guesses
+// encodings. This scanner is no parser; it only finds tags, in the same way as every parser would.
+
 namespace smile::xml {
 namespace {
 
@@ -32,6 +36,7 @@ Tag TagAt(std::string_view text, std::size_t begin) {
       if (letter == quote) quote = 0;
     } else if (letter == '"' || letter == '\'') {
       quote = letter;
+      // Also counts `=` in faulty tags, which is harmless: it can only refuse more.
     } else if (letter == '=') {
       ++tag.num_attributes;
     } else if (letter == '>') {

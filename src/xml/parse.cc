@@ -97,8 +97,10 @@ class TreeBuilder {
 
   static xmlSAXHandler Handler() {
     xmlSAXHandler handler = {};
+    // Marks the handler as SAX2: otherwise startElementNs would not be called.
     handler.initialized = XML_SAX2_MAGIC;
     handler.startDocument = [](void* self) { Self(self).CheckEncoding(); };
+    // A DOCTYPE could define entities that refer to files or expand to gigabytes.
     handler.internalSubset = [](void* self, const xmlChar*, const xmlChar*, const xmlChar*) {
       Self(self).Fail("", "found a DOCTYPE, expected none: files must be self-contained");
     };

@@ -12,6 +12,10 @@
 #include "physics/internal_articulation_links.h"
 #include "physics/internal_collision_object.h"
 
+// A robot as Bullet's multibody (Featherstone, reduced coordinates), with drives of our own. In
+// kinematic articulations the same links are kinematic rigid bodies, placed by forward kinematics:
+// they push and cannot be pushed.
+
 namespace smile::physics {
 namespace {
 
@@ -61,6 +65,7 @@ Articulation::Articulation(ArticulationId id, std::shared_ptr<const scene::Artic
 /// principal axes (Lcm), relative to that of its parent (Pcm).
 void Articulation::AddBulletLink(int number) {
   const scene::LinkSpec& link = spec_->links[number];
+  // Bullet takes only the diagonal of an inertia, so the frame is rotated to the principal axes.
   const PrincipalInertia inertia = PrincipalInertiaOf(link.inertia);
   RigidTransform& X_LLcm = links_->links[number].X_LLcm;
   X_LLcm = RigidTransform(inertia.axes, link.p_LLcm);
@@ -167,6 +172,8 @@ void Articulation::SetVelocityTarget(int joint, double velocity) {
   // A lead above half its bound means that the joint is blocked; ordinary lag is smaller.
   const double lead = position_references_[joint] - bullet_->getJointPos(joint);
   const bool is_blocked = std::abs(lead) > MaxLead(joint) / 2;
+  // Drops the lead when a blocked joint is commanded to stop or reverse: it would continue to push
+  // until the reference had come back.
   if (is_blocked && target != velocity_targets_[joint] && lead * target <= 0) HoldStill(joint);
   velocity_targets_[joint] = target;
 }
@@ -231,6 +238,7 @@ void Articulation::Save(ByteWriter* out) const {
     out->Put(position_references_[i]);
   }
   for (int i = -1; i < num_joints(); ++i) {
+    // -1 is the base, which may have no collider.
     if (const auto* collider = links_->collider(i)) SaveObject(*collider, out);
   }
 }
@@ -329,6 +337,7 @@ void Articulation::DriveMotors(double step_seconds, double gravity) {
     // Gravity compensation.
     bullet_->addLinkForce(i, btVector3(0, 0, gravity * link.mass));
   }
+  // Noted again before each step, as long as a weld bears too much.
   is_overloaded_.assign(is_overloaded_.size(), false);
 }
 

@@ -10,6 +10,9 @@
 #include "physics/internal_overlap_probe.h"
 #include "physics/internal_shapes.h"
 
+// Tests poses of a robot for overlaps without a world: motion planning asks this thousands of
+// times. Only geometry counts; there is no state from one query to the next.
+
 namespace smile::physics {
 
 struct ArticulationProbe::Parts {
@@ -53,6 +56,7 @@ ArticulationProbe::ArticulationProbe(const scene::ArticulationSpec& spec,
   }
 
   // Pairs are found once here, since each query visits all of them.
+  // The base may stand on the environment.
   std::set<std::pair<int, int>> never{{kEnvironment, -1}};
   for (const auto& [a, b] : spec.never_collide) never.insert(std::minmax(a, b));
   const auto& pieces = parts_->pieces;

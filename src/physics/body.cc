@@ -40,6 +40,7 @@ void Body::SetPose(const RigidTransform& X_WB) {
   dynamics_->SetPose(X_WB);
   // the world inertia follows the rotation; the next step uses it
   dynamics_->bullet().updateInertiaTensor();
+  // A body that is placed is at rest there; its former velocity has no meaning.
   SetVelocity(Vector3::Zero(), Vector3::Zero());
 }
 

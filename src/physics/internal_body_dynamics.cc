@@ -59,6 +59,8 @@ Vector3 Body::Dynamics::p_BcmB_W() const {
 
 void Body::Dynamics::Load(double mass, double moment) {
   if (mass == load_mass_ && moment == load_moment_) return;
+  // The load is what a carried body bears besides itself, so that a hand's force per mass lifts all
+  // of it.
   load_mass_ = mass;
   load_moment_ = moment;
   // A kinematic body has no mass in Bullet; the load takes effect when it becomes dynamic.

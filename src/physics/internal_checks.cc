@@ -110,6 +110,7 @@ void CheckIds(const Snapshot& snapshot) {
   // Bodies and articulations are sorted by id separately; together they must not overlap.
   std::vector<bool> is_link;
   const auto demand_free = [&snapshot, &is_link](std::uint64_t first, std::uint64_t count) {
+    // Ids begin at 1. The counter must be above all of them, or a new object would get a used one.
     DemandOfSnapshot(first > 0 && first + count <= snapshot.next_id, "an id was never assigned");
     for (std::uint64_t id = first; id < std::min<std::uint64_t>(first + count, is_link.size());
          ++id) {

@@ -6,6 +6,11 @@
 #include "base/state_hash.h"
 #include "physics/internal_body_dynamics.h"
 
+// Pairs of bodies with exceptions from contact. An ignored pair (after a joint has ended inside a
+// hole, for example) does not collide until it has separated, or nearly so; a close fit collides,
+// but with some play. A pair goes from the first list to the second and then out of both. Both
+// lists are sorted and part of snapshots.
+
 namespace smile::physics {
 namespace {
 
@@ -72,6 +77,7 @@ void CollisionExemptions::Update() {
     if (depth > 0 && config_.eases_close_fits) InsertPair(pair, &close_fits_);
     return true;
   });
+  // The solver's world applies the play in each step.
   engine_.world.SetCloseFits(close_fits_);
 }
 

@@ -51,6 +51,8 @@ void SaveObject(const btCollisionObject& object, ByteWriter* out) {
   WriteVector(object.getInterpolationAngularVelocity(), out);
   out->Put(object.getActivationState());
   out->Put(static_cast<double>(object.getDeactivationTime()));
+  // All that Bullet keeps of an object from one step to the next; see docs/decisions/physics.md,
+  // item 4.
   out->Put(static_cast<double>(object.getHitFraction()));
   WriteVector(object.getBroadphaseHandle()->m_aabbMin, out);
   WriteVector(object.getBroadphaseHandle()->m_aabbMax, out);

@@ -2,6 +2,10 @@
 
 #include <new>
 
+// Contacts of bodies made of parts. Unlike with Bullet's own algorithm, each pair of parts has one
+// manifold, with the numbers of both parts, so that it can be found again in a snapshot
+// (docs/decisions/physics.md, exact snapshots).
+
 namespace smile::physics {
 namespace {
 
@@ -63,6 +67,7 @@ btCollisionAlgorithm* CompoundPairAlgorithm::CreateFunc::CreateCollisionAlgorith
 }
 
 void CompoundPairAlgorithm::CreateFunc::RegisterWith(btCollisionDispatcher* dispatcher) {
+  // For a compound against anything, on either side.
   for (int type = 0; type < MAX_BROADPHASE_COLLISION_TYPES; ++type) {
     dispatcher->registerCollisionCreateFunc(COMPOUND_SHAPE_PROXYTYPE, type, this);
     dispatcher->registerCollisionCreateFunc(type, COMPOUND_SHAPE_PROXYTYPE, this);
@@ -93,6 +98,7 @@ void CompoundPairAlgorithm::processCollision(const btCollisionObjectWrapper* a,
                                              const btCollisionObjectWrapper* b,
                                              const btDispatcherInfo& info,
                                              btManifoldResult* result) {
+  // Made once for both bodies: their parts never change while they are in the world.
   if (pairs_.empty()) MakePartPairs(a, b);
   for (PartPair& pair : pairs_) Collide(pair, a, b, info, result);
 }

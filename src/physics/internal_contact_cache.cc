@@ -8,6 +8,10 @@
 
 #include "physics/internal_compound_pairs.h"
 
+// Contact points in snapshots. Impulses of the last step are the solver's starting point in the
+// next one, so points must be restored field by field. Layout: number of manifolds u32; each: key
+// (three i32), number of points i32, and the fields of each point in the order of ForEachField().
+
 namespace smile::physics {
 namespace {
 
@@ -147,6 +151,7 @@ void RestoreContacts(ExactWorld& world, StatelessBroadphase& broadphase, ByteRea
   for (int i = 0; i < dispatcher->getNumManifolds(); ++i) {
     btPersistentManifold* manifold = dispatcher->getManifoldByIndexInternal(i);
     manifolds[KeyOf(manifold)] = manifold;
+    // Those that the collision made and the snapshot does not have stay empty.
     manifold->clearManifold();
   }
   for (const SavedManifold& from : saved) {

@@ -9,6 +9,10 @@
 #include "physics/internal_compound_pairs.h"
 #include "physics/internal_joint_drive.h"
 
+// Bullet's world with everything sorted that depends on history, so that the same state always
+// gives the same next state. Objects, manifolds and islands have the order of creation of their
+// objects (OrderOf), which is part of snapshots.
+
 namespace smile::physics {
 namespace {
 
@@ -18,6 +22,7 @@ constexpr btScalar kMaxDepth = 0.005;
 template <class Constraint>
 void RemoveInOrder(btAlignedObjectArray<Constraint*>& constraints, Constraint* constraint) {
   const int index = constraints.findLinearSearch(constraint);
+  // Bullet moves the last constraint to the gap, which changes the order in which rows are solved.
   for (int i = index; i + 1 < constraints.size(); ++i) constraints[i] = constraints[i + 1];
   if (index < constraints.size()) constraints.pop_back();
 }
@@ -60,6 +65,7 @@ void ExactWorld::SortObjects() {
   };
   auto& objects = getCollisionObjectArray();
   if (sort(objects)) {
+    // Bullet finds objects in its array by this index.
     for (int i = 0; i < objects.size(); ++i) objects[i]->setWorldArrayIndex(i);
   }
   sort(m_nonStaticRigidBodies);

@@ -6,6 +6,10 @@
 #include "physics/internal_articulation_links.h"
 #include "physics/internal_body_dynamics.h"
 
+// Bodies that a gripper holds by a weld. To a robot with motors it is a constraint with a large but
+// bounded effort; to a kinematic robot the body becomes kinematic itself and is placed with the
+// link. Held bodies weigh nothing up to the payload of the arm.
+
 namespace smile::physics {
 namespace {
 

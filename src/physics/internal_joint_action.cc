@@ -46,6 +46,7 @@ std::vector<double> InverseMassesOf(const JointGroups& rigid, const WorldObjects
     masses[rigid.group_of(one->id())] += one->dynamics().loaded_mass();
   }
   for (std::size_t i = 0; i < masses.size(); ++i) {
+    // Infinite mass: the other side takes all of the change.
     masses[i] = rigid.is_anchored(static_cast<int>(i)) ? 0 : 1 / masses[i];
   }
   return masses;
@@ -69,6 +70,7 @@ void LoadCarriedBodies(const WorldObjects& objects, const JointSet& joints) {
       Body& one = *bodies[i];
       if (one.is_static()) continue;
       for (std::size_t carried : carried_in[groups.group_of(one.id())]) {
+        // What hangs on a carried body must follow it, even if it is asleep.
         one.WakeUp();
         if (carried == i) continue;
         loads[carried].first += one.spec().mass.mass;

@@ -14,6 +14,7 @@ JointGraph::JointGraph(std::span<const Joint> joints, JointId without) {
     edges_.push_back(*pair);
     edges_.emplace_back(pair->second, pair->first);
   }
+  // Both directions, sorted: the edges of a body are found by binary search.
   std::sort(edges_.begin(), edges_.end());
 }
 
@@ -55,6 +56,8 @@ JointGroups::JointGroups(const std::vector<std::unique_ptr<Body>>& bodies,
     // Union-find with the smaller index as root, so that the number of a group does not depend on
     // the order of joints.
     const int first = std::min(root_a, root_b), second = std::max(root_a, root_b);
+    // A static body anchors the group without joining it: two things on one table are not one
+    // group.
     if (is_static[a] || is_static[b]) {
       is_anchored_[first] = is_anchored_[second] = true;
     } else {

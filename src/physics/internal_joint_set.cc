@@ -12,6 +12,10 @@
 #include "physics/internal_joint_bytes.h"
 #include "physics/internal_joint_graph.h"
 
+// All joints of a world, in the order in which they were made. Welds are forwarded to HeldBodies;
+// all others are constraints of the solver. The map of constraints is sorted by id, so saving and
+// restoring visit them in the same order.
+
 namespace smile::physics {
 
 JointSet::JointSet(const WorldObjects& objects, HeldBodies& held_bodies, Engine& engine)
@@ -46,6 +50,7 @@ void JointSet::Insert(const Joint& joint) {
     auto& constraint = constraints_[joint.id] = MakeConstraint(joint);
     engine_.world.addConstraint(constraint.get());
   }
+  // Last: if something above throws, the list has no half-made joint.
   joints_.push_back(joint);
 }
 

@@ -7,6 +7,10 @@
 
 #include "physics/internal_joint_constraint.h"
 
+// Connects JointBlock, which solves joint rows exactly, with Bullet's iterative solver, which does
+// contacts, motors and limits. In each of its iterations the joints are solved first, all at once,
+// and the contacts after them.
+
 namespace smile::physics {
 namespace {
 
@@ -21,6 +25,7 @@ struct NumberedRow {
 std::vector<NumberedRow> RowsOf(btConstraintArray& pool) {
   std::vector<NumberedRow> rows;
   for (int i = 0; i < pool.size(); ++i) {
+    // Bullet keeps the constraint of a row here. The world has no other constraints between bodies.
     auto* joint = static_cast<JointConstraint*>(
         static_cast<btTypedConstraint*>(pool[i].m_originalContactPoint));
     const bool is_next = !rows.empty() && rows.back().joint == joint;

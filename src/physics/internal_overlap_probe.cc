@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+// Measures how deep two shapes overlap, with a dispatcher of its own: the world's dispatcher would
+// create manifolds, and a question must leave no trace in the state.
+
 namespace smile::physics {
 namespace {
 
@@ -42,6 +45,7 @@ double OverlapProbe::Depth(btCollisionShape* a, const btTransform& X_WA, btColli
   btCollisionAlgorithm* algorithm =
       dispatcher_.findAlgorithm(&wrapped_a, &wrapped_b, nullptr, BT_CONTACT_POINT_ALGORITHMS);
   algorithm->processCollision(&wrapped_a, &wrapped_b, btDispatcherInfo(), &deepest);
+  // Allocated from the dispatcher's pool, and therefore not deleted.
   algorithm->~btCollisionAlgorithm();
   dispatcher_.freeCollisionAlgorithm(algorithm);
   return deepest.depth;

@@ -42,6 +42,7 @@ std::vector<BodyId> FindTouchingBodies(const Body& body, const WorldObjects& obj
   const auto note_touches = [&bodies](const btPersistentManifold& manifold, Body& other) {
     for (int k = 0; k < manifold.getNumContacts(); ++k) {
       const btManifoldPoint& point = manifold.getContactPoint(k);
+      // The distance is that before the step; a pushing contact touches in any case.
       if (point.getDistance() <= kTouching || point.getAppliedImpulse() > 0) {
         bodies.push_back(other.id());
       }

@@ -56,6 +56,7 @@ CollisionShape MakeCollisionShape(const std::vector<scene::Solid>& solids,
   // A single part in the origin needs no compound.
   if (solids.size() == 1 && X_AB * solids.front().X_BS == RigidTransform()) return result;
 
+  // Without Bullet's tree of parts: CompoundPairAlgorithm visits all pairs itself.
   result.compound = std::make_unique<btCompoundShape>(/*enableDynamicAabbTree=*/false);
   for (std::size_t i = 0; i < solids.size(); ++i) {
     result.compound->addChildShape(ToBullet(X_AB * solids[i].X_BS), result.parts[i].get());

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+// Finds pairs of objects whose bounding boxes overlap, as a function of the present boxes only.
+// Bullet's tree keeps enlarged boxes and its own order, so a restored world would find other pairs.
+// For a few hundred objects, sorting along x is fast enough.
+
 namespace smile::physics {
 namespace {
 
@@ -36,6 +40,7 @@ bool PairFilter::needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy
 
 void PairFilter::Exclude(int order_a, int order_b) { ++excluded_[Ordered(order_a, order_b)]; }
 void PairFilter::Include(int order_a, int order_b) {
+  // Counted, since a pair can be excluded for several reasons at once.
   const auto pair = excluded_.find(Ordered(order_a, order_b));
   if (pair != excluded_.end() && --pair->second == 0) excluded_.erase(pair);
 }

@@ -10,6 +10,10 @@
 #include "physics/internal_body_dynamics.h"
 #include "physics/internal_checks.h"
 
+// Bodies and articulations of a world, sorted by id, and their lives in Bullet's world. Ids count
+// up and are never used again; they determine the order of all work (OrderOf). Specs are immutable
+// and shared with snapshots, so a removed body can return.
+
 namespace smile::physics {
 namespace {
 
@@ -46,6 +50,7 @@ WorldObjects::~WorldObjects() {
   while (!bodies_.empty()) Erase(*bodies_.back());
   for (const auto& articulation : articulations_) {
     for (const auto& link : articulation->links().links) {
+      // The drive before the multibody to which it refers.
       if (link.drive) engine_.world.removeMultiBodyConstraint(link.drive.get());
       engine_.world.removeCollisionObject(link.collider.get());
     }

@@ -7,6 +7,10 @@
 #include "physics/internal_joint_bytes.h"
 #include "scene/field_archive.h"
 
+// Snapshots as bytes. Specs are written field by field by Walk(), one function for writing and
+// reading; the changing state is a block of bytes that the parts of the world write and read
+// themselves, in the order of World::Save().
+
 namespace smile::physics {
 namespace {
 
@@ -25,6 +29,7 @@ struct Reader : scene::FieldReader {
 
 template <class Archive>
 void Walk(Archive& archive, BodySpec& spec) {
+  // The order of fields is the format; a change needs another version.
   WalkEach(archive, spec.solids);
   archive(spec.mass.mass);
   WalkMatrix(archive, spec.mass.center);

@@ -16,6 +16,10 @@
 #include "physics/internal_queries.h"
 #include "physics/internal_world_objects.h"
 
+// The world is a facade: each part (objects, held bodies, joints, exemptions) keeps one kind of
+// state, with its share of saving, restoring and hashing. The order of these calls is the same
+// everywhere, as it is the order of bytes in a snapshot.
+
 namespace smile::physics {
 
 World::World(const WorldConfig& config)
@@ -44,6 +48,7 @@ ArticulationId World::AddArticulation(const scene::ArticulationSpec& spec) {
 void World::ChangeForm(BodyId id, const std::vector<scene::Solid>& solids,
                        const scene::MassProperties& mass) {
   objects_->ChangeForm(id, solids, mass);
+  // Bullet's object of the body is another one now.
   joints_->Rejoin(id);
 }
 
@@ -114,6 +119,7 @@ void World::Step() {
   }
   // Articulations come before the bodies they hold, which need the next link poses.
   held_bodies_->SetKinematicVelocities();
+  // 0 substeps: exactly one step of this length, without Bullet's own accumulation of time.
   engine_->world.stepSimulation(config_.step_seconds, /*maxSubSteps=*/0);
   for (const auto& articulation : objects_->articulations()) articulation->AfterStep();
   held_bodies_->MoveKinematicBodies();

@@ -95,6 +95,7 @@ void CheckArticulation(const scene::ArticulationSpec& spec) {
                link.friction >= 0;
   }
   for (const auto& [a, b] : spec.never_collide) {
+    // -1 is the base.
     is_sound = is_sound && a >= -1 && b >= -1 && a < count && b < count;
   }
   DemandOfSnapshot(is_sound, "the links of a robot are inconsistent");

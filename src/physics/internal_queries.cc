@@ -5,6 +5,9 @@
 #include "physics/internal_articulation_links.h"
 #include "physics/internal_body_dynamics.h"
 
+// Questions about contacts and overlaps. They read the contacts of the last step, or measure with a
+// dispatcher of their own, and change no state.
+
 namespace smile::physics {
 namespace {
 

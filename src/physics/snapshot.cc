@@ -144,6 +144,7 @@ Snapshot ParseSnapshot(std::span<const std::byte> bytes) {
   }
   Snapshot snapshot;
   Walk(reader, snapshot);
+  // Never more than there are: the reader is bounded by its bytes.
   const auto state = reader.bytes.GetBytes(reader.bytes.Get<std::uint64_t>());
   if (!reader.bytes.ok()) reader.Fail("it is truncated");
   snapshot.state.assign(state.begin(), state.end());

@@ -37,6 +37,7 @@ void SeenDemonstrator::AddHand(HandSide side) {
     visual.color = appearance_ == DemonstratorAppearance::kGhost ? kGhost
                    : piece.is_sleeve                             ? kSleeve
                                                                  : kSkin;
+    // Each piece moves by itself.
     visual.frame = visual_model_.num_frames++;
     visual.object_id = object_id(side);
     // A ghost casts none, as it is not there.

@@ -77,6 +77,7 @@ RigidTransform ClosePose(const std::vector<Ball>& balls, const CameraIntrinsics&
     const Vector3 p_C = R_CW * (ball.center - center);
     const auto fit = [&](double sideways, double half_size_px, double focal_px) {
       // The edge of the picture is a plane through the camera; the ball must lie inside it.
+      // Half of the angle of view in this direction.
       const double edge = std::atan(half_size_px / focal_px);
       const double needed = (std::abs(sideways) + ball.radius / std::cos(edge)) / std::tan(edge);
       // The camera moves back along its axis until the last ball fits; the ball's own depth counts.
@@ -148,6 +149,7 @@ std::vector<std::string> ViewNames() {
 CameraView FindView(std::string_view camera, const scene::SceneSpec& scene,
                     const model::EyeSpec& size, const std::vector<std::string>& cameras,
                     bool has_robot) {
+  // Names contain neither, so this is a view by points.
   if (camera.find_first_of(":,") != std::string_view::npos) {
     return FreeView(camera, scene.meters_per_unit, size);
   }

@@ -126,6 +126,7 @@ std::string ReadEyeCamera(const JsonNode& eye) {
 /// Returns the path of the robot file relative to the recording; it must lie directly in the robot
 /// folder, so that a recording cannot refer to files elsewhere.
 std::string ReadUrdfName(const JsonNode& node) {
+  // Recordings of old programs have the file at another place, kOldRobotFile.
   const std::filesystem::path urdf = node.String();
   const bool is_inside = urdf == kOldRobotFile || (urdf.parent_path() == kRobotFolder &&
                                                    urdf.has_filename() && urdf.filename() != "..");
@@ -193,6 +194,7 @@ DemoInfo ReadInfo(const JsonNode& root) {
           ? static_cast<int>(root.Member("physics").Whole(1, scene::kPhysicsVersion))
           : 1;
   info.frames_per_second = root.Member("frames_per_second").Number(1e-6, sim::kTicksPerSecond);
+  // Recordings of format 1 begin with their simulation: line 0, tick 0.
   if (info.format >= 2) ReadBeginning(root, &info);
   if (const JsonNode robot = root.Member("robot"); !robot.IsNull()) {
     info.robot = ReadRobotInfo(robot);

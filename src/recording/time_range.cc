@@ -58,6 +58,7 @@ TickRange TicksOf(const TimeRange& range, const Recording& recording) {
 
 double SecondsInto(const Recording& recording, std::uint64_t tick) {
   const std::uint64_t start = recording.info.start.tick;
+  // Negative before the start: ticks are unsigned, so the difference is taken the other way.
   return tick >= start ? sim::SecondsOf(tick - start) : -sim::SecondsOf(start - tick);
 }
 

@@ -4,9 +4,13 @@
 
 #include "math/angles.h"
 
+// Moments of a trace: made from a simulation, from the start of a model, or completed for a larger
+// model. Everything that a view shows is in them, so views need no physics.
+
 namespace smile::recording {
 
 PoseGap GapBetween(const TracePose& from, const TracePose& to) {
+  // The rotation vector between both orientations; its length is the angle [rad].
   const Vector3 turn =
       RotationVectorBetween(from.pose_in_world().quaternion(), to.pose_in_world().quaternion());
   return {.distance = (to.position - from.position).norm(), .angle = turn.norm()};

@@ -65,6 +65,7 @@ Markup WhatWasRun(const Evaluation& evaluation) {
   facts += Fact("Level", evaluation.level.empty() ? "default" : evaluation.level);
   facts += Fact("Seeds", SeedsText(evaluation));
   facts += Fact("Program", evaluation.program);
+  // Other options of each run, on one line.
   std::string ways;
   for (const std::string& way : evaluation.ways) ways += (ways.empty() ? "" : " ") + way;
   if (!ways.empty()) facts += Fact("Options", ways);
@@ -118,6 +119,7 @@ Markup Map(const Evaluation& evaluation) {
   for (const EvaluatedBrain& brain : evaluation.brains) {
     MapRow row{.name = brain.name, .cells = {}};
     for (const EvaluatedRun& run : brain.runs) {
+      // The text appears as a tooltip: the cell itself has only a color and a cross.
       row.cells.push_back(
           {run.has_succeeded, "seed " + std::to_string(run.seed) + ": " +
                                   (run.failure_reason ? run.failure_reason->code : "success")});
@@ -265,6 +267,7 @@ Markup SeedTable(const Evaluation& evaluation) {
   Markup head = NumberHead("Seed");
   for (const EvaluatedBrain& brain : evaluation.brains) {
     head += Head(brain.name);
+    // The same five columns for each brain, after the column of its result.
     for (const char* name : {"Error, mm", "Error, °", "Seconds", "Retries", "× real time"}) {
       head += NumberHead(name);
     }

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <cstdio>
 
+// Numbers as reports write them, for pages and terminals alike. Missing values are a dash
+// everywhere.
+
 namespace smile::report {
 
 std::string Fixed(double number, int digits) {

@@ -211,6 +211,7 @@ class SideFileReader {
   /// Checks that a link, or the joint that carries it, moves with all joints of the arm so far:
   /// planners treat an arm as one chain.
   void ExpectOnArm(int link, const Arm& arm, const JsonNode& node) const {
+    // The first joint may be anywhere.
     if (arm.joints.empty()) return;
     const int last = arm.joints.back();
     while (link > last) link = model_.links[link].parent;  // parents come before children
@@ -255,12 +256,14 @@ class SideFileReader {
     if (node.Has("closed_opening")) {
       gripper.closed_opening = node.Member("closed_opening").Number();
     } else if (node.Has("pads")) {
+      // Measured from the description itself, with fingers closed.
       gripper.closed_opening = GapBetween(node.Member("pads"), prefix, arm.tool);
     }
     if (!(std::abs(gripper.closed_opening) < 100)) {
       fingers.Fail("would be " + NumberText(gripper.closed_opening) +
                    " m apart when closed, expected less than 100");
     }
+    // Pads that would overlap when closed: a negative opening has no meaning in commands.
     if (gripper.closed_opening < 0) LetMeetAtZero(&gripper, fingers);
     return gripper;
   }
@@ -319,6 +322,7 @@ class SideFileReader {
     if (first == second)
       node.Fail(
           "both are the same rigid body, expected two links that move relative to each other");
+    // The smaller number first, so that each pair has one form.
     model_.never_collide.emplace_back(std::min(first, second), std::max(first, second));
   }
 
@@ -401,6 +405,7 @@ class SideFileReader {
 
   /// Adds a shipped look, for links whose names begin with `prefix`.
   void ReadAppearance(const JsonNode& node, std::string_view known, const std::string& prefix) {
+    // Looks are left out on request, for example by programs that only need kinematics.
     if (!has_look_) return;
     const std::string name = node.String();
     if (name != known) {

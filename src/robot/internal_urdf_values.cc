@@ -97,6 +97,7 @@ void UrdfElement::ReadMotion(const urdf::Joint& joint, scene::LinkSpec* link) co
   }
   link->axis = axis.normalized();
 
+  // URDF makes limits optional for continuous joints; motors need speed and effort here.
   if (!joint.limits) Fail("has no <limit>, expected lower, upper, velocity and effort");
   link->max_velocity = Positive(joint.limits->velocity, kMaxRate, "velocity limit");
   link->max_effort = Positive(joint.limits->effort, kMaxEffort, "effort limit");

@@ -10,6 +10,7 @@ namespace smile::robot {
 
 void AppendVisuals(const RobotModel& model, int first_frame, std::uint32_t object_id,
                    scene::VisualModel* visual_model) {
+  // The caller decides where the robot's frames begin; these checks find mistakes of programs.
   if (first_frame < 1) {
     throw std::invalid_argument("first_frame is " + std::to_string(first_frame) +
                                 ", expected at least 1: frame 0 is the world");

@@ -19,6 +19,7 @@ void AddIdsOf(const Part& part, std::set<std::string>* ids) {
     for (const GuestPoint& guest : composite->guests) ids->insert(guest.id);
     for (const HostPoint& host : composite->hosts) ids->insert(host.id);
   } else if (const auto* control = std::get_if<CustomControl>(&part.shape)) {
+    // Parts of all states, also those that are not shown now.
     for (const CustomControl::State& state : control->states) {
       for (const Part& child : state.parts) AddIdsOf(child, ids);
     }

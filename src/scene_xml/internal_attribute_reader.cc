@@ -70,6 +70,7 @@ void AttributeReader::Refuse(std::string_view name, const std::string& expected)
 }
 
 const std::string* AttributeReader::Text(std::string_view name) {
+  // Asking makes an attribute known, present or not, so that messages can list it.
   if (!Contains(known_, name)) known_.push_back(name);
   return element_.FindAttribute(name);
 }
@@ -118,6 +119,7 @@ std::string AttributeReader::ClaimedId() {
 bool AttributeReader::Boolean(std::string_view name, bool fallback) {
   const std::string* text = Text(name);
   if (!text) return fallback;
+  // An empty text is no value: unlike a missing attribute it is refused.
   const std::optional<bool> value = ParseBoolean(*text);
   if (!value) Refuse(name, "true, false, 1 or 0");
   return value.value_or(fallback);

@@ -50,6 +50,7 @@ void WriteReference(std::string_view name, const std::string& id, XmlText* text)
 void WriteStage(const scene::TightnessStage& stage, XmlText* text) {
   text->Open("tightness");
   text->Pose(stage.X_HS);
+  // Absent is not the same as 0.
   if (stage.downstream_state) text->Count("downstreamState", *stage.downstream_state);
   if (stage.locks_downstream) text->Boolean("downstreamLock", true);
   text->Close();

@@ -44,6 +44,7 @@ Part ReadPartAttributes(const SceneElement& element, const ShapeElement& shape,
   part.is_pointable = attributes->Boolean("pointable", false);
   // Other parts may share ids, as nothing refers to them.
   const bool has_own_id = HoldsWholes(place.container) || part.is_pointable || shape.is_control;
+  // Claiming adds a suffix to an id in use, and gives one to an element without.
   part.id = has_own_id ? attributes->ClaimedId() : attributes->Id();
   part.X_PE = attributes->Pose();
   if (!shape.default_color.empty()) part.color = attributes->Color(shape.default_color);

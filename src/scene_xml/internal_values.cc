@@ -7,6 +7,9 @@
 #include "scene_xml/internal_letters.h"
 #include "scene_xml/value_ranges.h"
 
+// Text to values, independent of the locale and without partial matches: std::from_chars must
+// consume all of the trimmed text. Lengths of input are bounded before anything is parsed.
+
 namespace smile::scene_xml {
 namespace {
 
@@ -20,6 +23,7 @@ std::string_view Trimmed(std::string_view text) {
 
 /// Removes a leading plus, which from_chars() does not accept.
 std::string_view WithoutPlus(std::string_view text) {
+  // `+-1` is no number.
   return text.size() > 1 && text[0] == '+' && text[1] != '-' ? text.substr(1) : text;
 }
 
@@ -41,6 +45,7 @@ template <std::size_t N, class Float>
 std::optional<std::array<Float, N>> ParseNumbers(std::string_view text) {
   text = Trimmed(text);
   if (text.size() < 2 || text.front() != '(' || text.back() != ')') return std::nullopt;
+  // Nested parentheses need no check: no number contains one.
   text = text.substr(1, text.size() - 2);
   std::array<Float, N> numbers;
   for (std::size_t i = 0; i < N; ++i) {

@@ -4,6 +4,9 @@
 #include <set>
 #include <variant>
 
+// Names of the mesh files that are written beside a scene. The original files may have any format,
+// name and place; copies are STL files with plain names.
+
 namespace smile::scene_xml {
 namespace {
 

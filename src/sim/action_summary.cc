@@ -95,6 +95,7 @@ std::string_view ToString(ActionKind kind) {
 
 std::optional<ActionSummary> SummaryOf(const Event& event,
                                        const std::optional<model::Support>& support) {
+  // Other events are consequences of an action and have no summary.
   if (!BeginsAction(event)) return std::nullopt;
   const auto summary = [&event](ActionKind kind, const std::string& what) {
     return ActionSummary{.kind = kind, .hand = event.hand, .what = what, .onto = {}};

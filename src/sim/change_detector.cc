@@ -85,6 +85,7 @@ void ChangeDetector::AppendOwn(const Command& command, std::vector<Event>* event
                 .kind = EventKind::kDestroyed, .hand = destroy.hand, .object = held_by_hand_};
           },
           [&](const Attend& attend) -> std::optional<Event> {
+            // The hand still holds it, as the command succeeded.
             const world::Object& object = *tabletop.Find(held_by_hand_);
             return Event{.kind = EventKind::kAttended,
                          .hand = attend.hand,
@@ -122,6 +123,7 @@ void ChangeDetector::AppendOwn(const Command& command, std::vector<Event>* event
 void ChangeDetector::AppendBonds(const Command& command, std::vector<Event>* events) const {
   const auto& before = mechanisms_.bonds;
   const model::Model& model = *running_.model();
+  // Over the hosts before the command: `before` is empty unless the command may change bonds.
   for (model::HostIndex host : IndexRange<model::HostIndex>(before.size())) {
     const world::BondState& was = before[host];
     const world::BondState& is = running_.tabletop().bonds().states()[host];
@@ -159,6 +161,7 @@ void ChangeDetector::AppendControls(std::vector<Event>* events) const {
 
 void ChangeDetector::AppendGrippers(std::vector<Event>* events) const {
   const auto now = running_.HeldByGrippers();
+  // The usual case, in every tick.
   if (now == held_by_grippers_) return;
   for (std::size_t arm = 0; arm < now.size(); ++arm) {
     // Differences of two short lists: a gripper holds few bodies.

@@ -64,6 +64,7 @@ Json SchemaOf(const CommandForm& form) {
 std::string InTable(std::string_view text) {
   std::string escaped;
   for (const char letter : text) {
+    // A bar would end the cell.
     if (letter == '|') escaped += '\\';
     escaped += letter;
   }

@@ -9,11 +9,17 @@
 #include "sim/spawning.h"
 #include "sim/tick.h"
 
+// The state of a simulation between commands and ticks: physics, objects, hands, robot. Each
+// command is executed completely or refused without any change; which kinds the robot carries out
+// is decided at compile time, by the overloads of SimulatedRobot::Execute().
+
 namespace smile::sim {
 
 RunningModel::RunningModel(std::shared_ptr<const model::Model> model)
     : start_model_(std::move(model)),
       model_(start_model_),
+      // Rules of physics that came later apply only to scenes of their version: recordings keep the
+      // version with which they were made, and replay exactly.
       physics_(physics::WorldConfig{.eases_close_fits = model_->scene().physics_version >= 2}),
       tabletop_(&physics_, model_),
       demonstrator_(&physics_, &tabletop_) {
@@ -98,6 +104,7 @@ std::optional<Refusal> RunningModel::ExecuteOne(const Remove& remove) {
 
 std::optional<Refusal> RunningModel::ExecuteOne(const Clear&) {
   // Held objects and everything connected with them stay.
+  // Two passes: which objects stay is known only when all held ones have been visited.
   std::vector<physics::BodyId> kept;
   std::vector<const world::Object*> taken;
   for (const world::Object& object : tabletop_.objects()) {
@@ -126,6 +133,7 @@ std::vector<const world::Object*> RunningModel::Tick() {
     demonstrator_.BeforeStep();
     physics_.Step();
     if (robot_) robot_->AfterStep();
+    // In each step, as an object that bounces may touch the floor for less than a tick.
     std::ranges::copy(tabletop_.NoticeFallen(), std::back_inserter(fallen));
   }
   ++tick_;

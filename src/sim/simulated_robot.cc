@@ -63,6 +63,7 @@ std::optional<Refusal> SimulatedRobot::Execute(const JointVelocities& velocities
 std::optional<Refusal> SimulatedRobot::Execute(const JointAngles& angles) {
   if (auto refusal = RefuseValues(angles.left, 0)) return refusal;
   if (auto refusal = RefuseValues(angles.right, 1)) return refusal;
+  // Sets the angles at once, without motion; held objects move along.
   const std::array arms{&angles.left, &angles.right};
   for (int arm = 0; arm < 2; ++arm) {
     if (!*arms[arm]) continue;
@@ -97,6 +98,7 @@ std::optional<Refusal> SimulatedRobot::Execute(const MoveGripper& move) {
   using enum MoveGripper::Which;
   for (int arm = 0; arm < 2; ++arm) {
     if (move.which == (arm == 0 ? kRight : kLeft)) continue;
+    // Both grippers are checked before either of them moves.
     if (arm >= body_.num_arms() || !body_.model().arms[arm].gripper) {
       return "the robot has no gripper there";
     }
@@ -128,6 +130,7 @@ std::optional<Refusal> SimulatedRobot::Execute(const Face& face) {
 }
 
 SimulatedRobotState SimulatedRobot::Save() const {
+  // Joint positions and velocities are part of the snapshot of physics.
   return {.body = body_.state(),
           .follower = follower_.state(),
           .is_shown = is_shown_,

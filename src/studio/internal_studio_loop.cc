@@ -3,6 +3,9 @@
 #include <chrono>
 #include <utility>
 
+// One frame of the studio. Everything that touches the session happens here, in one thread and in a
+// fixed order; other threads only queue requests before and send messages after.
+
 namespace smile::studio {
 namespace {
 

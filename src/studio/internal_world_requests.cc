@@ -11,6 +11,10 @@
 #include "sim/add.h"
 #include "sim/command_json.h"
 
+// Requests about the live world become commands, and all commands pass StateMachine::Apply().
+// Questions (support, resting place, allowed) never change the world: whatever must be tried is
+// tried on a copy.
+
 namespace smile::studio {
 namespace {
 

@@ -2,6 +2,8 @@
 
 #include "base/bytes.h"
 
+// Meshes are transferred once per scene and scaled by the page: many visuals share one unit mesh.
+
 namespace smile::studio {
 namespace {
 

@@ -82,6 +82,7 @@ class VideoWriter::Encoder {
     codec_->height = height_px_ + height_px_ % 2;
     codec_->pix_fmt = AV_PIX_FMT_YUV420P;
     codec_->framerate = rate;
+    // One unit of time is one frame, so time stamps are frame numbers.
     codec_->time_base = av_inv_q(rate);
     // BT.709 in limited range: what players assume of films in high definition.
     codec_->color_range = AVCOL_RANGE_MPEG;
@@ -91,6 +92,7 @@ class VideoWriter::Encoder {
     codec_->thread_count = 1;  // the bytes depend on the number of threads
     codec_->flags |= AV_CODEC_FLAG_GLOBAL_HEADER | AV_CODEC_FLAG_BITEXACT;
     AVDictionary* options = nullptr;
+    // A fast preset, as one thread encodes.
     av_dict_set(&options, "preset", "veryfast", 0);
     // Constant quality: the size follows from the content. 20 is nearly without visible loss.
     av_dict_set(&options, "crf", "20", 0);

@@ -12,6 +12,10 @@
 #include "base/wording.h"
 #include "xml/internal_precheck.h"
 
+// XML files to bounded trees, for scenes and robot descriptions. libxml2 does the syntax; its
+// events are counted against our limits while they arrive, so a hostile file costs neither memory
+// nor time beyond them. After the first fault that makes the tree useless, parsing stops.
+
 namespace smile::xml {
 namespace {
 

@@ -45,14 +45,14 @@ void WriteVector(const btVector3& v, ByteWriter* out) {
 }
 
 void SaveObject(const btCollisionObject& object, ByteWriter* out) {
+  // All that Bullet keeps of an object from one step to the next; see docs/decisions/physics.md,
+  // exact snapshots.
   WriteTransform(object.getWorldTransform(), out);
   WriteTransform(object.getInterpolationWorldTransform(), out);
   WriteVector(object.getInterpolationLinearVelocity(), out);
   WriteVector(object.getInterpolationAngularVelocity(), out);
   out->Put(object.getActivationState());
   out->Put(static_cast<double>(object.getDeactivationTime()));
-  // All that Bullet keeps of an object from one step to the next; see docs/decisions/physics.md,
-  // item 4.
   out->Put(static_cast<double>(object.getHitFraction()));
   WriteVector(object.getBroadphaseHandle()->m_aabbMin, out);
   WriteVector(object.getBroadphaseHandle()->m_aabbMax, out);

@@ -208,7 +208,7 @@ Markup DrawPlacements(const scene::SceneSpec& scene, const Json& result,
       for (const Point& point : patch.outline) bounds.extend(point);
     }
   }
-  // Of wanted and reached poses together, so that both views have one scale.
+  // Of wanted and reached poses together, so that neither is cut off.
   const Frame frame(bounds);
   // Painter's algorithm: nearer pieces are drawn over farther ones.
   std::ranges::stable_sort(reached, {}, &Patch::nearness);

@@ -97,7 +97,7 @@ std::optional<Refusal> RunningModel::ExecuteOne(const Spawn& spawn) {
 
 std::optional<Refusal> RunningModel::ExecuteOne(const Remove& remove) {
   const world::Object* object = tabletop_.Find(remove.object);
-  // For the reason, such as an unknown id.
+  // RefuseToReach() distinguishes the reasons, such as an unknown id.
   if (object == nullptr) return tabletop_.RefuseToReach(remove.object);
   return demonstrator_.Remove(*object);
 }

@@ -91,7 +91,7 @@ void LineOfTheTool(benchmark::State& state) {
 }
 
 /// Measures the test of a configuration for contact between links.
-void LookForTouching(benchmark::State& state) {
+void SelfCollisionCheck(benchmark::State& state) {
   const robot::RobotModel model = Baxter();
   physics::ArticulationProbe probe(robot::MakeArticulationSpec(model, {}));
   for (auto _ : state) benchmark::DoNotOptimize(probe.FirstOverlap(model.q_start));
@@ -110,7 +110,7 @@ void RegisterMotionBenchmarks() {
         ->Unit(benchmark::kMillisecond);
   }
   RegisterBenchmark("straight tool motion, 0.3 m", &LineOfTheTool)->Unit(benchmark::kMicrosecond);
-  RegisterBenchmark("self-collision check", &LookForTouching)->Unit(benchmark::kMicrosecond);
+  RegisterBenchmark("self-collision check", &SelfCollisionCheck)->Unit(benchmark::kMicrosecond);
 }
 
 }  // namespace smile::app

@@ -65,7 +65,7 @@ picture::RenderRequest RenderRequestOf(const RenderCommandOptions& options,
           .channels = picture::ParseChannels(options.channels)};
 }
 
-recording::DemonstratorAppearance LookOf(const RenderCommandOptions& options) {
+recording::DemonstratorAppearance AppearanceOf(const RenderCommandOptions& options) {
   return recording::ParseDemonstratorAppearance(options.demonstrator);
 }
 
@@ -88,7 +88,7 @@ void RenderScene(const RenderCommandOptions& options, Product product) {
   const std::string but = ", but '" + options.subject + "' is not one";
   if (product != Product::kPicture) throw std::invalid_argument("a film needs a recording" + but);
   if (options.at) throw std::invalid_argument("--at needs a recording" + but);
-  if (LookOf(options) != recording::DemonstratorAppearance::kInvisible) {
+  if (AppearanceOf(options) != recording::DemonstratorAppearance::kInvisible) {
     throw std::invalid_argument("--demonstrator needs a recording" + but);
   }
   RenderPicture(model, recording::StartOf(model), {}, options, model::kEyeCamera, nullptr);
@@ -101,7 +101,7 @@ void RenderMoment(const recording::Recording& recording, const RenderCommandOpti
   const auto moment = MomentAt(recording, tick);
   if (!moment) throw InputError({options.subject, 0, "", "its trace contains no moment"});
   const model::Model& model = *recording.model;
-  const auto demonstrator = picture::DemonstratorOf(recording, LookOf(options));
+  const auto demonstrator = picture::DemonstratorOf(recording, AppearanceOf(options));
   RenderPicture(model, *moment, recording::MarkerTrack(recording).At(tick), options,
                 recording.info.eye_camera, demonstrator.get());
 }
@@ -117,7 +117,7 @@ void RenderFilm(const recording::Recording& recording, const RenderCommandOption
                                   .frames_per_second = options.rate,
                                   .speed = options.speed,
                                   .range = options.range,
-                                  .demonstrator = LookOf(options)};
+                                  .demonstrator = AppearanceOf(options)};
   ConsoleReporter console;
   (product == Product::kFilm ? picture::Film : picture::FilmAsPictures)(
       recording, options.out, film, console.callbacks().ProgressOf("filming"));

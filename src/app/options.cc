@@ -118,8 +118,8 @@ void AddPathOption(CLI::App* command, PathOptions* options) {
                                  "their own folders; may be repeated"));
 }
 
-CLI::Option* AddDemonstratorOption(CLI::App* command, std::string* look) {
-  return command->add_option("--demonstrator", *look,
+CLI::Option* AddDemonstratorOption(CLI::App* command, std::string* appearance) {
+  return command->add_option("--demonstrator", *appearance,
                              "appearance of the demonstrator: invisible, ghost (translucent hands) "
                              "or forearm (opaque hands and arms)");
 }

@@ -95,7 +95,7 @@ void AddNoiseOption(CLI::App* command, std::string* text);
 
 /// Adds `--demonstrator`: appearance of the demonstrator in pictures, see
 /// recording::DemonstratorAppearance.
-CLI::Option* AddDemonstratorOption(CLI::App* command, std::string* look);
+CLI::Option* AddDemonstratorOption(CLI::App* command, std::string* appearance);
 
 /// Returns a validator for finite numbers from `low` to `high`; CLI::Range would accept NaN.
 CLI::Validator NumberBetween(double low, double high);

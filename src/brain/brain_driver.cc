@@ -234,7 +234,7 @@ Sensor BrainDriver::SenseBody(const sim::Simulation& simulation) const {
 Sensor BrainDriver::Sense(const sim::Simulation& simulation) {
   Sensor sensor = SenseBody(simulation);
   if (IsPictureDue(simulation)) {
-    Look(simulation, &sensor);
+    AddPictures(simulation, &sensor);
     ++num_images_;
   }
   AddNoise(options_.noise, simulation.tick(), &sensor);
@@ -293,7 +293,7 @@ bool BrainDriver::IsPictureDue(const sim::Simulation& simulation) const {
 
 // Pictures hold meters and world poses of the model; they become units here, at the boundary, and
 // only for the channels that the brain requested: others would cost time and bandwidth.
-void BrainDriver::Look(const sim::Simulation& simulation, Sensor* sensor) {
+void BrainDriver::AddPictures(const sim::Simulation& simulation, Sensor* sensor) {
   const scene::VisualModel& model = simulation.model().visual_model();
   const auto add = [&](const sim::EyeSpec& spec, const std::string& name) {
     sim::ViewSample sample = ViewSampleOf(simulation, spec);

@@ -70,7 +70,7 @@ class BrainDriver {
   void TakeNextFrame(sim::Simulation* simulation);
   bool IsPictureDue(const sim::Simulation& simulation) const;
   /// Adds new pictures of the eye and the cameras that the brain requested.
-  void Look(const sim::Simulation& simulation, Sensor* sensor);
+  void AddPictures(const sim::Simulation& simulation, Sensor* sensor);
   void Begin(const InitReply& reply, sim::Simulation* simulation);
   void MakeStep(const StepReply& reply, sim::Simulation* simulation);
   void ShowMarkers(const Points& markers, sim::Simulation* simulation);

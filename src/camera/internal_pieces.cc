@@ -103,10 +103,10 @@ std::vector<Piece> PlacePieces(const scene::VisualModel& model, const scene::Vis
                                 " frames is drawn with " + std::to_string(poses.size()) +
                                 " poses, expected one for each");
   }
-  if (state.looks.size() != static_cast<std::size_t>(model.num_choices)) {
+  if (state.variants.size() != static_cast<std::size_t>(model.num_choices)) {
     throw std::invalid_argument("a model of " + std::to_string(model.num_choices) +
-                                " choices is drawn with " + std::to_string(state.looks.size()) +
-                                " looks, expected one for each");
+                                " choices is drawn with " + std::to_string(state.variants.size()) +
+                                " variants, expected one for each");
   }
   std::vector<bool> is_excluded(poses.size());
   for (const int frame : excluded_frames) {
@@ -123,7 +123,7 @@ std::vector<Piece> PlacePieces(const scene::VisualModel& model, const scene::Vis
     }
     // A visual with a choice is drawn only in its look: the states of a control, the face,
     // presence.
-    if (visual.choice >= 0 && state.looks[visual.choice] != visual.look) continue;
+    if (visual.choice >= 0 && state.variants[visual.choice] != visual.variant) continue;
     if (!is_excluded[visual.frame]) pieces.push_back(Place(visual, poses[visual.frame]));
   }
   return pieces;

@@ -30,7 +30,8 @@ struct Piece {
 
 /// Returns all visuals of the model that are present in this state, with their poses, apart from
 /// those of excluded frames.
-/// @throws std::invalid_argument unless there is one pose for each frame, one look for each choice,
+/// @throws std::invalid_argument unless there is one pose for each frame, one variant for each
+/// choice,
 ///         and every frame and choice that a visual or the exclusion names exists.
 std::vector<Piece> PlacePieces(const scene::VisualModel& model, const scene::VisualState& state,
                                const std::vector<int>& excluded_frames);

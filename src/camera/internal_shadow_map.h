@@ -4,7 +4,7 @@
 
 namespace smile::camera::internal {
 
-/// Shadow map of the presentation look: the places that its lamp reaches.
+/// Shadow map of the presentation style: the places that its lamp reaches.
 class ShadowMap {
  public:
   ShadowMap();
@@ -31,7 +31,7 @@ class ShadowMap {
   double texel_span_ = 0;
 };
 
-/// Returns the direction towards the lamp of the presentation look; unit length.
+/// Returns the direction towards the lamp of the presentation style; unit length.
 Vector3 DirectionToLamp();
 
 }  // namespace smile::camera::internal

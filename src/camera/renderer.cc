@@ -50,7 +50,8 @@ void Renderer::Render(const scene::VisualModel& model, const scene::VisualState&
   State& s = *state_;
   // Other renderers of this thread may have made their contexts current in between.
   s.context.MakeCurrent();
-  // The presentation look provides color only; depth and ids come from the eye pass in either look.
+  // the presentation style provides color only; depth and ids come from the eye pass in either
+  // style.
   RenderOptions eye_options = options;
   if (options.color && options.style == RenderStyle::kPresentation) {
     if (!s.presentation_pass) s.presentation_pass.emplace();

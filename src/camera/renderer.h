@@ -48,8 +48,10 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// @param state  of the model: one pose for each of its frames, one look for each of its choices.
-  /// @throws std::invalid_argument if poses or looks are not that many, a frame or choice does not
+  /// @param state  of the model: one pose for each of its frames, one variant for each of its
+  /// choices.
+  /// @throws std::invalid_argument if poses or variants are not that many, a frame or choice does
+  /// not
   ///         exist, or the camera is impossible (see CameraIntrinsics; sizes are 1 to 8192).
   /// @throws std::runtime_error if the graphics card fails, for example because memory is
   ///         exhausted.

@@ -47,8 +47,8 @@ std::vector<std::filesystem::path> MakeCopies(const DemonstratorCopies& copies,
   MakeDirectories(folder);
   const std::string text = ToText(copies.depends_on, 2) + "\n";
   std::vector<std::filesystem::path> paths;
-  for (const std::string& look : copies.demonstrators) {
-    const std::filesystem::path copy = folder / look, mark = folder / (look + ".json");
+  for (const std::string& appearance : copies.demonstrators) {
+    const std::filesystem::path copy = folder / appearance, mark = folder / (appearance + ".json");
     std::error_code error;
     const bool exists = std::filesystem::exists(copy, error);
     if (!exists || !IsMarked(mark, text)) {
@@ -56,7 +56,7 @@ std::vector<std::filesystem::path> MakeCopies(const DemonstratorCopies& copies,
       // worth keeping.
       if (exists) MoveAside(copy, callbacks);
       Rerender(recording::OpenRecording(copies.demonstration), copy,
-               {.demonstrator = recording::ParseDemonstratorAppearance(look),
+               {.demonstrator = recording::ParseDemonstratorAppearance(appearance),
                 .has_symbols = copies.has_symbols},
                callbacks);
       // Written after the copy, so that a partial copy has no mark.

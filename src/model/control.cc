@@ -24,7 +24,7 @@ int EffectiveState(const ControlState& state) {
 
 // A switch shows its position, lights show a forced state too, and a custom control shows its own
 // state even if a bond forces another.
-int LookOf(const Control& control, const ControlState& state) {
+int VariantOf(const Control& control, const ControlState& state) {
   if (std::holds_alternative<ToggleSwitch>(control.part->shape)) return state.position;
   if (std::holds_alternative<IndicatorLights>(control.part->shape)) return EffectiveState(state);
   return state.state;

@@ -30,8 +30,8 @@ struct Control {
 
 /// Returns the visible state: the forced one if any.
 int EffectiveState(const ControlState& state);
-/// Returns the number of the Visual::look that shows the state.
-int LookOf(const Control& control, const ControlState& state);
+/// Returns the number of the Visual::variant that shows the state.
+int VariantOf(const Control& control, const ControlState& state);
 /// Returns the button of a switch that is down and cannot be pressed; nullopt for other controls.
 std::optional<scene::Button> PressedButtonOf(const Control& control, const ControlState& state);
 /// Returns the state as in recordings: the position of a switch, else the name of the state, or its

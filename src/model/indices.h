@@ -16,7 +16,7 @@ using HostIndex = Index<struct HostTag>;
 using LinkIndex = Index<struct LinkTag>;
 /// Index of a frame of the visual model, see scene::FramePoses.
 using FrameIndex = Index<struct FrameTag>;
-/// Index of a choice of the visual model, see scene::VisualState::looks.
+/// Index of a choice of the visual model, see scene::VisualState::variants.
 using ChoiceIndex = Index<struct ChoiceTag>;
 
 }  // namespace smile::model

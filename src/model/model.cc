@@ -14,7 +14,7 @@
 namespace smile::model {
 namespace {
 
-/// A look that no visual has: no visual of the choice is visible.
+/// A variant that no visual has: no visual of the choice is visible.
 constexpr int kHidden = -1;
 
 template <class Map>
@@ -165,31 +165,33 @@ std::optional<ObjectIndex> Model::object_of(FrameIndex frame) const {
   return is_objects ? std::optional(ObjectIndex(frame - 1)) : std::nullopt;
 }
 
-std::vector<int> Model::LooksOf(ObjectIndex object, std::span<const ControlState> controls) const {
-  std::vector<int> looks;
+std::vector<int> Model::VariantsOf(ObjectIndex object,
+                                   std::span<const ControlState> controls) const {
+  std::vector<int> variants;
   for (ControlIndex control : controls_of(object)) {
-    looks.push_back(LookOf(controls_[control], controls[control]));
+    variants.push_back(VariantOf(controls_[control], controls[control]));
   }
-  return looks;
+  return variants;
 }
 
 scene::VisualState Model::VisualStateOf(const SceneState& state, std::span<const double> q,
                                         robot::FaceExpression face_expression) const {
   scene::VisualState visual;
-  // The order of poses and looks is that of frames and choices; see visual_model().
+  // The order of poses and variants is that of frames and choices; see visual_model().
   visual.poses.reserve(static_cast<std::size_t>(visual_model_.num_frames));
-  visual.looks.reserve(static_cast<std::size_t>(visual_model_.num_choices));
+  visual.variants.reserve(static_cast<std::size_t>(visual_model_.num_choices));
   for (ObjectIndex object : objects()) {
     const std::optional<RigidTransform>& X_WB = state.X_WB[object];
     // A missing object still has a frame; all of its visuals are hidden.
     visual.poses.push_back(X_WB.value_or(RigidTransform()));
-    visual.looks.push_back(X_WB ? 0 : kHidden);
-    for (int look : LooksOf(object, state.controls)) visual.looks.push_back(X_WB ? look : kHidden);
+    visual.variants.push_back(X_WB ? 0 : kHidden);
+    for (int variant : VariantsOf(object, state.controls))
+      visual.variants.push_back(X_WB ? variant : kHidden);
   }
   if (robot() != nullptr) {
     const auto robot_poses = robot::FramePosesOf(*robot(), X_WBase_, q);
     visual.poses.insert(visual.poses.end(), robot_poses.begin(), robot_poses.end());
-    visual.looks.push_back(robot::LookOf(face_expression));
+    visual.variants.push_back(robot::VariantOf(face_expression));
   }
   return visual;
 }

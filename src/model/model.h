@@ -106,8 +106,8 @@ class Model {
 
   /// Returns the state at the start, with guests at their initial hosts.
   const SceneState& initial_state() const { return initial_state_; }
-  /// Returns the looks of an object's own controls.
-  std::vector<int> LooksOf(ObjectIndex object, std::span<const ControlState> controls) const;
+  /// Returns the variants of an object's own controls.
+  std::vector<int> VariantsOf(ObjectIndex object, std::span<const ControlState> controls) const;
   /// Returns the visual state of a moment.
   /// @param q  of the robot's joints [rad or m]; empty without one.
   scene::VisualState VisualStateOf(const SceneState& state, std::span<const double> q,

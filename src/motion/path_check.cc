@@ -11,9 +11,9 @@ namespace smile::motion {
 namespace {
 
 /// Motion of a joint between two checks [rad or m]: thinner obstacles may be missed.
-constexpr double kLookEvery = 0.02;
+constexpr double kCheckSpacing = 0.02;
 /// Bounds the work for a trajectory that oscillates.
-constexpr int kMostLooksPerSpan = 10'000;
+constexpr int kMaxChecksPerSpan = 10'000;
 
 /// Returns the joint indices of a trajectory's columns.
 /// @throws std::invalid_argument if the robot lacks one.
@@ -28,7 +28,7 @@ std::vector<int> JointsOf(const robot::RobotModel& model, const JointTrajectory&
 }
 
 /// Returns a sentence that names the overlapping links.
-std::string Tell(const robot::RobotModel& model, const physics::LinkOverlap& overlap) {
+std::string Describe(const robot::RobotModel& model, const physics::LinkOverlap& overlap) {
   const auto name = [&](int link) -> std::string {
     if (link == physics::kEnvironment) return "an obstacle";
     return link < 0 ? "the base" : model.links[link].name;
@@ -38,7 +38,7 @@ std::string Tell(const robot::RobotModel& model, const physics::LinkOverlap& ove
 
 /// Returns the number of checks between two points. No joint moves farther than the length of its
 /// cubic's control polygon.
-int NumLooks(const TrajectoryPoint& from, const TrajectoryPoint& to) {
+int NumChecks(const TrajectoryPoint& from, const TrajectoryPoint& to) {
   // A cubic is a Bezier curve; its inner control points lie a third of the time along the end
   // velocities. The curve is never longer than the polygon of its control points.
   const double third = (to.seconds - from.seconds) / 3;
@@ -49,7 +49,7 @@ int NumLooks(const TrajectoryPoint& from, const TrajectoryPoint& to) {
     longest = std::max(longest, std::abs(out) + std::abs(between) + std::abs(in));
   }
   return static_cast<int>(
-      std::clamp(std::ceil(longest / kLookEvery), 1.0, double{kMostLooksPerSpan}));
+      std::clamp(std::ceil(longest / kCheckSpacing), 1.0, double{kMaxChecksPerSpan}));
 }
 
 /// Returns the first moment up to `until` at which links touch.
@@ -58,26 +58,26 @@ std::optional<InvalidMoment> FirstTouch(const robot::RobotModel& model,
                                         double until, physics::ArticulationProbe* probe) {
   const std::vector<int> joints = JointsOf(model, trajectory);
   // Moves only the trajectory's joints in q; all others keep the positions of the caller.
-  const auto look = [&](double seconds) -> std::optional<InvalidMoment> {
+  const auto check = [&](double seconds) -> std::optional<InvalidMoment> {
     const TrajectoryPoint now = SampleAt(trajectory, seconds);
     for (std::size_t i = 0; i < joints.size(); ++i) q[joints[i]] = now.positions[i];
     const auto overlap = probe->FirstOverlap(q);
     if (!overlap) return std::nullopt;
-    return InvalidMoment{seconds, Tell(model, *overlap)};
+    return InvalidMoment{seconds, Describe(model, *overlap)};
   };
   const auto& points = trajectory.points;
-  if (auto touch = look(points.front().seconds)) return touch;
+  if (auto touch = check(points.front().seconds)) return touch;
   for (std::size_t k = 1; k < points.size(); ++k) {
-    const int num_looks = NumLooks(points[k - 1], points[k]);
+    const int num_checks = NumChecks(points[k - 1], points[k]);
     const double span = points[k].seconds - points[k - 1].seconds;
-    for (int look_number = 1; look_number <= num_looks; ++look_number) {
+    for (int check_number = 1; check_number <= num_checks; ++check_number) {
       // The exact time of a point, not a sum of fractions: its rounding could exceed the last
       // point.
-      const double seconds = look_number == num_looks
+      const double seconds = check_number == num_checks
                                  ? points[k].seconds
-                                 : points[k - 1].seconds + span * look_number / num_looks;
+                                 : points[k - 1].seconds + span * check_number / num_checks;
       if (seconds > until) return std::nullopt;
-      if (auto touch = look(seconds)) return touch;
+      if (auto touch = check(seconds)) return touch;
     }
   }
   return std::nullopt;

@@ -186,7 +186,7 @@ std::optional<InvalidMoment> PlanningRobot::FirstInvalid(
 
 PlanningRobot ReadPlanningRobot(const std::filesystem::path& urdf, const Eigen::Matrix4d& base_pose,
                                 double meters_per_unit, const std::string& gripper) {
-  return {robot::ReadRobot(urdf, {.gripper = gripper, .has_look = false}), base_pose,
+  return {robot::ReadRobot(urdf, {.gripper = gripper, .has_appearance = false}), base_pose,
           meters_per_unit};
 }
 

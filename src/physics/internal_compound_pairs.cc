@@ -56,7 +56,7 @@ struct Part {
 
 }  // namespace
 
-thread_local bool CompoundPairAlgorithm::LookAtAllPairs::is_active_ = false;
+thread_local bool CompoundPairAlgorithm::AllPartPairsScope::is_active_ = false;
 
 btCollisionAlgorithm* CompoundPairAlgorithm::CreateFunc::CreateCollisionAlgorithm(
     btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper*,
@@ -114,7 +114,7 @@ void CompoundPairAlgorithm::Collide(PartPair& pair, const btCollisionObjectWrapp
   result->setBody1Wrap(&part_b.wrapper);
   result->setShapeIdentifiersA(-1, pair.part_a);
   result->setShapeIdentifiersB(-1, pair.part_b);
-  if (LookAtAllPairs::is_active() || part_a.BoxOverlaps(part_b)) {
+  if (AllPartPairsScope::is_active() || part_a.BoxOverlaps(part_b)) {
     pair.algorithm->processCollision(&part_a.wrapper, &part_b.wrapper, info, result);
     if (pair.manifold == nullptr) {
       btManifoldArray manifolds;

@@ -23,10 +23,10 @@ class CompoundPairAlgorithm : public btCollisionAlgorithm {
   /// While alive, algorithms process all pairs of parts, including those whose boxes do not
   /// overlap, so that each manifold exists before saved points are restored. Applies to the current
   /// thread.
-  class LookAtAllPairs {
+  class AllPartPairsScope {
    public:
-    LookAtAllPairs() { is_active_ = true; }
-    ~LookAtAllPairs() { is_active_ = false; }
+    AllPartPairsScope() { is_active_ = true; }
+    ~AllPartPairsScope() { is_active_ = false; }
     static bool is_active() { return is_active_; }
 
    private:

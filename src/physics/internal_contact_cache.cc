@@ -110,7 +110,7 @@ void MakeManifolds(ExactWorld& world, StatelessBroadphase& broadphase,
     objects[i]->forceActivationState(ACTIVE_TAG);
   }
   {
-    const CompoundPairAlgorithm::LookAtAllPairs look_at_all_pairs;
+    const CompoundPairAlgorithm::AllPartPairsScope all_part_pairs_scope;
     world.getDispatcher()->dispatchAllCollisionPairs(cache, world.getDispatchInfo(),
                                                      world.getDispatcher());
   }

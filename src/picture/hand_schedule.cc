@@ -119,7 +119,7 @@ class ContactCollector {
                                      .begin = recording::VisualStateAt(moment, model_)}};
     // The commanded point may lie outside the body, for example in the opening of a box.
     named.interval.p_BQ =
-        probe_.PointWithin(named.interval.frame, named.interval.begin.looks, p_BQ);
+        probe_.PointWithin(named.interval.frame, named.interval.begin.variants, p_BQ);
     return named;
   }
 
@@ -229,7 +229,7 @@ void AssignToBoth(const ContactInterval& interval, const SurfaceProbe& probe,
   constexpr double kInside = 0.02;
   const RigidTransform& X_WB = interval.begin.poses[interval.frame];
   const Vector3 x_B = X_WB.rotation().transpose() * Vector3::UnitX();
-  const Span span = probe.Around(interval.frame, interval.begin.looks, interval.p_BQ, x_B);
+  const Span span = probe.Around(interval.frame, interval.begin.variants, interval.p_BQ, x_B);
   for (const HandSide side : kHandSides) {
     ContactInterval half = interval;
     const double at = side == HandSide::kLeft ? std::max(0.0, span.to - kInside)

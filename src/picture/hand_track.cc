@@ -89,7 +89,7 @@ class HandPlayer {
       // The yaw is chosen once per contact: a hand that holds an object must not turn about it.
       yaws_.push_back(interval.kind == ContactInterval::Kind::kTouch ? 0 : BestYaw(interval));
     }
-    LookAhead();
+    ComputeNextAim();
   }
 
   /// Advances to a tick and returns the posture.
@@ -97,7 +97,7 @@ class HandPlayer {
     while (next_ < intervals_.size() && intervals_[next_].first <= tick) {
       now_ = next_++;
       left_ = AimAt(*now_, intervals_[*now_].begin);
-      LookAhead();
+      ComputeNextAim();
     }
     const bool is_at_it = now_ && tick <= intervals_[*now_].last;
     const Aim aim = is_at_it ? AimAt(*now_, state) : AimBetween(tick);
@@ -145,7 +145,7 @@ class HandPlayer {
     double best = 0, least = std::numeric_limits<double>::infinity();
     for (int k = -14; k <= 14; ++k) {
       Aim aim = BeginOf(interval, k * kStep);
-      Feel(interval, X_WB, interval.begin.looks, &aim);
+      Feel(interval, X_WB, interval.begin.variants, &aim);
       const double cost = aim.reach[0] + aim.reach[1] + kPerRadian * std::abs(k * kStep) +
                           2 * std::max(0.0, aim.lift);
       if (cost >= least - 1e-6) continue;
@@ -167,11 +167,11 @@ class HandPlayer {
   /// Closes the hand on an object: as deep as the fingers reach, or lays it on top if the object is
   /// too thick.
   void Feel(const ContactInterval& interval, const RigidTransform& X_WB,
-            const std::vector<int>& looks, Aim* aim) const {
+            const std::vector<int>& variants, Aim* aim) const {
     constexpr double kDeepest = 0.042;  // fingertips below the top [m]
     const Matrix3 R_BH = X_WB.rotation().transpose() * aim->R_WH;
     const Vector3 p_BQ = X_WB.inverse() * aim->p_WQ;
-    const double depth = probe_.Around(interval.frame, looks, p_BQ, R_BH.col(2)).to;
+    const double depth = probe_.Around(interval.frame, variants, p_BQ, R_BH.col(2)).to;
     if (interval.kind == ContactInterval::Kind::kTouch) {
       aim->lift = depth;
       aim->pointing = 1;
@@ -179,7 +179,7 @@ class HandPlayer {
     }
     aim->lift = std::max(0.0, depth - kDeepest);
     const Vector3 p_BH = p_BQ + aim->lift * R_BH.col(2);
-    const Span across = probe_.Around(interval.frame, looks, p_BH, R_BH.col(0));
+    const Span across = probe_.Around(interval.frame, variants, p_BH, R_BH.col(0));
     if (across.to - across.from > kWidestGrip) {
       aim->lift = depth + kFingertipRadius;
     } else {
@@ -192,7 +192,7 @@ class HandPlayer {
       aim->reach = Reach(shift - across.from, across.to - shift);
       for (std::size_t digit = 0; digit < kDigits; ++digit) {
         const Vector3 p_BDigit = p_BH + R_BH * (GripLine(side_, digit) + Vector3(shift, 0, 0));
-        const Span along = probe_.Around(interval.frame, looks, p_BDigit, R_BH.col(0));
+        const Span along = probe_.Around(interval.frame, variants, p_BDigit, R_BH.col(0));
         const double at = digit == 0 ? -along.from : along.to;
         if (at > 0) aim->reach[digit] = std::min(at, kWidestGrip);
       }
@@ -216,12 +216,12 @@ class HandPlayer {
       aim.R_WH = TurnedTowards(R_natural, R_with_it, kMostTwist);
     }
     aim.p_WQ = X_WB * interval.p_BQ;
-    Feel(interval, X_WB, state.looks, &aim);
+    Feel(interval, X_WB, state.variants, &aim);
     return aim;
   }
 
   /// Computes the aim at the begin of the next contact, which the motion towards it needs.
-  void LookAhead() {
+  void ComputeNextAim() {
     ahead_ = next_ < intervals_.size() ? std::optional(AimAt(next_, intervals_[next_].begin))
                                        : std::nullopt;
   }

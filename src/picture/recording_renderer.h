@@ -27,7 +27,7 @@ struct RenderRequest {
 };
 
 /// Renderer of recorded ticks from any viewpoint, without physics. Pictures of the robot's cameras
-/// are bit-identical to the recorded ones; the scene's cameras use the same look.
+/// are bit-identical to the recorded ones; the scene's cameras use the same style.
 class RecordingRenderer {
  public:
   /// @param model         of the recording's scene and robot. Must outlive this.

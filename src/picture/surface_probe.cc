@@ -83,13 +83,13 @@ SurfaceProbe::SurfaceProbe(const model::Model& model) : visual_model_(model.visu
   }
 }
 
-std::vector<Span> SurfaceProbe::Along(model::FrameIndex frame, const std::vector<int>& looks,
+std::vector<Span> SurfaceProbe::Along(model::FrameIndex frame, const std::vector<int>& variants,
                                       const Vector3& p_FQ, const Vector3& direction) const {
   std::vector<Span> spans;
   for (std::size_t i = 0; i < meshes_.size(); ++i) {
     const scene::Visual& visual = visual_model_.visuals[i];
     if (visual.frame != static_cast<int>(frame)) continue;
-    if (visual.choice >= 0 && looks[static_cast<std::size_t>(visual.choice)] != visual.look) {
+    if (visual.choice >= 0 && variants[static_cast<std::size_t>(visual.choice)] != visual.variant) {
       continue;
     }
     const RigidTransform X_VF = visual.X_FV.inverse();
@@ -111,10 +111,10 @@ std::vector<Span> SurfaceProbe::Along(model::FrameIndex frame, const std::vector
   return merged;
 }
 
-Span SurfaceProbe::Around(model::FrameIndex frame, const std::vector<int>& looks,
+Span SurfaceProbe::Around(model::FrameIndex frame, const std::vector<int>& variants,
                           const Vector3& p_FQ, const Vector3& direction) const {
   constexpr double kOnSurface = 1e-3;
-  for (const Span& span : Along(frame, looks, p_FQ, direction)) {
+  for (const Span& span : Along(frame, variants, p_FQ, direction)) {
     // A point on the surface counts as inside, in spite of rounding.
     if (span.from <= kOnSurface && span.to >= -kOnSurface) {
       return {std::min(span.from, 0.0), std::max(span.to, 0.0)};
@@ -123,11 +123,11 @@ Span SurfaceProbe::Around(model::FrameIndex frame, const std::vector<int>& looks
   return {};
 }
 
-Vector3 SurfaceProbe::PointWithin(model::FrameIndex frame, const std::vector<int>& looks,
+Vector3 SurfaceProbe::PointWithin(model::FrameIndex frame, const std::vector<int>& variants,
                                   const Vector3& p_FQ) const {
   // Depth of the point below the surface: about the radius of a fingertip [m].
   constexpr double kBelow = 0.012;
-  const Span up = Around(frame, looks, p_FQ, Vector3::UnitZ());
+  const Span up = Around(frame, variants, p_FQ, Vector3::UnitZ());
   if (up.to > up.from) return p_FQ;
   double nearest = std::numeric_limits<double>::infinity();
   Vector3 found = p_FQ;
@@ -139,7 +139,7 @@ Vector3 SurfaceProbe::PointWithin(model::FrameIndex frame, const std::vector<int
     if (k == kFirstSteep && std::isfinite(nearest)) break;
     const Vector3 direction =
         Eigen::Vector3i(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1).cast<double>().normalized();
-    for (const Span& span : Along(frame, looks, p_FQ, direction)) {
+    for (const Span& span : Along(frame, variants, p_FQ, direction)) {
       const bool is_ahead = span.from > 0;
       const double distance = is_ahead ? span.from : -span.to;
       if (distance >= nearest) continue;

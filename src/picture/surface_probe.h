@@ -23,15 +23,15 @@ class SurfaceProbe {
   /// Returns the parts of a line inside the pieces fixed to a frame F, in order; touching parts are
   /// merged.
   /// @param p_FQ, direction  a point of the line [m] and its direction, of length 1; in F.
-  std::vector<Span> Along(model::FrameIndex frame, const std::vector<int>& looks,
+  std::vector<Span> Along(model::FrameIndex frame, const std::vector<int>& variants,
                           const Vector3& p_FQ, const Vector3& direction) const;
   /// Returns the span that contains the point, or has it on its edge; an empty one if there is
   /// none.
-  Span Around(model::FrameIndex frame, const std::vector<int>& looks, const Vector3& p_FQ,
+  Span Around(model::FrameIndex frame, const std::vector<int>& variants, const Vector3& p_FQ,
               const Vector3& direction) const;
 
   /// Returns the point itself if it lies inside, otherwise a near one slightly below the surface.
-  Vector3 PointWithin(model::FrameIndex frame, const std::vector<int>& looks,
+  Vector3 PointWithin(model::FrameIndex frame, const std::vector<int>& variants,
                       const Vector3& p_FQ) const;
 
  private:

@@ -74,7 +74,7 @@ std::vector<Patch> PatchesOf(const scene::Part& whole, const RigidTransform& X_W
   std::vector<Patch> patches;
   for (const scene::Visual& visual : scene::VisualsOf(whole)) {
     // Controls are drawn in their first state.
-    if (visual.choice >= 0 && visual.look != 0) continue;
+    if (visual.choice >= 0 && visual.variant != 0) continue;
     const RigidTransform X_WV = X_WB * visual.X_FV;
     // All vertices; their hull is the outline of a convex piece.
     Outline points;

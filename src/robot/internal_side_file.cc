@@ -78,8 +78,8 @@ std::string PrefixOf(const std::string& arm, const JsonNode& node) {
 /// them, poses after all limits.
 class SideFileReader {
  public:
-  SideFileReader(const JsonNode* gripper, bool has_look, BuiltModel* built)
-      : gripper_(gripper), has_look_(has_look), built_(*built), model_(built->model) {}
+  SideFileReader(const JsonNode* gripper, bool has_appearance, BuiltModel* built)
+      : gripper_(gripper), has_appearance_(has_appearance), built_(*built), model_(built->model) {}
 
   void Read(const JsonNode& root) {
     if (root.Has("frames")) {
@@ -403,13 +403,13 @@ class SideFileReader {
     }
   }
 
-  /// Adds a shipped look, for links whose names begin with `prefix`.
+  /// Adds a shipped appearance, for links whose names begin with `prefix`.
   void ReadAppearance(const JsonNode& node, std::string_view known, const std::string& prefix) {
     // Looks are left out on request, for example by programs that only need kinematics.
-    if (!has_look_) return;
+    if (!has_appearance_) return;
     const std::string name = node.String();
     if (name != known) {
-      node.Fail("unknown look " + Quoted(name) + ", expected " + std::string(known) +
+      node.Fail("unknown appearance " + Quoted(name) + ", expected " + std::string(known) +
                 DidYouMean(name, std::span(&known, 1)));
     }
     try {
@@ -446,7 +446,7 @@ class SideFileReader {
   }
 
   const JsonNode* gripper_;  // of all flanges
-  bool has_look_;
+  bool has_appearance_;
   BuiltModel& built_;
   RobotModel& model_;
   std::vector<std::string> turned_;  // fingers whose axis was reversed
@@ -516,10 +516,11 @@ std::vector<Mounting> SideFile::Mountings() const {
   return mountings;
 }
 
-void SideFile::Apply(BuiltModel* built, bool has_look) const {
+void SideFile::Apply(BuiltModel* built, bool has_appearance) const {
   const std::optional<JsonNode> gripper =
       gripper_ ? std::optional(JsonNode(gripper_->value, file_, gripper_->place)) : std::nullopt;
-  SideFileReader(gripper ? &*gripper : nullptr, has_look, built).Read(JsonNode(root_, file_, ""));
+  SideFileReader(gripper ? &*gripper : nullptr, has_appearance, built)
+      .Read(JsonNode(root_, file_, ""));
 }
 
 }  // namespace smile::robot::internal

@@ -18,8 +18,8 @@ struct Mounting {
 };
 
 /// Side file of a URDF: arms, grippers, head, links that may touch, poses, the start pose, and a
-/// shipped look, none of which URDF can express. docs/robot.md describes the file. Each error is an
-/// InputError with the path inside the file, such as `arms/left/joints`.
+/// shipped appearance, none of which URDF can express. docs/robot.md describes the file. Each error
+/// is an InputError with the path inside the file, such as `arms/left/joints`.
 class SideFile {
  public:
   /// Parses a file.
@@ -35,8 +35,8 @@ class SideFile {
   [[noreturn]] void Fail(const std::string& place, const std::string& message) const;
 
   /// Applies the file to a robot built with these mountings.
-  /// @param has_look  false leaves out the shipped look.
-  void Apply(BuiltModel* built, bool has_look) const;
+  /// @param has_appearance  false leaves out the shipped appearance.
+  void Apply(BuiltModel* built, bool has_appearance) const;
 
  private:
   std::string file_;

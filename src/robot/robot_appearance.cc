@@ -37,13 +37,14 @@ std::optional<FaceExpression> FaceExpressionOf(const mesh::MeshPiece& piece) {
 
 Appearance LoadAppearance(const std::string& name) {
   Appearance appearance;
-  for (mesh::MeshPiece& piece : mesh::ImportPieces(DataFile("robots/looks/" + name + ".glb"))) {
+  for (mesh::MeshPiece& piece :
+       mesh::ImportPieces(DataFile("robots/appearance/" + name + ".glb"))) {
     appearance.push_back({piece.node, piece.color, std::move(piece.mesh), FaceExpressionOf(piece)});
   }
   return appearance;
 }
 
-/// Returns a look, loaded on first use.
+/// Returns an appearance, loaded on first use.
 const Appearance& AppearanceNamed(std::string_view name) {
   // Initialization of a static is thread-safe, and its contents never change afterwards.
   static const std::map<std::string, Appearance, std::less<>> kAppearances = {

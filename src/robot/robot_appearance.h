@@ -7,11 +7,12 @@
 
 namespace smile::robot {
 
-/// Adds a shipped look to the visuals of a robot: `robots/looks/NAME.glb`, each piece fixed to the
-/// link named by its node; pieces with a face expression are visible only with that one.
+/// Adds a shipped appearance to the visuals of a robot: `robots/appearance/NAME.glb`, each piece
+/// fixed to the link named by its node; pieces with a face expression are visible only with that
+/// one.
 ///
-/// Each look is loaded once per program: its meshes are large, never change, and cameras identify
-/// them by their address.
+/// Each appearance is loaded once per program: its meshes are large, never change, and cameras
+/// identify them by their address.
 ///
 /// @param name    `baxter` (shells, screen, springs, and a face for each expression) or `classic`
 ///                (the gripper of the 2015 program).

@@ -20,8 +20,9 @@ struct RobotReaderOptions {
   std::vector<std::filesystem::path> package_roots;
   /// Gripper of the side file, with its choices: `electric-narrow-3`; empty: the default one.
   std::string gripper;
-  /// False leaves out the shipped look that the side file names, for planning, which draws nothing.
-  bool has_look = true;
+  /// False leaves out the shipped appearance that the side file names, for planning, which draws
+  /// nothing.
+  bool has_appearance = true;
 };
 
 /// A file that a robot was read from. All of them in one folder, under these names, are the robot

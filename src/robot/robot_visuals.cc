@@ -30,7 +30,7 @@ void AppendVisuals(const RobotModel& model, int first_frame, std::uint32_t objec
          .frame = first_frame + VisualFrameOf(visual.link),
          .object_id = object_id,
          .choice = visual.face_expression ? choice : -1,
-         .look = visual.face_expression ? LookOf(*visual.face_expression) : 0,
+         .variant = visual.face_expression ? VariantOf(*visual.face_expression) : 0,
          .glows = visual.face_expression.has_value()});  // the face is a screen
   }
   visual_model->num_frames =

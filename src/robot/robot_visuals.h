@@ -16,7 +16,7 @@ inline int NumVisualFrames(const RobotModel& model) { return 1 + model.num_joint
 inline int VisualFrameOf(int link) { return 1 + link; }
 
 /// Appends the visuals of a robot, as NumVisualFrames() frames from `first_frame` on. Its face
-/// expression is one more choice, whose looks are numbered as kFaceExpressions; see LookOf().
+/// expression is one more choice, whose variants are numbered as kFaceExpressions; see VariantOf().
 ///
 /// @param first_frame  at least 1, since frame 0 is the world; `visual_model->num_frames` grows to
 ///                     include the robot's frames if necessary.
@@ -26,7 +26,7 @@ void AppendVisuals(const RobotModel& model, int first_frame, std::uint32_t objec
                    scene::VisualModel* visual_model);
 
 /// Returns the value of the choice that AppendVisuals() added for a face expression.
-inline int LookOf(FaceExpression expression) { return static_cast<int>(expression); }
+inline int VariantOf(FaceExpression expression) { return static_cast<int>(expression); }
 
 /// Returns the poses X_WF of the frames that AppendVisuals() made: the base, then each link.
 /// @throws std::invalid_argument if `q` has the wrong size.

@@ -98,7 +98,7 @@ RobotReading Read(const FoundFile& urdf, const RobotReaderOptions& options, Robo
                                             ", expected the name of a link");
   }
   if (side_file) {
-    side_file->Apply(&built, options.has_look);
+    side_file->Apply(&built, options.has_appearance);
   } else {
     LetLinksPass(&built.model);
   }

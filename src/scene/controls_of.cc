@@ -65,11 +65,11 @@ const std::vector<std::string>& DownstreamOf(const Part& control) {
       control, [](const auto& any) -> const std::vector<std::string>& { return any.downstream; });
 }
 
-std::vector<Solid> SolidsWith(const std::vector<int>& looks, const std::vector<Solid>& solids) {
+std::vector<Solid> SolidsWith(const std::vector<int>& variants, const std::vector<Solid>& solids) {
   std::vector<Solid> present;
   for (const Solid& solid : solids) {
     // Solids outside of controls are always there.
-    if (solid.control < 0 || looks.at(solid.control) == solid.look) present.push_back(solid);
+    if (solid.control < 0 || variants.at(solid.control) == solid.variant) present.push_back(solid);
   }
   return present;
 }

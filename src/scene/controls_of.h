@@ -22,9 +22,9 @@ int NumStatesOf(const Part& control);
 int InitialStateOf(const Part& control);
 const std::vector<std::string>& DownstreamOf(const Part& control);
 
-/// Returns the pieces that are present for given looks of the object's controls: a switch has one
-/// look per position, lights and custom controls have one per state.
-/// @param looks  one per control of the object.
-std::vector<Solid> SolidsWith(const std::vector<int>& looks, const std::vector<Solid>& solids);
+/// Returns the pieces that are present for given variants of the object's controls: a switch has
+/// one variant per position, lights and custom controls have one per state.
+/// @param variants  one per control of the object.
+std::vector<Solid> SolidsWith(const std::vector<int>& variants, const std::vector<Solid>& solids);
 
 }  // namespace smile::scene

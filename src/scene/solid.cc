@@ -15,13 +15,13 @@
 namespace smile::scene {
 namespace {
 
-/// Context of a piece: its pose in the body, and the control and look to which it belongs.
+/// Context of a piece: its pose in the body, and the control and variant to which it belongs.
 struct Belonging {
   RigidTransform X_BE;
   int control = -1;
-  int look = 0;
+  int variant = 0;
 
-  Belonging Child(const RigidTransform& X_EC) const { return {X_BE * X_EC, control, look}; }
+  Belonging Child(const RigidTransform& X_EC) const { return {X_BE * X_EC, control, variant}; }
 };
 
 /// Collects the pieces of a body in the order of the file, numbering controls as ControlsOf() does.
@@ -29,43 +29,44 @@ class SolidCollector {
  public:
   void Append(const Part& part, const Belonging& place) {
     std::visit(
-        Overloaded{[&](const Box& box) { AppendContainer(box, part, place); },
-                   [&](const Composite& composite) {
-                     for (const Part& child : composite.parts) {
-                       Append(child, place.Child(child.X_PE));
-                     }
-                   },
-                   [&](const Frustum& frustum) { Add(HullOf(frustum), part, place); },
-                   [&](const Ring& ring) {
-                     for (const RingPiece& piece : PiecesOf(ring)) {
-                       Add(piece.hull, part, place.Child(piece.X_RP));
-                     }
-                   },
-                   [&](const Custom& custom) {
-                     for (const Hull& hull : custom.mesh->pieces) {
-                       Add(Scaled(hull, custom.scale), part, place);
-                     }
-                   },
-                   [&](const ToggleSwitch& toggle) { AppendSwitch(toggle, part, place); },
-                   [&](const IndicatorLights& lights) {
-                     // Their discs do not depend on the state, but the number is taken: indices
-                     // count all controls.
-                     ++num_controls_;
-                     for (int i = 0; i < lights.num_lights; ++i) {
-                       const Belonging at = place.Child(PoseOfLight(lights, i));
-                       solids_.push_back(
-                           {DiscOf(lights), at.X_BE, part.color, part.id, at.control, at.look});
-                     }
-                   },
-                   [&](const CustomControl& control) {
-                     const int number = num_controls_++;
-                     for (std::size_t look = 0; look < control.states.size(); ++look) {
-                       for (const Part& child : control.states[look].parts) {
-                         Append(child, {place.X_BE * child.X_PE, number, static_cast<int>(look)});
-                       }
-                     }
-                   },
-                   [&](const auto& simple) { Add(simple, part, place); }},
+        Overloaded{
+            [&](const Box& box) { AppendContainer(box, part, place); },
+            [&](const Composite& composite) {
+              for (const Part& child : composite.parts) {
+                Append(child, place.Child(child.X_PE));
+              }
+            },
+            [&](const Frustum& frustum) { Add(HullOf(frustum), part, place); },
+            [&](const Ring& ring) {
+              for (const RingPiece& piece : PiecesOf(ring)) {
+                Add(piece.hull, part, place.Child(piece.X_RP));
+              }
+            },
+            [&](const Custom& custom) {
+              for (const Hull& hull : custom.mesh->pieces) {
+                Add(Scaled(hull, custom.scale), part, place);
+              }
+            },
+            [&](const ToggleSwitch& toggle) { AppendSwitch(toggle, part, place); },
+            [&](const IndicatorLights& lights) {
+              // Their discs do not depend on the state, but the number is taken: indices count all
+              // controls.
+              ++num_controls_;
+              for (int i = 0; i < lights.num_lights; ++i) {
+                const Belonging at = place.Child(PoseOfLight(lights, i));
+                solids_.push_back(
+                    {DiscOf(lights), at.X_BE, part.color, part.id, at.control, at.variant});
+              }
+            },
+            [&](const CustomControl& control) {
+              const int number = num_controls_++;
+              for (std::size_t variant = 0; variant < control.states.size(); ++variant) {
+                for (const Part& child : control.states[variant].parts) {
+                  Append(child, {place.X_BE * child.X_PE, number, static_cast<int>(variant)});
+                }
+              }
+            },
+            [&](const auto& simple) { Add(simple, part, place); }},
         part.shape);
   }
 
@@ -73,7 +74,7 @@ class SolidCollector {
 
  private:
   void Add(const SolidShape& shape, const Part& part, const Belonging& place) {
-    solids_.push_back({shape, place.X_BE, part.color, part.id, place.control, place.look});
+    solids_.push_back({shape, place.X_BE, part.color, part.id, place.control, place.variant});
   }
 
   /// Appends floor and walls of a box.
@@ -81,7 +82,7 @@ class SolidCollector {
     const double X = box.size.x(), Y = box.size.y(), Z = box.size.z(), t = box.thickness;
     const auto wall = [&](const Vector3& size, const Vector3& center) {
       const Belonging at = place.Child(RigidTransform(center));
-      solids_.push_back({Block{size}, at.X_BE, part.color, part.id, at.control, at.look});
+      solids_.push_back({Block{size}, at.X_BE, part.color, part.id, at.control, at.variant});
     };
     // The floor spans the full area; the walls (left, right, near, far) stand on it.
     wall({X, Y, t}, {0, 0, -Z / 2 + t / 2});

@@ -21,7 +21,7 @@ struct Solid {
   Color color;
   std::string part_id;             ///< of the part it belongs to
   int control = -1;                ///< index of its control, see ControlsOf(); -1: none
-  int look = 0;                    ///< it is present only while the control has this look
+  int variant = 0;                 ///< it is present only while the control has this variant
   std::optional<Button> button{};  ///< of a switch; nullopt: none
 
   bool operator==(const Solid&) const = default;
@@ -29,7 +29,7 @@ struct Solid {
 
 /// Returns all convex pieces of an object in its own frame, in the order of the file: its collision
 /// shapes. A box becomes its floor and four walls, a ring its segments, a composite the pieces of
-/// its parts, a control the pieces of all its looks. Lights collide whether they are on or not.
+/// its parts, a control the pieces of all its variants. Lights collide whether they are on or not.
 ///
 /// A ring of more than 64 sides has 64 pieces; its outside stays exact, its hole is round within
 /// half a percent.

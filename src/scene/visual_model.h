@@ -32,8 +32,8 @@ struct Visual {
   RigidTransform X_FV;
   int frame = 0;                   ///< index into the poses with which the model is drawn
   std::uint32_t object_id = 0;     ///< index into VisualModel::object_names
-  int choice = -1;                 ///< index into VisualState::looks; -1: always visible
-  int look = 0;                    ///< visible only while the choice has this value
+  int choice = -1;                 ///< index into VisualState::variants; -1: always visible
+  int variant = 0;                 ///< visible only while the choice has this value
   bool glows = false;              ///< a lamp or screen: shows its own color in any light
   bool casts_shadow = true;        ///< false for pieces that are shown only to people
   std::string part_id{};           ///< of the innermost part with an id
@@ -56,7 +56,7 @@ using FramePoses = std::vector<RigidTransform>;
 /// State with which a VisualModel is drawn.
 struct VisualState {
   FramePoses poses{RigidTransform()};
-  std::vector<int> looks;  ///< one per choice
+  std::vector<int> variants;  ///< one per choice
 
   bool operator==(const VisualState&) const = default;
 };

@@ -14,35 +14,36 @@ class VisualCollector {
   void Append(const Part& part, Visual place) {
     // Parts without an id belong to the innermost part that has one.
     if (!part.id.empty()) place.part_id = part.id;
-    std::visit(Overloaded{[&](const Composite& composite) { AppendAll(composite.parts, place); },
-                          // Drawn as its exact surface, while collisions use convex pieces.
-                          [&](const Custom& custom) {
-                            place.shape = DrawnMesh{custom.mesh, custom.scale};
-                            place.color = part.color;
-                            visuals_.push_back(place);
-                          },
-                          // Lights and the parts of a custom control are visible only in their
-                          // state.
-                          [&](const IndicatorLights& lights) {
-                            place.choice = num_controls_++;
-                            for (std::size_t look = 0; look < lights.states.size(); ++look) {
-                              place.look = static_cast<int>(look);
-                              AppendLights(lights, lights.states[look], place);
-                            }
-                          },
-                          [&](const CustomControl& control) {
-                            place.choice = num_controls_++;
-                            for (std::size_t look = 0; look < control.states.size(); ++look) {
-                              place.look = static_cast<int>(look);
-                              AppendAll(control.states[look].parts, place);
-                            }
-                          },
-                          [&](const ToggleSwitch&) {
-                            const int number = num_controls_++;
-                            AppendAsFelt(part, place, number);
-                          },
-                          [&](const auto&) { AppendAsFelt(part, place, place.choice); }},
-               part.shape);
+    std::visit(
+        Overloaded{[&](const Composite& composite) { AppendAll(composite.parts, place); },
+                   // Drawn as its exact surface, while collisions use convex pieces.
+                   [&](const Custom& custom) {
+                     place.shape = DrawnMesh{custom.mesh, custom.scale};
+                     place.color = part.color;
+                     visuals_.push_back(place);
+                   },
+                   // Lights and the parts of a custom control are visible only in their
+                   // state.
+                   [&](const IndicatorLights& lights) {
+                     place.choice = num_controls_++;
+                     for (std::size_t variant = 0; variant < lights.states.size(); ++variant) {
+                       place.variant = static_cast<int>(variant);
+                       AppendLights(lights, lights.states[variant], place);
+                     }
+                   },
+                   [&](const CustomControl& control) {
+                     place.choice = num_controls_++;
+                     for (std::size_t variant = 0; variant < control.states.size(); ++variant) {
+                       place.variant = static_cast<int>(variant);
+                       AppendAll(control.states[variant].parts, place);
+                     }
+                   },
+                   [&](const ToggleSwitch&) {
+                     const int number = num_controls_++;
+                     AppendAsFelt(part, place, number);
+                   },
+                   [&](const auto&) { AppendAsFelt(part, place, place.choice); }},
+        part.shape);
   }
 
   std::vector<Visual> Take() { return std::move(visuals_); }
@@ -57,7 +58,7 @@ class VisualCollector {
     }
   }
 
-  /// Appends the part's own solids; a switch has a look for each of its positions.
+  /// Appends the part's own solids; a switch has a variant for each of its positions.
   void AppendAsFelt(const Part& part, const Visual& place, int choice) {
     for (const Solid& solid : SolidsOf(part)) {
       Visual visual = place;
@@ -65,7 +66,7 @@ class VisualCollector {
       visual.color = solid.color;
       visual.X_FV = place.X_FV * solid.X_BS;
       visual.choice = choice;
-      if (solid.control >= 0) visual.look = solid.look;
+      if (solid.control >= 0) visual.variant = solid.variant;
       // The button's id is made of that of the switch.
       if (!part.id.empty()) visual.button = solid.button;
       visuals_.push_back(visual);

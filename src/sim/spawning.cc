@@ -110,7 +110,7 @@ std::optional<Refusal> RefuseOverlap(const model::Model& grown, const world::Tab
     const model::ObjectIndex object(i);
     // Only the solids of the visible looks: a control's other states are not there.
     const std::vector<scene::Solid> solids = scene::SolidsWith(
-        grown.LooksOf(object, start.controls), scene::SolidsOf(grown.object(object).whole));
+        grown.VariantsOf(object, start.controls), scene::SolidsOf(grown.object(object).whole));
     const physics::Overlaps overlaps = world.OverlapsOf(solids, *start.X_WB[i], kTouching);
     std::vector<std::string> blockers;
     for (physics::BodyId body : overlaps.bodies) {

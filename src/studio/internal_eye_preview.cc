@@ -5,7 +5,7 @@
 
 namespace smile::studio {
 
-std::optional<std::string> EyePreview::Look(LiveWorld* world, const SessionState& shown) {
+std::optional<std::string> EyePreview::Update(LiveWorld* world, const SessionState& shown) {
   constexpr std::uint64_t kTicksPerPicture = 15;  // 4 a second, as in classic recordings
   ++num_calls_;
   if (eye_ == nullptr || is_broken_) return std::nullopt;

@@ -25,7 +25,7 @@ class EyePreview {
 
   /// To be called after each tick.
   /// @returns the reason why the eye cannot draw, once.
-  std::optional<std::string> Look(LiveWorld* world, const SessionState& shown);
+  std::optional<std::string> Update(LiveWorld* world, const SessionState& shown);
   /// Requests a new picture even if the view has not changed.
   void Forget() const { seen_.reset(); }
   /// Returns the last picture since the last call.

@@ -4,24 +4,26 @@
 
 namespace smile::studio {
 
-Json LooksMessage(const std::vector<int>& looks) { return {{"t", "looks"}, {"looks", looks}}; }
+Json LooksMessage(const std::vector<int>& variants) {
+  return {{"t", "looks"}, {"looks", variants}};
+}
 
-Json SceneAnnouncer::Announce(const model::Model& model, const std::vector<int>& looks) {
+Json SceneAnnouncer::Announce(const model::Model& model, const std::vector<int>& variants) {
   // The meshes of the last scenes stay available under their numbers: a page may still load those
   // of the scene before.
   present_ = meshes_.Add(++number_, model.visual_model());
-  sent_looks_ = looks;
-  return Describe(model, looks);
+  sent_variants_ = variants;
+  return Describe(model, variants);
 }
 
-Json SceneAnnouncer::Describe(const model::Model& model, const std::vector<int>& looks) const {
-  return SceneMessage(number_, model, *present_, looks);
+Json SceneAnnouncer::Describe(const model::Model& model, const std::vector<int>& variants) const {
+  return SceneMessage(number_, model, *present_, variants);
 }
 
-std::optional<Json> SceneAnnouncer::UpdateLooks(const std::vector<int>& looks) {
-  if (looks == sent_looks_) return std::nullopt;
-  sent_looks_ = looks;
-  return LooksMessage(looks);
+std::optional<Json> SceneAnnouncer::UpdateVariants(const std::vector<int>& variants) {
+  if (variants == sent_variants_) return std::nullopt;
+  sent_variants_ = variants;
+  return LooksMessage(variants);
 }
 
 std::optional<std::string> SceneAnnouncer::MeshBytes(std::uint32_t scene, std::size_t mesh) const {

@@ -12,16 +12,16 @@
 
 namespace smile::studio {
 
-/// Scene announcer: makes the messages about the shown scene and its looks.
+/// Scene announcer: makes the messages about the shown scene and its variants.
 class SceneAnnouncer {
  public:
   /// Sets the shown model.
   /// @returns the message for all clients.
-  Json Announce(const model::Model& model, const std::vector<int>& looks);
+  Json Announce(const model::Model& model, const std::vector<int>& variants);
   /// Returns the same message, for new clients.
-  Json Describe(const model::Model& model, const std::vector<int>& looks) const;
-  /// Returns the message with these looks; nullopt if they were sent last.
-  std::optional<Json> UpdateLooks(const std::vector<int>& looks);
+  Json Describe(const model::Model& model, const std::vector<int>& variants) const;
+  /// Returns the message with these variants; nullopt if they were sent last.
+  std::optional<Json> UpdateVariants(const std::vector<int>& variants);
 
   /// Counts up with each model; see library::DisplayedState::scene.
   std::uint32_t number() const { return number_; }
@@ -32,10 +32,10 @@ class SceneAnnouncer {
   std::uint32_t number_ = 0;
   SceneMeshes meshes_;
   std::shared_ptr<const PageMeshes> present_;
-  std::vector<int> sent_looks_;
+  std::vector<int> sent_variants_;
 };
 
 /// `{"t":"looks",…}`.
-Json LooksMessage(const std::vector<int>& looks);
+Json LooksMessage(const std::vector<int>& variants);
 
 }  // namespace smile::studio

@@ -50,8 +50,8 @@ class LiveWorld : private sim::Listener {
   std::vector<Json> TakeEvents() { return std::exchange(events_, {}); }
   /// Returns the points that are marked for people [m].
   const std::vector<Vector3>& markers() const { return markers_; }
-  /// Returns the bounds of each object in its own frame, over all looks of its controls; in scene
-  /// order.
+  /// Returns the bounds of each object in its own frame, over all variants of its controls; in
+  /// scene order.
   const std::vector<scene::Bounds>& bounds() const { return bounds_; }
 
  private:

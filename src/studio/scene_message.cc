@@ -48,7 +48,7 @@ void DescribeShape(const scene::VisualShape& shape, double unit, const PageMeshe
 }
 
 /// Returns all visuals of the model. Their poses are in their frames, which move; the page draws a
-/// visual with a choice only while that choice has the visual's look.
+/// visual with a choice only while that choice has the visual's variant.
 Json DescribeVisuals(const model::Model& model, const PageMeshes& meshes) {
   const double unit = model.scene().meters_per_unit;
   Json visuals = Json::array();
@@ -58,7 +58,7 @@ Json DescribeVisuals(const model::Model& model, const PageMeshes& meshes) {
                    {"pose", PoseInUnits(piece.X_FV, unit)},
                    {"color", HexColor(piece.color)},
                    {"choice", piece.choice},
-                   {"look", piece.look}};
+                   {"look", piece.variant}};
     if (piece.glows) visual["glows"] = true;
     if (!piece.part_id.empty()) visual["part"] = piece.part_id;
     if (piece.button) visual["button"] = scene::ButtonId(piece.part_id, *piece.button);
@@ -208,7 +208,7 @@ Json PoseInUnits(const RigidTransform& X_AB, double meters_per_unit) {
 }
 
 Json SceneMessage(std::uint32_t number, const model::Model& model, const PageMeshes& meshes,
-                  const std::vector<int>& looks) {
+                  const std::vector<int>& variants) {
   const scene::SceneSpec& scene = model.scene();
   const scene::TableSpec& table = scene.table;
   return {{"t", "scene"},
@@ -222,7 +222,7 @@ Json SceneMessage(std::uint32_t number, const model::Model& model, const PageMes
           {"robotFrame",
            model.robot() == nullptr ? Json() : Json(std::size_t{*model.robot_frames().begin()})},
           {"visuals", DescribeVisuals(model, meshes)},
-          {"looks", looks},
+          {"looks", variants},
           {"objects", DescribeObjects(model)},
           {"robot", DescribeRobot(model)}};
 }

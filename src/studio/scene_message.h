@@ -13,7 +13,7 @@ namespace smile::studio {
 /// docs/studio-protocol.md.
 /// @param number  see DisplayedState::scene.
 Json SceneMessage(std::uint32_t number, const model::Model& model, const PageMeshes& meshes,
-                  const std::vector<int>& looks);
+                  const std::vector<int>& variants);
 
 /// Returns `[x, y, z, qx, qy, qz, qw]`, in units.
 Json PoseInUnits(const RigidTransform& X_AB, double meters_per_unit);

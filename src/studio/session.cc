@@ -165,10 +165,10 @@ bool Session::Impl::Tick() {
   NoteFailure();
   SendConsole();
   // The preview comes after the tick, so that it shows its result.
-  if (const auto trouble = eye_preview_.Look(&states_.world(), states_.shown())) {
+  if (const auto trouble = eye_preview_.Update(&states_.world(), states_.shown())) {
     messages_.push_back({{"t", "error"}, {"error", *trouble}});
   }
-  SendIfAny(scene_announcer_.UpdateLooks(view().state.looks));
+  SendIfAny(scene_announcer_.UpdateVariants(view().state.variants));
   // State messages are limited in rate; they are sent only if something other than time has
   // changed.
   if (states_.num_ticks() % kTicksPerState == 0)
@@ -184,7 +184,7 @@ void Session::Impl::OnOtherScene() {
   const SessionState& shown = states_.shown();
   // The complete state follows with the next state message, as the announcer has forgotten the last
   // one.
-  messages_.push_back(scene_announcer_.Announce(shown.model(), shown.view().state.looks));
+  messages_.push_back(scene_announcer_.Announce(shown.model(), shown.view().state.variants));
 }
 
 void Session::Impl::OnScore(Json score) {
@@ -258,10 +258,10 @@ SessionUpdates Session::Impl::TakeUpdates() {
 std::vector<Json> Session::Impl::Everything() const {
   // A new client needs a picture even if the view does not change.
   eye_preview_.Forget();
-  const std::vector<int>& looks = view().state.looks;
+  const std::vector<int>& variants = view().state.variants;
   // In the order in which a page can use them: the scene before its looks, and the state last.
-  std::vector<Json> all = {scene_announcer_.Describe(states_.shown().model(), looks),
-                           LooksMessage(looks)};
+  std::vector<Json> all = {scene_announcer_.Describe(states_.shown().model(), variants),
+                           LooksMessage(variants)};
   if (auto lines = console_.Everything()) all.push_back(*std::move(lines));
   if (!score_.is_null()) all.push_back(score_);
   all.push_back(DescribeState());

@@ -47,7 +47,7 @@ class Session {
   library::DisplayedState view() const;
   /// Returns the updates since the last call.
   SessionUpdates TakeUpdates();
-  /// Returns the messages for a new client: scene, looks, output and score of brains, and
+  /// Returns the messages for a new client: scene, variants, output and score of brains, and
   /// last the state. The eye's picture follows with the updates.
   std::vector<Json> Everything() const;
   /// Returns the triangles of a mesh of the present scene or a recent one

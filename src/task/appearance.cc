@@ -20,13 +20,13 @@ std::vector<Color> KindsOf(const std::vector<Color>& colors) {
 }
 
 /// Returns the size of the bounding box along the object's own axes [m].
-Vector3 ExtentOf(const Appearance& looks) {
-  return scene::BoundsOf(looks.form, RigidTransform()).size();
+Vector3 ExtentOf(const Appearance& appearance) {
+  return scene::BoundsOf(appearance.form, RigidTransform()).size();
 }
 
-const std::string* DescriptionOf(const Appearance& looks, const std::string& name) {
-  const auto found = std::ranges::find(looks.descriptions, name, &scene::Description::name);
-  return found != looks.descriptions.end() ? &found->value : nullptr;
+const std::string* DescriptionOf(const Appearance& appearance, const std::string& name) {
+  const auto found = std::ranges::find(appearance.descriptions, name, &scene::Description::name);
+  return found != appearance.descriptions.end() ? &found->value : nullptr;
 }
 
 /// Equal if both are missing or both have the same value.
@@ -57,17 +57,17 @@ bool Agree(const Appearance& a, const Appearance& b, const std::string& property
 }  // namespace
 
 Appearance AppearanceOf(const scene::ObjectSpec& object) {
-  Appearance looks{.form = scene::SolidsOf(object.whole),
-                   .colors = {},
-                   .shape = object.whole.shape.index(),
-                   .descriptions = object.descriptions};
-  for (scene::Solid& solid : looks.form) {
-    looks.colors.push_back(solid.color);
+  Appearance appearance{.form = scene::SolidsOf(object.whole),
+                        .colors = {},
+                        .shape = object.whole.shape.index(),
+                        .descriptions = object.descriptions};
+  for (scene::Solid& solid : appearance.form) {
+    appearance.colors.push_back(solid.color);
     // Ids and colors are erased so that `form` compares geometry alone.
     solid.color = Color();
     solid.part_id.clear();
   }
-  return looks;
+  return appearance;
 }
 
 bool AreAlike(const Appearance& wanted, const Appearance& other,

@@ -57,8 +57,8 @@ ObjectError StructureComparison::mean_error() const {
 }
 
 StructureComparison CompareWith(const Structure& structure, const Episode& outcome) {
-  // Motion and match are optimized together; the match by looks alone is the start, and stays for
-  // objects that only effects refer to.
+  // Motion and match are optimized together; the match by appearance alone is the start, and stays
+  // for objects that only effects refer to.
   const ObjectPoses poses = PosesAt(outcome.scene, outcome.end);
   Placing placing =
       FindPlacing(structure, outcome.scene, poses, MatchObjects(structure, outcome.scene));

@@ -19,9 +19,9 @@ double CostOfPart(bool is_alike, bool has_same_id, double lateness) {
 }
 
 std::vector<Appearance> AppearancesOfAll(const std::vector<scene::ObjectSpec>& objects) {
-  std::vector<Appearance> looks;
-  for (const scene::ObjectSpec& object : objects) looks.push_back(AppearanceOf(object));
-  return looks;
+  std::vector<Appearance> appearances;
+  for (const scene::ObjectSpec& object : objects) appearances.push_back(AppearanceOf(object));
+  return appearances;
 }
 
 }  // namespace
@@ -34,14 +34,15 @@ Match MatchObjects(const Structure& structure, const scene::SceneSpec& scene) {
   const std::size_t columns = std::max(wanted.size(), scene.objects.size());
   Eigen::MatrixXd costs = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(wanted.size()),
                                                     static_cast<Eigen::Index>(columns), kUnlike);
-  const std::vector<Appearance> looks = AppearancesOfAll(scene.objects);
+  const std::vector<Appearance> appearances = AppearancesOfAll(scene.objects);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const Appearance wanted_looks = AppearanceOf(wanted[i]);
+    const Appearance wanted_appearance = AppearanceOf(wanted[i]);
     const std::vector<std::string> properties = structure.AttendedOf(wanted[i].id());
     for (std::size_t j = 0; j < scene.objects.size(); ++j) {
-      costs(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = CostOfPart(
-          AreAlike(wanted_looks, looks[j], properties), wanted[i].id() == scene.objects[j].id(),
-          static_cast<double>(j) / static_cast<double>(looks.size()));
+      costs(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+          CostOfPart(AreAlike(wanted_appearance, appearances[j], properties),
+                     wanted[i].id() == scene.objects[j].id(),
+                     static_cast<double>(j) / static_cast<double>(appearances.size()));
     }
   }
   // A global optimum is necessary: with attention to different properties, sets of candidates can

@@ -28,7 +28,7 @@ constexpr double kMaxWork = 1e8;
 struct Candidate {
   const scene::ObjectSpec* object = nullptr;
   RigidTransform X_WB;
-  Appearance looks;
+  Appearance appearance;
 };
 
 /// Object of the structure, with the indices of its candidates in the pool.
@@ -91,12 +91,12 @@ class PlacingSearch {
                   .symmetry = SymmetryOf(object),
                   .candidates = {},
                   .are_of_its_form = {}};
-    const Appearance looks = AppearanceOf(object);
+    const Appearance appearance = AppearanceOf(object);
     const std::vector<std::string> properties = structure.AttendedOf(object.id());
     for (std::size_t i = 0; i < pool_.size(); ++i) {
-      if (!AreAlike(looks, pool_[i].looks, properties)) continue;
+      if (!AreAlike(appearance, pool_[i].appearance, properties)) continue;
       wanted.candidates.push_back(i);
-      wanted.are_of_its_form.push_back(looks.form == pool_[i].looks.form);
+      wanted.are_of_its_form.push_back(appearance.form == pool_[i].appearance.form);
     }
     wanted_.push_back(std::move(wanted));
   }

@@ -80,10 +80,11 @@ bool FillTheSame(const A&, const B&, const RigidTransform&) {
   return false;
 }
 
-/// True if a piece, moved by the rotation `turn` of the body, coincides with another piece of the
-/// same color, control and appearance.
+/// Returns true if a piece, moved by the rotation `turn` of the body, coincides with another piece
+/// of the same color, control and variant.
 bool ComesTo(const scene::Solid& moved, const RigidTransform& turn, const scene::Solid& other) {
-  if (moved.color != other.color || moved.control != other.control || moved.look != other.look) {
+  if (moved.color != other.color || moved.control != other.control ||
+      moved.variant != other.variant) {
     return false;
   }
   const RigidTransform X = other.X_BS.inverse() * (turn * moved.X_BS);
@@ -94,8 +95,8 @@ bool ComesTo(const scene::Solid& moved, const RigidTransform& turn, const scene:
                     moved.shape);
 }
 
-/// True if each piece of the body, turned, coincides with some piece.
-bool LooksTheSame(const std::vector<scene::Solid>& solids, const Matrix3& turn) {
+/// Returns true if each piece of the body, rotated, coincides with some piece.
+bool IsUnchangedBy(const std::vector<scene::Solid>& solids, const Matrix3& turn) {
   const RigidTransform X(turn, Vector3::Zero());
   return std::ranges::all_of(solids, [&](const scene::Solid& moved) {
     return std::ranges::any_of(solids,
@@ -110,7 +111,7 @@ Symmetry TriedSymmetry(const scene::Part& whole) {
   const std::vector<scene::Solid> solids = scene::SolidsOf(whole);
   symmetry.turns.clear();
   for (const Matrix3& turn : QuarterTurns()) {
-    if (LooksTheSame(solids, turn)) symmetry.turns.push_back(turn);
+    if (IsUnchangedBy(solids, turn)) symmetry.turns.push_back(turn);
   }
   return symmetry;
 }

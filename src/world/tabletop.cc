@@ -140,18 +140,18 @@ bool Tabletop::HasPointable(const Object& object, std::string_view id) const {
 }
 
 std::vector<scene::Solid> Tabletop::SolidsNow(const Object& object) const {
-  return scene::SolidsWith(model_->LooksOf(object.index, controls_.states()),
+  return scene::SolidsWith(model_->VariantsOf(object.index, controls_.states()),
                            scene::SolidsOf(object.spec->whole));
 }
 
 void Tabletop::FollowControls(const std::vector<ControlState>& before) {
   for (const Object& object : objects_) {
-    if (!IsPresent(object) || model_->LooksOf(object.index, before) ==
-                                  model_->LooksOf(object.index, controls_.states())) {
+    if (!IsPresent(object) || model_->VariantsOf(object.index, before) ==
+                                  model_->VariantsOf(object.index, controls_.states())) {
       continue;
     }
     const std::vector<scene::Solid> solids = SolidsNow(object);
-    // Lights look different but have the same form.
+    // Lights variant different but have the same form.
     if (solids == world_->body(object.body).spec().solids) continue;
     // The body stays the same for joints and snapshots, with another shape and mass.
     world_->ChangeForm(

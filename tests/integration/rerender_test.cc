@@ -50,25 +50,26 @@ TEST_F(Rerender, InvisibleGivesIdenticalPictures) {
 }
 
 TEST_F(Rerender, ChangesOnlyPictures) {
-  for (const std::string look : {"ghost", "forearm"}) {
-    const Answer answer = Smile("rerender demo --demonstrator " + look + " --json --out " + look);
+  for (const std::string appearance : {"ghost", "forearm"}) {
+    const Answer answer =
+        Smile("rerender demo --demonstrator " + appearance + " --json --out " + appearance);
     ASSERT_EQ(answer.exit_code, 0) << answer.err;
     int num_pictures = 0;
-    for (const std::string& path : Differing("demo", look)) {
+    for (const std::string& path : Differing("demo", appearance)) {
       if (path == "demo.json") continue;
       EXPECT_TRUE(path.ends_with(".png")) << path;
-      EXPECT_TRUE(Exists("demo/" + path) && Exists(look + "/" + path)) << path;
+      EXPECT_TRUE(Exists("demo/" + path) && Exists(appearance + "/" + path)) << path;
       ++num_pictures;
     }
     EXPECT_EQ(num_pictures, answer.json()["pictures"]);
     EXPECT_GT(num_pictures, 5);
-    Json info = Json::parse(Read(look + "/demo.json"));
-    EXPECT_EQ(info["demonstrator"], look);
+    Json info = Json::parse(Read(appearance + "/demo.json"));
+    EXPECT_EQ(info["demonstrator"], appearance);
     info.erase("demonstrator");
     EXPECT_EQ(info, Json::parse(Read("demo/demo.json")));
-    EXPECT_EQ(Smile("replay " + look + " --verify").exit_code, 0);
+    EXPECT_EQ(Smile("replay " + appearance + " --verify").exit_code, 0);
   }
-  // A film of the same look shows the same.
+  // A film of the same appearance shows the same.
   ASSERT_EQ(
       Smile("render demo --camera eye --size 160x120 --rate 8 --demonstrator forearm --out f/")
           .exit_code,

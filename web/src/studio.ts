@@ -19,7 +19,7 @@ import { texts } from "./texts";
 
 /** What the page knows: the program's state as last received, and what only this page's user chose. */
 export const scene = signal<SceneMessage | null>(null);
-export const looks = signal<number[]>([]);
+export const variants = signal<number[]>([]);
 export const state = signal<StateMessage | null>(null);
 export const clients = signal<ClientsMessage | null>(null);
 export const isConnected = signal(false);
@@ -63,10 +63,10 @@ function onUpdate(update: Update): void {
   switch (update.t) {
     case "scene":
       scene.value = update;
-      looks.value = update.looks;
+      variants.value = update.looks;
       break;
     case "looks":
-      looks.value = update.looks;
+      variants.value = update.looks;
       break;
     case "state":
       state.value = update;

@@ -55,7 +55,7 @@ TEST_F(ClassicRecorderTest, OnlyFramesInWhichSomethingMovedHaveAPicture) {
     ++pictures;
     EXPECT_EQ(ReadPng(demo / image).color[0], pictures) << image;
   }
-  EXPECT_EQ(pictures, eye.looks());
+  EXPECT_EQ(pictures, eye.num_pictures());
   EXPECT_GT(pictures, 4);
   EXPECT_LT(pictures, static_cast<int>(index.size()) - 4);
 }

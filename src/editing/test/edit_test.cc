@@ -197,7 +197,7 @@ TEST_F(EditTest, CommandsThatAreRefusedAreSkippedAndReported) {
   EXPECT_EQ(edited.info.notes, "a on b");
   EXPECT_EQ(edited.info.frames_per_second, 12);
   EXPECT_EQ(edited.commands.size(), 0u);
-  EXPECT_GT(eye.looks(), 0);
+  EXPECT_GT(eye.num_pictures(), 0);
   EXPECT_EQ(replay::Replay(edited).ticks(), report.ticks_after);
   EXPECT_EQ(ReadFile(demo / "commands.jsonl", 1 << 20), log);
   EXPECT_THROW(ReSimulated(recording, {}), InputError) << "edited is there already";

@@ -134,15 +134,15 @@ TEST(Model, ShowsAMomentWithoutPhysics) {
   const auto& q = model.robot()->q_start;
   const scene::VisualState shown = model.VisualStateOf(state, q, robot::FaceExpression::kWorking);
   EXPECT_EQ(shown.poses.size(), static_cast<std::size_t>(model.visual_model().num_frames));
-  EXPECT_EQ(shown.looks.size(), static_cast<std::size_t>(model.visual_model().num_choices));
+  EXPECT_EQ(shown.variants.size(), static_cast<std::size_t>(model.visual_model().num_choices));
   EXPECT_EQ(shown.poses[model.frame_of(block)], *state.X_WB[block]);
   EXPECT_EQ(shown.poses[*model.robot_frames().begin()], model.robot_base_pose());
-  EXPECT_EQ(shown.looks[model.presence_of(panel)], 0);
-  EXPECT_EQ(shown.looks[model.choice_of(*model.FindControl("lamp"))], 1);
+  EXPECT_EQ(shown.variants[model.presence_of(panel)], 0);
+  EXPECT_EQ(shown.variants[model.choice_of(*model.FindControl("lamp"))], 1);
   state.X_WB[panel].reset();
   const scene::VisualState without = model.VisualStateOf(state, q, robot::FaceExpression::kWorking);
-  EXPECT_EQ(without.looks[model.presence_of(panel)], -1);
-  EXPECT_EQ(without.looks[model.choice_of(*model.FindControl("lamp"))], -1);
+  EXPECT_EQ(without.variants[model.presence_of(panel)], -1);
+  EXPECT_EQ(without.variants[model.choice_of(*model.FindControl("lamp"))], -1);
 }
 
 TEST(Model, BeginsWithWhatIsFastenedFromTheStart) {

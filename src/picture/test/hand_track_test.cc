@@ -199,14 +199,14 @@ TEST_F(HandTrackTest, FindsMaterialToTakeHoldOf) {
 </tabletop>)xml");
   const model::Model& model = *recording_->model;
   const SurfaceProbe probe(model);
-  const auto looks = recording::VisualStateAt(recording::StartOf(model), model).looks;
+  const auto variants = recording::VisualStateAt(recording::StartOf(model), model).variants;
   const model::FrameIndex bin = model.frame_of(*model.FindObject("bin"));
   const Vector3 hollow(0, 0, 0.05);
-  EXPECT_EQ(probe.Around(bin, looks, hollow, Vector3::UnitX()).to, 0);
-  const Vector3 wall = probe.PointWithin(bin, looks, hollow);
-  const Span through = probe.Around(bin, looks, wall, Vector3::UnitZ());
+  EXPECT_EQ(probe.Around(bin, variants, hollow, Vector3::UnitX()).to, 0);
+  const Vector3 wall = probe.PointWithin(bin, variants, hollow);
+  const Span through = probe.Around(bin, variants, wall, Vector3::UnitZ());
   EXPECT_GT(through.to - through.from, 0.015);
-  EXPECT_EQ(probe.PointWithin(bin, looks, wall), wall);
+  EXPECT_EQ(probe.PointWithin(bin, variants, wall), wall);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ class DamageProperty : public RecordingFixture, public ::testing::WithParamInter
   }
 
   /// Reads everything about a recording that needs no simulation.
-  static void LookAtAll(const std::filesystem::path& demo) {
+  static void ReadAll(const std::filesystem::path& demo) {
     const recording::Recording recording = recording::OpenRecording(demo);
     (void)recording::AttentionOf(recording);
     (void)recording::DemonstrationOf(recording);
@@ -50,7 +50,7 @@ class DamageProperty : public RecordingFixture, public ::testing::WithParamInter
 
 TEST_P(DamageProperty, IsReadOrRefusedAndNeverCrashes) {
   const auto demo = RecordEverything();
-  LookAtAll(demo);
+  ReadAll(demo);
   const std::string whole = ReadFile(demo / GetParam(), 1 << 24);
   std::mt19937 random(3);
   int num_refused = 0;
@@ -66,7 +66,7 @@ TEST_P(DamageProperty, IsReadOrRefusedAndNeverCrashes) {
     }
     std::ofstream(demo / GetParam(), std::ios::binary) << damaged;
     try {
-      LookAtAll(demo);
+      ReadAll(demo);
     } catch (const InputError& error) {
       ++num_refused;
       EXPECT_FALSE(error.diagnostics().front().message.empty());

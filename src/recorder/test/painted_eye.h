@@ -10,18 +10,18 @@ namespace smile::recorder {
 class PaintedEye : public sim::Eye {
  public:
   const Image& Draw(const scene::VisualModel&, const sim::ViewSample&) override {
-    ++looks_;
+    ++num_pictures_;
     image_.color.assign(static_cast<std::size_t>(spec_.width_px) * spec_.height_px * 3,
-                        static_cast<std::uint8_t>(looks_));
+                        static_cast<std::uint8_t>(num_pictures_));
     return image_;
   }
   const sim::EyeSpec& spec() const override { return spec_; }
-  int looks() const { return looks_; }
+  int num_pictures() const { return num_pictures_; }
 
  private:
   sim::EyeSpec spec_{.width_px = 8, .height_px = 6};
   Image image_{.width_px = 8, .height_px = 6};
-  int looks_ = 0;
+  int num_pictures_ = 0;
 };
 
 }  // namespace smile::recorder

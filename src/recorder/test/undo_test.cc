@@ -29,7 +29,7 @@ class HashingEye : public sim::Eye {
     for (const scene::Visual& visual : model.visuals) {
       const bool is_seen =
           visual.choice < 0 ||
-          sample.state.looks[static_cast<std::size_t>(visual.choice)] == visual.look;
+          sample.state.variants[static_cast<std::size_t>(visual.choice)] == visual.variant;
       if (!is_seen) continue;
       const RigidTransform& X_WF = sample.state.poses[static_cast<std::size_t>(visual.frame)];
       for (double number : X_WF* visual.X_FV.translation()) hash.Add(number);

@@ -23,7 +23,8 @@ void ExpectSameStart(const scene::SceneSpec& scene) {
     const PoseGap gap = GapBetween(start.objects[object], observed.objects[object]);
     EXPECT_LT(gap.size(), 1e-6) << scene.name << ": " << model->id(object);
   }
-  EXPECT_EQ(VisualStateAt(start, *model).looks, simulation.visual_state().looks) << scene.name;
+  EXPECT_EQ(VisualStateAt(start, *model).variants, simulation.visual_state().variants)
+      << scene.name;
 }
 
 TEST(Start, OfAModelIsThatOfASimulationOfIt) {

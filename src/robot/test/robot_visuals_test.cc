@@ -29,13 +29,13 @@ TEST(RobotVisuals, TheFaceExpressionIsAChoice) {
   scene::VisualModel visual_model{.object_names = {"", "robot"}, .num_choices = 3};
   AppendVisuals(Baxter(), 1, 1, &visual_model);
   EXPECT_EQ(visual_model.num_choices, 4);
-  std::set<int> looks;
+  std::set<int> variants;
   for (const scene::Visual& visual : visual_model.visuals) {
-    if (visual.choice >= 0) looks.insert(visual.look);
+    if (visual.choice >= 0) variants.insert(visual.variant);
     EXPECT_TRUE(visual.choice == -1 || visual.choice == 3);
   }
-  EXPECT_EQ(looks.size(), kFaceExpressions.size());
-  EXPECT_TRUE(looks.contains(LookOf(FaceExpression::kPuzzled)));
+  EXPECT_EQ(variants.size(), kFaceExpressions.size());
+  EXPECT_TRUE(variants.contains(VariantOf(FaceExpression::kPuzzled)));
 }
 
 TEST(RobotVisuals, PosesFollowTheOrderOfTheFrames) {

@@ -162,9 +162,9 @@ TEST_F(SideFile, RefusesArmsThatAreNoChain) {
             complaint("flange", "face", "turn"));
 }
 
-TEST_F(SideFile, RefusesLooksThatAreNoneOrDoNotFit) {
+TEST_F(SideFile, RefusesAppearancesThatAreUnknownOrDoNotFit) {
   EXPECT_EQ(ComplaintAbout(WithArm(R"(, "look": "baxer")")),
-            "r.robot.json: <look>: unknown look \"baxer\", expected baxter; did you mean "
+            "r.robot.json: <look>: unknown appearance \"baxer\", expected baxter; did you mean "
             "\"baxter\"?");
   EXPECT_EQ(ComplaintAbout(WithArm(R"(, "look": "baxter")")),
             "r.robot.json: <look>: the robot has no link \"torso\"");

@@ -53,7 +53,7 @@ TEST(Visuals, KnowTheInnermostPartWithAnId) {
   for (const Visual& visual : VisualsOf(PanelWithAllControls())) {
     if (!parts.ends_with(visual.part_id + " ")) parts += visual.part_id + " ";
   }
-  // The switch looks so or so, and so does the dial. The sphere has no id, nor has what is around
+  // The switch and the dial have two variants each. The sphere has no id, nor has what is around
   // it.
   EXPECT_EQ(parts, "switch one two one lamps ");
 }
@@ -62,7 +62,7 @@ TEST(Controls, ShowOnlyTheLightsThatAreOnAndThoseGlow) {
   int num_lights_in[2] = {0, 0};
   for (const Visual& visual : VisualsOf(PanelWithAllControls())) {
     EXPECT_EQ(visual.glows, visual.choice == 2) << "of choice " << visual.choice;
-    if (visual.choice == 2) ++num_lights_in[visual.look];
+    if (visual.choice == 2) ++num_lights_in[visual.variant];
   }
   EXPECT_EQ(num_lights_in[0], 0);
   EXPECT_EQ(num_lights_in[1], 2);
@@ -98,7 +98,7 @@ TEST(ToggleSwitch, HasOneButtonFlatAndOneRaised) {
   const auto expect = [&](int i, Button button, int position, const Vector3& p, double turned) {
     EXPECT_EQ(solids[i].part_id, "S");
     EXPECT_EQ(solids[i].button, button);
-    EXPECT_EQ(solids[i].look, position);
+    EXPECT_EQ(solids[i].variant, position);
     EXPECT_LT((std::get<Block>(solids[i].shape).size - Vector3(w, 0.1, h)).norm(), kPlaceTolerance);
     EXPECT_LT((solids[i].X_BS.translation() - p).norm(), kPlaceTolerance);
     EXPECT_LT((solids[i].X_BS.rotation() - RotationFromFixedAxes({0, RadiansToDegrees(turned), 0}))

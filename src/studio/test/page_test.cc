@@ -28,7 +28,7 @@ TEST(SceneMessage, UsesTheUnitsOfTheFile) {
   const PageMeshes meshes(model.visual_model());
   EXPECT_EQ(meshes.size(), 1u) << "equal frustums are one mesh";
   const Json message = SceneMessage(
-      3, model, meshes, recording::VisualStateAt(recording::StartOf(model), model).looks);
+      3, model, meshes, recording::VisualStateAt(recording::StartOf(model), model).variants);
   EXPECT_EQ(message["table"]["size"], Json::array({24.0, 12.0, 4.0}));
   EXPECT_EQ(message["visuals"][1]["block"], Json::array({2.0, 1.0, 1.0}));
   EXPECT_EQ(message["visuals"][1]["color"], "#ff0000");
@@ -65,7 +65,7 @@ TEST(SceneMessage, MarksGlowingVisualsAsFilmsDo) {
       *scene, model::RobotPlacement{.model = robot::ReadRobot(DataFile("robots/baxter.urdf"))});
   const Json message =
       SceneMessage(1, model, PageMeshes(model.visual_model()),
-                   recording::VisualStateAt(recording::StartOf(model), model).looks);
+                   recording::VisualStateAt(recording::StartOf(model), model).variants);
   const auto& visuals = model.visual_model().visuals;
   ASSERT_EQ(message["visuals"].size(), visuals.size());
   int num_lamps = 0, num_of_face = 0;
@@ -88,7 +88,7 @@ TEST(SceneMessage, NamesTheJointOfTheHead) {
   const model::Model model({}, model::RobotPlacement{.model = std::move(robot)});
   const Json message =
       SceneMessage(1, model, PageMeshes(model.visual_model()),
-                   recording::VisualStateAt(recording::StartOf(model), model).looks);
+                   recording::VisualStateAt(recording::StartOf(model), model).variants);
   std::string heads;
   for (const Json& joint : message["robot"]["joints"]) {
     if (joint["is_head"] == true) heads += joint["name"].get<std::string>();

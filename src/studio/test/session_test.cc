@@ -245,7 +245,7 @@ TEST_F(SessionTest, AddedObjectsAreRecordedAndCanBeUndone) {
   EXPECT_EQ(replay::Replay(take).first_difference, std::nullopt);
   Do(R"({"do":"show","recording":"take","seconds":0})");
   EXPECT_EQ(Latest("scene")["objects"].size(), 4u);
-  EXPECT_EQ(session_->view().state.looks, (std::vector<int>{0, 0, -1, -1})) << "not yet added";
+  EXPECT_EQ(session_->view().state.variants, (std::vector<int>{0, 0, -1, -1})) << "not yet added";
 }
 
 TEST_F(SessionTest, PresetsGoToFreePlacesThatDependOnTheSeed) {
@@ -496,15 +496,15 @@ TEST_F(SessionTest, TheEyeShowsWhatIsRecordedAndRestsWhenNothingMoves) {
   recorder::PaintedEye eye;
   Begin(&eye);
   TickSeconds(3);  // until all is asleep
-  const int looks = eye.looks();
+  const int num_pictures = eye.num_pictures();
   TickSeconds(1);
-  EXPECT_EQ(eye.looks(), looks);
+  EXPECT_EQ(eye.num_pictures(), num_pictures);
   Command(R"({"do":"start","name":"take"})");
   session_->Tick();
   const SessionUpdates updates = session_->TakeUpdates();
   ASSERT_TRUE(updates.view.has_value());
   EXPECT_TRUE(updates.is_view_recorded);
-  EXPECT_EQ(updates.view->color.front(), eye.looks());
+  EXPECT_EQ(updates.view->color.front(), eye.num_pictures());
 }
 
 TEST_F(SessionTest, TheRobotsRageLeavesAllAsItWas) {

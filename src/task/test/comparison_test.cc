@@ -77,7 +77,7 @@ TEST(StructureComparison, TakesForAlikeWhatAgreesInTheAttendedProperties) {
   EXPECT_FALSE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
   structure.attention = {{"r", {"size", "position"}}, {"b", {"size"}}};
   EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
-  // Placing alone says nothing of looks.
+  // Placing alone does not compare appearance.
   structure.attention = {{"r", {"position"}}, {"b", {"order"}}};
   EXPECT_FALSE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
 }
@@ -211,7 +211,7 @@ TEST(Order, ObjectsInPlaceFromTheStartComeFirst) {
   EXPECT_EQ(OrderOf({"a"}, {}, {}).fraction, 1);
 }
 
-TEST(MatchObjects, PrefersIdsThenLooks) {
+TEST(MatchObjects, PrefersIdsThenAppearance) {
   const Structure structure{
       .objects = {CubeAt("a", {0, 0, 0}, kRed), CubeAt("b", {0, 0, 0}, kBlue)}};
   const scene::SceneSpec scene{

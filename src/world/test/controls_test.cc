@@ -103,7 +103,7 @@ TEST(Controls, ShowWhatABondForcesUponThemAndPassItOn) {
   Panel controls = TrafficLights();
   controls.Override(1, 2);
   EXPECT_EQ(Recorded(controls)[1], "go");
-  EXPECT_EQ(LookOf(controls.model().control(ControlIndex(1)), controls.states()[1]), 2);
+  EXPECT_EQ(VariantOf(controls.model().control(ControlIndex(1)), controls.states()[1]), 2);
   controls.Set(1, 1);
   EXPECT_EQ(Recorded(controls)[1], "go") << "the state beneath changes silently";
   controls.Override(1, -1);

@@ -50,7 +50,7 @@ export class Models {
   /** Frames that moved in the last step. */
   readonly moved = new Set<Object3D>();
   private frameOfObject = new Map<string, number>();
-  private looks: number[] = [];
+  private variants: number[] = [];
   private gone = new Set<string>();
   private isRobotShown = true;
   private isLow = false;
@@ -82,8 +82,8 @@ export class Models {
     for (const [mesh, visuals] of meshes) void this.fetch(scene, mesh, visuals, objects);
   }
 
-  setLooks(looks: number[]): void {
-    this.looks = looks;
+  setVariants(variants: number[]): void {
+    this.variants = variants;
     this.showWhatIsThere();
   }
 
@@ -249,7 +249,7 @@ export class Models {
   }
 
   private isToBeSeen({ choice, look, frame }: Visual, object: string): boolean {
-    if (choice >= 0 && this.looks[choice] !== look) return false;
+    if (choice >= 0 && this.variants[choice] !== look) return false;
     if (!this.isRobotShown && frame >= (this.scene?.robotFrame ?? Infinity)) return false;
     return !this.gone.has(object);
   }

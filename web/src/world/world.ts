@@ -2,7 +2,7 @@ import { effect } from "@preact/signals";
 import { handColors } from "../colors";
 import { listenToKeys } from "../keys";
 import type { Poses } from "../protocol";
-import { currentHand, heldObject, isController, looks, poseListeners, scene, state } from "../studio";
+import { currentHand, heldObject, isController, poseListeners, scene, state, variants } from "../studio";
 import { DragGuides } from "./drag_guides";
 import { DetailController } from "./detail";
 import { Hands } from "./hands";
@@ -139,7 +139,7 @@ class DrawnWorld implements World {
     this.quit.push(
       () => poseListeners.delete(takePoses),
       effect(() => this.load()),
-      effect(() => this.models.setLooks(looks.value)),
+      effect(() => this.models.setVariants(variants.value)),
       effect(() => this.takeState()),
       effect(() => void [currentHand.value, hovered.value, guides.value, isController.value, this.redraw()]),
       effect(() => this.writeTag()),

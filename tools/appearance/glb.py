@@ -1,4 +1,4 @@
-"""Writes the look of a robot as binary glTF 2.0.
+"""Writes the appearance of a robot as binary glTF 2.0.
 
 Each node is named after the link it is fixed to and drawn in that link's frame; a mesh may hang on several nodes (both
 arms share theirs). A node with the extra `mood` is visible only while the robot's face shows that mood.
@@ -74,7 +74,7 @@ def write(path, parts):
             nodes.append({"name": link, "mesh": len(meshes) - 1} | ({"extras": {"mood": part.mood}} if part.mood else {}))
     materials = [{"pbrMetallicRoughness": {"baseColorFactor": [*map(linear, color), 1], "metallicFactor": 0}}
                  for color in colors]
-    content = {"asset": {"version": "2.0", "generator": "tools/make_robot_looks.py"}, "scene": 0,
+    content = {"asset": {"version": "2.0", "generator": "tools/make_robot_appearance.py"}, "scene": 0,
                "scenes": [{"nodes": list(range(len(nodes)))}], "nodes": nodes, "meshes": meshes,
                "materials": materials, "accessors": buffer.accessors, "bufferViews": buffer.views,
                "buffers": [{"byteLength": len(buffer.bytes)}]}

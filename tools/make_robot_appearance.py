@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes robots/looks/: what Baxter and the gripper of the 2015 program look like, as glTF files (docs/robot.md).
+"""Writes robots/appearance/: the appearance of Baxter and of the gripper of the 2015 program, as glTF files (docs/robot.md).
 
-    tools/make_robot_looks.py [FOLDER]
+    tools/make_robot_appearance.py [FOLDER]
 
 Everything is computed from measurements, so there is nothing to be licensed. Needs numpy.
 """
@@ -9,10 +9,10 @@ Everything is computed from measurements, so there is nothing to be licensed. Ne
 import pathlib
 import sys
 
-from looks import baxter_arm, baxter_body, baxter_head, classic_gripper, glb
-from looks.glb import Part
+from appearance import baxter_arm, baxter_body, baxter_head, classic_gripper, glb
+from appearance.glb import Part
 
-FOLDER = pathlib.Path(__file__).resolve().parent.parent / "robots" / "looks"
+FOLDER = pathlib.Path(__file__).resolve().parent.parent / "robots" / "appearance"
 
 
 def arm_part(link, pieces):

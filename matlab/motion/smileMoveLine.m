@@ -9,7 +9,7 @@ function [trajectory, fault] = smileMoveLine(robot, arm, qFrom, goal, varargin)
 %   qFrom      1x7, start angles [rad]
 %   goal       4x4, goal pose of the tool in the world [units]
 %   trajectory for smileSample; [] if the arm cannot follow the line
-%   fault      [], or a struct if it cannot: share is the completed fraction (0 to 1), reason the cause
+%   fault      [], or a struct if it cannot: fraction is the completed fraction of the line (0 to 1), reason the cause
 %
 %   Options, by name:
 %     speed      1      fraction of the joints' maximum velocities, above 0, at most 1

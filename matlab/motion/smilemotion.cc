@@ -459,7 +459,7 @@ void MoveLine(const Call& call) {
   const auto* fault = std::get_if<LineFault>(&answer);
   call.outputs[0] = fault ? Empty() : TrajectoryOf(std::get<JointTrajectory>(answer), arm, shape);
   if (call.num_outputs < 2) return;
-  call.outputs[1] = fault ? StructOf({{"share", mxCreateDoubleScalar(fault->share)},
+  call.outputs[1] = fault ? StructOf({{"fraction", mxCreateDoubleScalar(fault->fraction)},
                                       {"reason", mxCreateString(fault->reason.c_str())}})
                           : Empty();
 }

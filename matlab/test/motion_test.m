@@ -30,7 +30,7 @@ function check_answers(robot)
   goal(1, 4) = 40;
   check(isempty(smileInverse(robot, 'left', goal, q)), 'an unreachable goal is []');
   [move, fault] = smileMoveLine(robot, 'left', q, goal);
-  check(isempty(move) && fault.share < 1, 'a line out of reach has a fault');
+  check(isempty(move) && fault.fraction < 1, 'a line out of reach has a fault');
   check(~isempty(fault.reason), 'and a reason');
 
   move = smileMoveJoints(robot, 'both', cat(3, robot.poses.untucked, robot.poses.neutral));

@@ -152,10 +152,10 @@ The arm rests at the first point before the start, and at the last point after t
 
 void BindAnswers(py::module_& m) {
   py::class_<LineFault>(m, "LineFault", "Reason why the tool cannot follow a line.")
-      .def_readonly("share", &LineFault::share, "completed fraction, from 0 to 1")
+      .def_readonly("fraction", &LineFault::fraction, "completed fraction, from 0 to 1")
       .def_readonly("reason", &LineFault::reason)
       .def("__repr__", [](const LineFault& fault) {
-        return "<LineFault at " + std::to_string(fault.share) + ": " + fault.reason + ">";
+        return "<LineFault at " + std::to_string(fault.fraction) + ": " + fault.reason + ">";
       });
   py::class_<InvalidMoment>(m, "InvalidMoment",
                             "Time and reason at which a motion becomes invalid.")

@@ -70,50 +70,51 @@ GLsizeiptr BytesOf(const std::vector<T>& values) {
 
 }  // namespace
 
-MeshStore::Entry MeshStore::Upload(const mesh::UnitMesh& unit_mesh) {
+MeshStore::UploadedMesh MeshStore::Upload(const mesh::UnitMesh& unit_mesh) {
   // The vertex array remembers which buffers and layouts belong together, so drawing only binds it.
   const mesh::TriangleMesh mesh = mesh::MakeMesh(unit_mesh);
   std::vector<Corner> corners;
   for (std::size_t k = 0; k < mesh.positions.size(); ++k) {
     corners.push_back({mesh.positions[k], mesh.normals[k]});
   }
-  Entry entry;
-  entry.num_indices = static_cast<GLsizei>(3 * mesh.triangles.size());
-  glBindVertexArray(entry.vertex_array.name());
-  glBindBuffer(GL_ARRAY_BUFFER, entry.corners.name());
+  UploadedMesh uploaded;
+  uploaded.num_indices = static_cast<GLsizei>(3 * mesh.triangles.size());
+  glBindVertexArray(uploaded.vertex_array.name());
+  glBindBuffer(GL_ARRAY_BUFFER, uploaded.corners.name());
   glBufferData(GL_ARRAY_BUFFER, BytesOf(corners), corners.data(), GL_STATIC_DRAW);
   DescribeCorners();
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, entry.triangles.name());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, uploaded.triangles.name());
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, BytesOf(mesh.triangles), mesh.triangles.data(),
                GL_STATIC_DRAW);
-  glBindBuffer(GL_ARRAY_BUFFER, entry.instances.name());
+  glBindBuffer(GL_ARRAY_BUFFER, uploaded.instances.name());
   DescribeInstances();
-  return entry;
+  return uploaded;
 }
 
-MeshStore::Entry& MeshStore::EntryFor(const mesh::UnitMesh& unit_mesh) {
-  const auto found = entries_.find(unit_mesh);
-  if (found != entries_.end()) return found->second;
+MeshStore::UploadedMesh& MeshStore::MeshFor(const mesh::UnitMesh& unit_mesh) {
+  const auto found = meshes_.find(unit_mesh);
+  if (found != meshes_.end()) return found->second;
   // Forgets everything that the present picture does not need; it is uploaded again when needed.
-  if (entries_.size() >= kMaxMeshes) {
+  if (meshes_.size() >= kMaxMeshes) {
     // Entries with waiting instances are in use by the picture in progress.
-    std::erase_if(entries_, [](const auto& entry) { return entry.second.waiting.empty(); });
+    std::erase_if(meshes_, [](const auto& uploaded) { return uploaded.second.waiting.empty(); });
   }
-  return entries_.emplace(unit_mesh, Upload(unit_mesh)).first->second;
+  return meshes_.emplace(unit_mesh, Upload(unit_mesh)).first->second;
 }
 
 void MeshStore::Draw(const std::vector<Piece>& pieces) {
-  for (const Piece& piece : pieces) EntryFor(piece.unit_mesh).waiting.push_back(piece.instance);
+  for (const Piece& piece : pieces) MeshFor(piece.unit_mesh).waiting.push_back(piece.instance);
   // One call per unit mesh: instances are uploaded and drawn together.
-  for (auto& [unit_mesh, entry] : entries_) {
-    if (entry.waiting.empty()) continue;
-    glBindVertexArray(entry.vertex_array.name());
-    glBindBuffer(GL_ARRAY_BUFFER, entry.instances.name());
+  for (auto& [unit_mesh, uploaded] : meshes_) {
+    if (uploaded.waiting.empty()) continue;
+    glBindVertexArray(uploaded.vertex_array.name());
+    glBindBuffer(GL_ARRAY_BUFFER, uploaded.instances.name());
     // New storage each time (GL_STREAM_DRAW): the card may still read that of the picture before.
-    glBufferData(GL_ARRAY_BUFFER, BytesOf(entry.waiting), entry.waiting.data(), GL_STREAM_DRAW);
-    glDrawElementsInstanced(GL_TRIANGLES, entry.num_indices, GL_UNSIGNED_INT, nullptr,
-                            static_cast<GLsizei>(entry.waiting.size()));
-    entry.waiting.clear();
+    glBufferData(GL_ARRAY_BUFFER, BytesOf(uploaded.waiting), uploaded.waiting.data(),
+                 GL_STREAM_DRAW);
+    glDrawElementsInstanced(GL_TRIANGLES, uploaded.num_indices, GL_UNSIGNED_INT, nullptr,
+                            static_cast<GLsizei>(uploaded.waiting.size()));
+    uploaded.waiting.clear();
   }
 }
 

@@ -18,7 +18,7 @@ class MeshStore {
   void Draw(const std::vector<Piece>& pieces);
 
  private:
-  struct Entry {
+  struct UploadedMesh {
     VertexArray vertex_array;
     Buffer corners, triangles, instances;
     GLsizei num_indices = 0;
@@ -28,11 +28,11 @@ class MeshStore {
   /// Limit on cached meshes, since a long session may show any number of hulls.
   static constexpr std::size_t kMaxMeshes = 4096;
 
-  static Entry Upload(const mesh::UnitMesh& unit_mesh);
+  static UploadedMesh Upload(const mesh::UnitMesh& unit_mesh);
 
-  Entry& EntryFor(const mesh::UnitMesh& unit_mesh);
+  UploadedMesh& MeshFor(const mesh::UnitMesh& unit_mesh);
 
-  std::map<mesh::UnitMesh, Entry> entries_;
+  std::map<mesh::UnitMesh, UploadedMesh> meshes_;
 };
 
 /// Source with which every vertex shader begins: the inputs above, and `vec3 PositionInWorld()`,

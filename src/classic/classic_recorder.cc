@@ -263,23 +263,23 @@ bool ClassicRecorder::WriteMove(model::ObjectIndex i, const recording::TracePose
 
 // Deletes pictures and segments after the mark, then truncates the open text and the index to their
 // sizes at the mark.
-void ClassicRecorder::Return(const Mark& mark) {
-  for (std::uint64_t frame = mark.state.frame; frame < state_.frame; ++frame) {
+void ClassicRecorder::Return(const Savepoint& savepoint) {
+  for (std::uint64_t frame = savepoint.state.frame; frame < state_.frame; ++frame) {
     // Frames after the mark may have pictures in the mark's own segment; later segments are removed
     // as a whole, below.
-    std::filesystem::remove(recording::SegmentPictures(directory_, mark.state.segment) /
+    std::filesystem::remove(recording::SegmentPictures(directory_, savepoint.state.segment) /
                             (std::to_string(frame) + ".png"));
   }
-  for (int segment = state_.segment; segment > mark.state.segment; --segment) {
+  for (int segment = state_.segment; segment > savepoint.state.segment; --segment) {
     recording::RemoveSegment(directory_, segment);
   }
   if (text_) {
-    text_.emplace(recording::SegmentText(directory_, mark.state.segment),
+    text_.emplace(recording::SegmentText(directory_, savepoint.state.segment),
                   recording::AppendFile::kExisting);
-    text_->Cut(mark.text_size);
+    text_->Cut(savepoint.text_size);
   }
-  index_.Cut(mark.index_size);
-  state_ = mark.state;
+  index_.Cut(savepoint.index_size);
+  state_ = savepoint.state;
 }
 
 }  // namespace smile::classic

@@ -64,13 +64,13 @@ class ClassicRecorder {
 
  public:
   /// Position to return to.
-  struct Mark {
+  struct Savepoint {
     State state;
     std::uint64_t text_size = 0, index_size = 0;
   };
-  Mark mark() const { return {state_, text_ ? text_->size() : 0, index_.size()}; }
-  /// Removes everything written since the mark.
-  void Return(const Mark& mark);
+  Savepoint MakeSavepoint() const { return {state_, text_ ? text_->size() : 0, index_.size()}; }
+  /// Removes everything written since the savepoint.
+  void Return(const Savepoint& savepoint);
 
  private:
   void OpenSegment();

@@ -211,7 +211,7 @@ class Evaluator {
                                   .demo = plan_.demonstration.string(),
                                   .scene = plan_.scene_name,
                                   .level = plan_.level,
-                                  .ways = plan_.settings,
+                                  .options = plan_.settings,
                                   .brains = {},
                                   .again = plan_.again};
     for (Candidate& candidate : candidates_) {

@@ -105,7 +105,7 @@ class Playback::Impl {
       if (bookmarks_.empty()) first_tick_ = moment->tick;
       num_ticks_ = moment->tick - first_tick_;
       if (num_ticks_ % spacing != 0) continue;
-      bookmarks_.push_back(trace_.Mark());
+      bookmarks_.push_back(trace_.MakeBookmark());
       if (bookmarks_.size() < kMaxBookmarks) continue;
       // Keeps every other one, which doubles the spacing.
       for (std::size_t i = 1; 2 * i < bookmarks_.size(); ++i) {

@@ -33,7 +33,7 @@ struct LineOptions {
 
 /// Reason why the tool cannot follow a line.
 struct LineFault {
-  double share = 0;     ///< fraction of the line that it can follow, 0 to 1
+  double fraction = 0;  ///< fraction of the line that it can follow, 0 to 1
   RigidTransform X_WG;  ///< first pose that it cannot reach
   std::string reason;
 

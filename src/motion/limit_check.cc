@@ -85,9 +85,9 @@ std::vector<double> TurningPoints(const Cubic& cubic) {
   const double a = secant_term + 3 * (cubic.from_derivative + cubic.to_derivative);
   const double b = -secant_term - 4 * cubic.from_derivative - 2 * cubic.to_derivative;
   const double c = cubic.from_derivative;
-  std::vector<double> shares{0, 1};
+  std::vector<double> fractions{0, 1};
   const auto add = [&](double u) {
-    if (u > 0 && u < 1) shares.push_back(u);  // false for NaN, too
+    if (u > 0 && u < 1) fractions.push_back(u);  // false for NaN, too
   };
   // Divisions by zero below give infinities or NaN, which `add` drops: a cubic may be a parabola or
   // a line. First the extreme of the derivative.
@@ -98,7 +98,7 @@ std::vector<double> TurningPoints(const Cubic& cubic) {
   // Extremes of the value.
   add(q / a);
   add(c / q);
-  return shares;
+  return fractions;
 }
 
 }  // namespace

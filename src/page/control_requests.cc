@@ -13,7 +13,7 @@ void AddControlRequests(RequestTable* table) {
   // no lock is needed.
   // A handler answers only its own client; a message to another one is deferred.
   const auto deferred = std::make_shared<std::vector<DeferredMessage>>();
-  table->entries["keep_control"] = {[deferred](const Request& request) {
+  table->requests["keep_control"] = {[deferred](const Request& request) {
     const auto from = RequestFields(request).Whole("from", std::numeric_limits<ClientId>::max());
     deferred->push_back({.client = static_cast<ClientId>(from),
                          .message = {{"t", "control_kept"}, {"by", request.client}}});

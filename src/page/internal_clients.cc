@@ -142,7 +142,7 @@ void Clients::Receive(ClientId id, bool is_text, std::string_view text) {
   // Pings are sent by the page itself, without its user.
   if (request->what != "ping") arbiter_.NoteSignOfLife(id, Now());
   // Requests for the session wait for its thread; those about the connection are answered at once.
-  if (!own_requests_.entries.contains(request->what)) {
+  if (!own_requests_.requests.contains(request->what)) {
     // Counted by the bytes of its text, which bound the memory of the parsed request up to a
     // constant factor.
     client->waiting.push_back({std::move(*request), text.size()});
@@ -175,11 +175,12 @@ void Clients::Refuse(Client* client, std::uint32_t seq, const std::string& error
 
 RequestTable Clients::OwnRequests() {
   RequestTable table;
-  table.entries["hello"] = {[this](const Request& request) { return Hello(request); }, true};
-  table.entries["ping"] = {[](const Request&) { return Json::object(); }, true};
-  table.entries["take_control"] = {[this](const Request& request) { return TakeControl(request); },
-                                   true};
-  table.entries["give_control"] = {[this](const Request& request) { return GiveControl(request); }};
+  table.requests["hello"] = {[this](const Request& request) { return Hello(request); }, true};
+  table.requests["ping"] = {[](const Request&) { return Json::object(); }, true};
+  table.requests["take_control"] = {[this](const Request& request) { return TakeControl(request); },
+                                    true};
+  table.requests["give_control"] = {
+      [this](const Request& request) { return GiveControl(request); }};
   return table;
 }
 

@@ -26,7 +26,7 @@ Json Failure(const InputError& error) {
 /// Returns the failure for a name that is not in the table.
 Json Unknown(const RequestTable& table, const std::string& what) {
   std::vector<std::string_view> known;
-  for (const auto& [name, entry] : table.entries) known.push_back(name);
+  for (const auto& [name, registered] : table.requests) known.push_back(name);
   return Failure("there is no request " + Quoted(what) + ", expected " + OneOf(known) +
                  DidYouMean(what, known));
 }
@@ -47,30 +47,30 @@ Json AnswersLater() { return Json(Json::value_t::discarded); }
 bool IsLater(const Json& answer) { return answer.is_discarded(); }
 
 Json Answer(const RequestTable& table, const Request& request, bool is_controller) {
-  const auto entry = table.entries.find(request.what);
-  if (entry == table.entries.end()) return Reply(request, Unknown(table, request.what));
+  const auto registered = table.requests.find(request.what);
+  if (registered == table.requests.end()) return Reply(request, Unknown(table, request.what));
   // Watchers learn first that they lack control; other reasons matter only to the controller.
-  if (!entry->second.is_for_anyone && !is_controller) {
+  if (!registered->second.is_for_anyone && !is_controller) {
     return Reply(request, Failure("you are watching; take control first"));
   }
   // The precondition is checked before the handler, and the same one is reported in `allowed`.
   return AnswerWith(request, [&] {
-    const Precondition& refuse = entry->second.refuse;
+    const Precondition& refuse = registered->second.refuse;
     const auto refusal = refuse ? refuse(request) : std::nullopt;
     if (refusal) throw RequestError(*refusal);
-    return entry->second.handle(request);
+    return registered->second.handle(request);
   });
 }
 
 Json AllowedRequests(const RequestTable& table) {
   Json allowed = Json::object();
-  for (const auto& [name, entry] : table.entries) {
+  for (const auto& [name, registered] : table.requests) {
     // Requests without a precondition are always allowed and are left out, which keeps messages
     // short.
-    if (!entry.refuse) continue;
+    if (!registered.refuse) continue;
     // Preconditions must accept missing fields here.
     const Request request{.what = name, .fields = Json::object()};
-    allowed[name] = AllowedUnless(entry.refuse(request));
+    allowed[name] = AllowedUnless(registered.refuse(request));
   }
   return allowed;
 }

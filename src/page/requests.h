@@ -50,12 +50,12 @@ struct DeferredMessage {
 
 /// Request table: the handlers of all requests. Each part of the program adds its own.
 struct RequestTable {
-  struct Entry {
+  struct RegisteredRequest {
     RequestHandler handle;
     bool is_for_anyone = false;  ///< otherwise only for the controller
     Precondition refuse = {};    ///< empty if only its fields matter
   };
-  std::map<std::string, Entry, std::less<>> entries;
+  std::map<std::string, RegisteredRequest, std::less<>> requests;
   /// Sources of deferred messages: each returns those since its last call; called 60 times a
   /// second.
   std::vector<std::function<std::vector<DeferredMessage>()>> deferred;

@@ -65,20 +65,20 @@ void DemandOfSnapshot(bool holds, const char* complaint) {
   if (!holds) throw std::invalid_argument("snapshot: " + std::string(complaint));
 }
 
-template <class Entry, class Id>
-const Entry& Find(const std::vector<Entry>& entries, Id id, const char* complaint) {
-  const auto found = std::lower_bound(entries.begin(), entries.end(), id,
-                                      [](const Entry& entry, Id key) { return entry.id < key; });
-  DemandOfSnapshot(found != entries.end() && found->id == id, complaint);
+template <class Record, class Id>
+const Record& Find(const std::vector<Record>& records, Id id, const char* complaint) {
+  const auto found = std::lower_bound(records.begin(), records.end(), id,
+                                      [](const Record& record, Id key) { return record.id < key; });
+  DemandOfSnapshot(found != records.end() && found->id == id, complaint);
   return *found;
 }
 
-template <class Entry>
+template <class Record>
 /// Returns true if ids are strictly ascending, so also unique.
-bool IsAscending(const std::vector<Entry>& entries) {
-  return std::adjacent_find(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+bool IsAscending(const std::vector<Record>& records) {
+  return std::adjacent_find(records.begin(), records.end(), [](const Record& a, const Record& b) {
            return !(a.id < b.id);
-         }) == entries.end();
+         }) == records.end();
 }
 
 /// Checks the tree and the numbers of an articulation from a snapshot.
@@ -125,7 +125,7 @@ void CheckIds(const Snapshot& snapshot) {
     is_link.resize(std::max<std::uint64_t>(is_link.size(), end), false);
     for (std::uint64_t link = id.value; link < end; ++link) is_link[link] = true;
   }
-  for (const auto& entry : snapshot.bodies) demand_free(entry.id.value, 1);
+  for (const auto& record : snapshot.bodies) demand_free(record.id.value, 1);
   if (snapshot.joints.empty()) return;
   DemandOfSnapshot(snapshot.joints.front().id.value > 0 &&
                        snapshot.joints.back().id.value < snapshot.next_joint_id,
@@ -183,8 +183,8 @@ void CheckSnapshot(const Snapshot& snapshot) {
     CheckJoint(
         joint.spec, [&find_body](BodyId id) { return find_body(id)->mass.mass == 0; },
         [&snapshot](ArticulationId id) {
-          const auto& entry = Find(snapshot.articulations, id, "a weld is to an unknown robot");
-          return static_cast<int>(entry.spec->links.size());
+          const auto& record = Find(snapshot.articulations, id, "a weld is to an unknown robot");
+          return static_cast<int>(record.spec->links.size());
         });
   }
   for (const auto* pairs : {&snapshot.passing, &snapshot.close_fits}) {

@@ -33,11 +33,11 @@ Thing& InsertById(Things& things, std::unique_ptr<Thing> thing) {
   return **things.insert(place, std::move(thing));
 }
 
-/// Returns true if the entry describes this object: same id, equal spec.
-template <class Thing, class Entry>
-bool Is(const Thing& thing, const Entry& entry) {
-  return thing.id() == entry.id &&
-         (&thing.spec() == entry.spec.get() || thing.spec() == *entry.spec);
+/// Returns true if the record describes this object: same id, equal spec.
+template <class Thing, class Record>
+bool Is(const Thing& thing, const Record& record) {
+  return thing.id() == record.id &&
+         (&thing.spec() == record.spec.get() || thing.spec() == *record.spec);
 }
 
 }  // namespace
@@ -219,9 +219,9 @@ WorldObjects::Replacement WorldObjects::ReplacementFor(const Snapshot& snapshot)
   // Articulations are never removed, so a snapshot's list must begin with those of this world.
   for (std::size_t i = 0; i < std::max(articulations_.size(), snapshot.articulations.size()); ++i) {
     if (i >= articulations_.size()) {
-      const auto& entry = snapshot.articulations[i];
+      const auto& record = snapshot.articulations[i];
       result.fresh_articulations.push_back(
-          std::make_unique<Articulation>(entry.id, entry.spec, config_.motor));
+          std::make_unique<Articulation>(record.id, record.spec, config_.motor));
     } else if (i >= snapshot.articulations.size() ||
                !Is(*articulations_[i], snapshot.articulations[i])) {
       throw std::invalid_argument("snapshot: it is of a world without this robot");
@@ -229,12 +229,12 @@ WorldObjects::Replacement WorldObjects::ReplacementFor(const Snapshot& snapshot)
   }
   // Both lists are sorted by id: merge them. A body that is unchanged stays.
   auto old = bodies_.begin();
-  for (const auto& entry : snapshot.bodies) {
-    while (old != bodies_.end() && (*old)->id() < entry.id) result.gone.push_back((*old++)->id());
-    const bool is_there = old != bodies_.end() && (*old)->id() == entry.id;
-    if (is_there && Is(**old++, entry)) continue;
-    if (is_there) result.gone.push_back(entry.id);
-    result.fresh_bodies.push_back(std::make_unique<Body>(entry.id, entry.spec));
+  for (const auto& record : snapshot.bodies) {
+    while (old != bodies_.end() && (*old)->id() < record.id) result.gone.push_back((*old++)->id());
+    const bool is_there = old != bodies_.end() && (*old)->id() == record.id;
+    if (is_there && Is(**old++, record)) continue;
+    if (is_there) result.gone.push_back(record.id);
+    result.fresh_bodies.push_back(std::make_unique<Body>(record.id, record.spec));
   }
   // Bodies behind the snapshot's last one were added later.
   while (old != bodies_.end()) result.gone.push_back((*old++)->id());

@@ -144,22 +144,23 @@ void Recorder::Write(const recording::LogLine& line, double meters_per_unit) {
   ++num_lines_;
 }
 
-Recorder::Mark Recorder::MarkNow() const {
+Recorder::Savepoint Recorder::MakeSavepoint() const {
   return {.point = {.line = num_lines_, .tick = tick_},
           .place = trace_->place(),
-          .classic = classic_->mark()};
+          .classic = classic_->MakeSavepoint()};
 }
 
 std::optional<sim::Refusal> Recorder::Refuse(const sim::Simulation& simulation,
                                              const sim::Command& command) {
   const sim::ActionHistory& history = simulation.history();
   // Only actions since the start of the recording have marks.
-  if (std::holds_alternative<sim::Undo>(command) && marks_.Find(history.current().id) == nullptr) {
+  if (std::holds_alternative<sim::Undo>(command) &&
+      action_savepoints_.Find(history.current().id) == nullptr) {
     return std::string("nothing to undo in this recording") +
            (history.can_undo() ? "; finish it to undo earlier actions" : "");
   }
   if (std::holds_alternative<sim::Redo>(command) &&
-      (!history.can_redo() || marks_.Find(history.undone().front().id) == nullptr)) {
+      (!history.can_redo() || action_savepoints_.Find(history.undone().front().id) == nullptr)) {
     return "nothing to redo in this recording";
   }
   if (std::holds_alternative<sim::Load>(command)) {
@@ -169,8 +170,9 @@ std::optional<sim::Refusal> Recorder::Refuse(const sim::Simulation& simulation,
 }
 
 void Recorder::OnCommand(const sim::Simulation& simulation, const sim::Command& command) {
-  // The mark is taken before the line is written: an undo leads back to before the action.
-  if (IsAction(command)) marks_.Begin(simulation.history(), {.before = MarkNow(), .at_undo = {}});
+  // The savepoint is made before the line is written: an undo leads back to before the action.
+  if (IsAction(command))
+    action_savepoints_.Begin(simulation.history(), {.before = MakeSavepoint(), .at_undo = {}});
   Write({.tick = simulation.tick(), .what = command}, simulation.scene().meters_per_unit);
 }
 
@@ -191,24 +193,24 @@ void Recorder::OnTick(const sim::Simulation& simulation) {
 void Recorder::OnMove(const sim::Simulation& simulation, sim::ActionId from, sim::ActionId to) {
   // Refuse() allows the cursor to move only over actions with marks.
   // Ids increase along the history: the later one is the action that is undone or redone.
-  ActionMark* mark = marks_.Find(std::max(from, to));
-  SMILE_DEMAND(mark != nullptr);
+  ActionSavepoints* savepoints = action_savepoints_.Find(std::max(from, to));
+  SMILE_DEMAND(savepoints != nullptr);
   if (to < from) {
-    Undo(simulation, mark);
+    Undo(simulation, savepoints);
   } else {
-    Redo(simulation, *mark);
+    Redo(simulation, *savepoints);
   }
 }
 
-void Recorder::Undo(const sim::Simulation& simulation, ActionMark* undone) {
+void Recorder::Undo(const sim::Simulation& simulation, ActionSavepoints* undone) {
   // A redo returns here, to the state at the undo.
-  undone->at_undo = MarkNow();
+  undone->at_undo = MakeSavepoint();
   Return(recording::ReturnKind::kUndo, undone->before, simulation);
   classic_->Use(simulation.shared_model());
   classic_->Return(undone->before.classic);
 }
 
-void Recorder::Redo(const sim::Simulation& simulation, const ActionMark& redone) {
+void Recorder::Redo(const sim::Simulation& simulation, const ActionSavepoints& redone) {
   Return(recording::ReturnKind::kRedo, redone.at_undo, simulation);
   classic_->Use(simulation.shared_model());
   // The classic view has no undone branches: go back to before the action, then add it again from
@@ -217,7 +219,7 @@ void Recorder::Redo(const sim::Simulation& simulation, const ActionMark& redone)
   ShowAgain(redone, simulation);
 }
 
-void Recorder::Return(recording::ReturnKind kind, const Mark& to,
+void Recorder::Return(recording::ReturnKind kind, const Savepoint& to,
                       const sim::Simulation& simulation) {
   // The line has the tick at which the button was pressed; the state afterwards has that of the
   // target.
@@ -227,7 +229,7 @@ void Recorder::Return(recording::ReturnKind kind, const Mark& to,
   trace_->Return(to.place, num_lines_, tick_);
 }
 
-void Recorder::ShowAgain(const ActionMark& redone, const sim::Simulation& simulation) {
+void Recorder::ShowAgain(const ActionSavepoints& redone, const sim::Simulation& simulation) {
   recording::TraceReader trace({.directory = directory_,
                                 .start_model = simulation.start_model(),
                                 .model = simulation.shared_model()},

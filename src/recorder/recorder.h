@@ -11,8 +11,8 @@
 #include "recording/progress.h"
 #include "recording/recording.h"
 #include "recording/trace_writer.h"
-#include "sim/action_marks.h"
 #include "sim/eye.h"
+#include "sim/per_action.h"
 #include "sim/simulation.h"
 
 namespace smile::recorder {
@@ -67,28 +67,28 @@ class Recorder : public sim::Listener {
 
  private:
   /// Ends of log, trace and classic view at a point of the history.
-  struct Mark {
+  struct Savepoint {
     recording::HistoryPoint point;
     recording::TracePlace place = 0;
-    classic::ClassicRecorder::Mark classic;
+    classic::ClassicRecorder::Savepoint classic;
   };
-  /// Marks of an action that began during the recording.
-  struct ActionMark {
-    Mark before;
-    Mark at_undo;  ///< valid while the action is undone
+  /// Savepoints of an action that began during the recording.
+  struct ActionSavepoints {
+    Savepoint before;
+    Savepoint at_undo;  ///< valid while the action is undone
   };
 
   explicit Recorder(const std::filesystem::path& directory) : directory_(directory) {}
   void Begin(const RecorderOptions& options, sim::Eye* eye, const sim::Simulation& simulation);
   void Write(const recording::LogLine& line, double meters_per_unit);
-  Mark MarkNow() const;
-  void Undo(const sim::Simulation& simulation, ActionMark* undone);
-  void Redo(const sim::Simulation& simulation, const ActionMark& redone);
+  Savepoint MakeSavepoint() const;
+  void Undo(const sim::Simulation& simulation, ActionSavepoints* undone);
+  void Redo(const sim::Simulation& simulation, const ActionSavepoints& redone);
   /// Moves log and trace to another point, where the simulation already is.
-  void Return(recording::ReturnKind kind, const Mark& to, const sim::Simulation& simulation);
+  void Return(recording::ReturnKind kind, const Savepoint& to, const sim::Simulation& simulation);
   /// Restores a redone action in the classic view.
-  void ShowAgain(const ActionMark& redone, const sim::Simulation& simulation);
-  /// Rebuilds the classic view from the trace, and the marks of its actions.
+  void ShowAgain(const ActionSavepoints& redone, const sim::Simulation& simulation);
+  /// Rebuilds the classic view from the trace, and the savepoints of its actions.
   void Rebuild(const recording::Recording& recording, sim::Eye* eye,
                const sim::Simulation& simulation, const recording::Progress& progress);
 
@@ -98,7 +98,7 @@ class Recorder : public sim::Listener {
   std::optional<classic::ClassicRecorder> classic_;
   std::size_t num_lines_ = 0;
   std::uint64_t tick_ = 0;  ///< the last recorded tick
-  sim::ActionMarks<ActionMark> marks_;
+  sim::PerAction<ActionSavepoints> action_savepoints_;
 };
 
 }  // namespace smile::recorder

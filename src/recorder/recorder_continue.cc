@@ -207,10 +207,10 @@ void Recorder::Rebuild(const recording::Recording& recording, sim::Eye* eye,
     for (std::size_t i = 0; i < moment->events.size(); ++i) {
       // Actions of the trace, of the log and of the simulation are in the same order.
       if (BeginsAction(moment->events[i])) {
-        const std::size_t number = marks_.size();
-        marks_[actions[number].id].before = {.point = before_actions.at(number),
-                                             .place = trace.places()[i],
-                                             .classic = classic_->mark()};
+        const std::size_t number = action_savepoints_.size();
+        action_savepoints_[actions[number].id].before = {.point = before_actions.at(number),
+                                                         .place = trace.places()[i],
+                                                         .classic = classic_->MakeSavepoint()};
       }
       classic_->Note(moment->events[i]);
     }

@@ -305,7 +305,7 @@ void TraceReader::FindPathTo(TracePlace end) {
   path_segments_ = segments_left_;
 }
 
-TraceReader::Bookmark TraceReader::Mark() const {
+TraceReader::Bookmark TraceReader::MakeBookmark() const {
   Bookmark bookmark;
   bookmark.moment_ = now_;
   bookmark.places_ = places_;

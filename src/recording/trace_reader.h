@@ -80,7 +80,7 @@ class TraceReader {
     std::size_t num_segments_left_ = 0;
   };
   /// Returns a bookmark of the last tick.
-  Bookmark Mark() const;
+  Bookmark MakeBookmark() const;
   /// Makes Next() continue after a tick that this reader marked.
   void ReturnTo(const Bookmark& bookmark);
 

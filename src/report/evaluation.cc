@@ -315,7 +315,7 @@ Json ToJson(const Evaluation& evaluation) {
           {"demo", evaluation.demo},
           {"scene", evaluation.scene},
           {"level", evaluation.level.empty() ? Json() : Json(evaluation.level)},
-          {"options", evaluation.ways},
+          {"options", evaluation.options},
           {"brains", brains},
           {"comparisons", comparisons}};
 }

@@ -44,10 +44,10 @@ struct EvaluatedBrain {
 
 /// Evaluation: brains that did the same task from the same starting layouts.
 struct Evaluation {
-  std::string program;            ///< version of the simulator
-  std::string demo, scene;        ///< as the user named them
-  std::string level;              ///< of the layouts; empty: the usual one
-  std::vector<std::string> ways;  ///< other options that each run was given
+  std::string program;               ///< version of the simulator
+  std::string demo, scene;           ///< as the user named them
+  std::string level;                 ///< of the layouts; empty: the usual one
+  std::vector<std::string> options;  ///< other options that each run was given
   std::vector<EvaluatedBrain> brains;
   std::string again;  ///< command for a run with pictures; `NAME`, … are placeholders
 };

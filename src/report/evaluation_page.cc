@@ -66,9 +66,10 @@ Markup WhatWasRun(const Evaluation& evaluation) {
   facts += Fact("Seeds", SeedsText(evaluation));
   facts += Fact("Program", evaluation.program);
   // Other options of each run, on one line.
-  std::string ways;
-  for (const std::string& way : evaluation.ways) ways += (ways.empty() ? "" : " ") + way;
-  if (!ways.empty()) facts += Fact("Options", ways);
+  std::string options;
+  for (const std::string& option : evaluation.options)
+    options += (options.empty() ? "" : " ") + option;
+  if (!options.empty()) facts += Fact("Options", options);
   for (const EvaluatedBrain& brain : evaluation.brains) {
     facts += Fact(brain.name, brain.demonstrator.empty()
                                   ? brain.brain

@@ -32,22 +32,22 @@ bool MeshCache::Fetch(const Sources& sources, const SourceLocation& place, scene
     *fault = search.expected;
     return false;
   }
-  auto entry = entries_.find(search.found->canonical);
+  auto cached = meshes_.find(search.found->canonical);
   // Faults are cached as well: a bad file is read once, but reported wherever it is used.
-  if (entry == entries_.end()) {
-    entry = entries_.emplace(search.found->canonical, Read(*search.found)).first;
+  if (cached == meshes_.end()) {
+    cached = meshes_.emplace(search.found->canonical, Read(*search.found)).first;
   }
-  if (!entry->second.mesh) {
-    *fault = " (" + search.found->name.string() + "): " + entry->second.fault;
+  if (!cached->second.mesh) {
+    *fault = " (" + search.found->name.string() + "): " + cached->second.fault;
     return false;
   }
-  custom->mesh = entry->second.mesh;
+  custom->mesh = cached->second.mesh;
   custom->file = folders_.NameFromScene(search.found->canonical);
   return true;
 }
 
-MeshCache::Entry MeshCache::Read(const AllowedFolders::FoundFile& file) {
-  if (entries_.size() >= static_cast<std::size_t>(limits_.max_files)) {
+MeshCache::CachedMesh MeshCache::Read(const AllowedFolders::FoundFile& file) {
+  if (meshes_.size() >= static_cast<std::size_t>(limits_.max_files)) {
     return {.fault = "found more than " + std::to_string(limits_.max_files) +
                      " mesh files in the scene, expected fewer"};
   }

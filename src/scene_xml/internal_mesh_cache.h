@@ -31,17 +31,17 @@ class MeshCache {
              std::string* fault);
 
  private:
-  struct Entry {
+  struct CachedMesh {
     std::shared_ptr<const scene::CustomMesh> mesh;  // null: there was a fault
     std::string fault;
   };
 
-  Entry Read(const AllowedFolders::FoundFile& file);
+  CachedMesh Read(const AllowedFolders::FoundFile& file);
 
   bool has_folder_;
   AllowedFolders folders_;
   const SceneLimits& limits_;
-  std::map<std::filesystem::path, Entry> entries_;  // by canonical name
+  std::map<std::filesystem::path, CachedMesh> meshes_;  // by canonical name
   std::size_t num_bytes_ = 0, num_triangles_ = 0;
 };
 

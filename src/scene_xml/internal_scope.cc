@@ -22,10 +22,11 @@ Scope::Scope(Scope* enclosing, const std::vector<VariableText>& of_instance,
              Findings* findings)
     : enclosing_(enclosing), budget_(*budget), findings_(*findings) {
   for (const VariableText& text : of_instance) {
-    Entry& entry = *variables_.insert_or_assign(text.name, Variable{text.value, text.place}).first;
+    NamedVariable& variable =
+        *variables_.insert_or_assign(text.name, Variable{text.value, text.place}).first;
     // Values from outside are evaluated in the scope around the instance, before any of this scope
     // is visible.
-    if (!text.is_derived) Evaluate(&entry, enclosing);
+    if (!text.is_derived) Evaluate(&variable, enclosing);
   }
   // Backwards, so that the later of two variables with the same name wins. try_emplace() keeps
   // values of the instance.
@@ -36,8 +37,8 @@ Scope::Scope(Scope* enclosing, const std::vector<VariableText>& of_instance,
   // recursion shallow.
   for (const std::vector<VariableText>* texts : {&of_template, &of_instance}) {
     for (const VariableText& text : *texts) {
-      Entry& entry = *variables_.find(text.name);
-      if (entry.second.state == State::kText) EvaluateInOrder(&entry);
+      NamedVariable& variable = *variables_.find(text.name);
+      if (variable.second.state == State::kText) EvaluateInOrder(&variable);
     }
   }
 }
@@ -46,20 +47,20 @@ Variables::Binding Scope::Find(std::string_view name) {
   const auto found = variables_.find(name);
   // Scopes are lexical: what this one does not have, the scope around the instance may have.
   if (found == variables_.end()) return FindAround(name);
-  Entry& entry = *found;
-  if (entry.second.state == State::kInWork) {
+  NamedVariable& variable = *found;
+  if (variable.second.state == State::kInWork) {
     // A value that refers to its own name means the variable around; a longer cycle is a fault.
-    if (in_work_.back() == &entry) return FindAround(name);
+    if (in_work_.back() == &variable) return FindAround(name);
     std::string circle;
-    for (auto it = std::find(in_work_.begin(), in_work_.end(), &entry); it != in_work_.end();
+    for (auto it = std::find(in_work_.begin(), in_work_.end(), &variable); it != in_work_.end();
          ++it) {
       circle += (*it)->first + ", ";
     }
-    Fail(&entry, "found variables that depend on each other in a cycle (" + circle + entry.first +
-                     "), expected one of them to have a value of its own");
+    Fail(&variable, "found variables that depend on each other in a cycle (" + circle +
+                        variable.first + "), expected one of them to have a value of its own");
   }
-  if (entry.second.state == State::kText) EvaluateInOrder(&entry);
-  if (entry.second.state == State::kDone) return {.value = &entry.second.value};
+  if (variable.second.state == State::kText) EvaluateInOrder(&variable);
+  if (variable.second.state == State::kDone) return {.value = &variable.second.value};
   return {.is_faulty = true};
 }
 
@@ -70,8 +71,8 @@ Variables::Binding Scope::FindAround(std::string_view name) {
 std::vector<std::string_view> Scope::SomeNames() const {
   std::vector<std::string_view> names;
   for (const Scope* scope = this; scope; scope = scope->enclosing_) {
-    for (const Entry& entry : scope->variables_) {
-      if (names.size() < kMaxSuggestedVariables) names.push_back(entry.first);
+    for (const NamedVariable& variable : scope->variables_) {
+      if (names.size() < kMaxSuggestedVariables) names.push_back(variable.first);
     }
   }
   return names;
@@ -79,19 +80,19 @@ std::vector<std::string_view> Scope::SomeNames() const {
 
 /// Depth-first evaluation: Find() evaluates the variables that this one needs. in_work_ is the
 /// chain of those that wait.
-void Scope::EvaluateInOrder(Entry* entry) {
+void Scope::EvaluateInOrder(NamedVariable* variable) {
   if (in_work_.size() >= kMaxInWork) {
-    return Fail(entry, "found more than " + std::to_string(kMaxInWork) +
-                           " variables that depend on one another, expected fewer");
+    return Fail(variable, "found more than " + std::to_string(kMaxInWork) +
+                              " variables that depend on one another, expected fewer");
   }
-  in_work_.push_back(entry);
-  entry->second.state = State::kInWork;
-  Evaluate(entry, this);
+  in_work_.push_back(variable);
+  variable->second.state = State::kInWork;
+  Evaluate(variable, this);
   in_work_.pop_back();
 }
 
-void Scope::Evaluate(Entry* entry, Variables* variables) {
-  Variable& variable = entry->second;
+void Scope::Evaluate(NamedVariable* named, Variables* variables) {
+  Variable& variable = named->second;
   if (budget_.is_spent()) {
     variable.state = State::kFaulty;
     return;
@@ -103,7 +104,7 @@ void Scope::Evaluate(Entry* entry, Variables* variables) {
     if (result.fault.empty()) {
       variable.state = State::kFaulty;
     } else {
-      Fail(entry, "found value=" + Quoted(variable.value) + " " + result.fault);
+      Fail(named, "found value=" + Quoted(variable.value) + " " + result.fault);
     }
     return;
   }
@@ -112,9 +113,9 @@ void Scope::Evaluate(Entry* entry, Variables* variables) {
       budget_.Spend(0, variable.value.size(), variable.place) ? State::kDone : State::kFaulty;
 }
 
-void Scope::Fail(Entry* entry, const std::string& message) {
-  entry->second.state = State::kFaulty;
-  findings_.Add(entry->second.place, "var name=" + Quoted(entry->first), message);
+void Scope::Fail(NamedVariable* variable, const std::string& message) {
+  variable->second.state = State::kFaulty;
+  findings_.Add(variable->second.place, "var name=" + Quoted(variable->first), message);
 }
 
 }  // namespace smile::scene_xml

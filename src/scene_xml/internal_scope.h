@@ -47,19 +47,19 @@ class Scope final : public Variables {
     SourceLocation place;
     State state = State::kText;
   };
-  using Entry = std::map<std::string, Variable, std::less<>>::value_type;
+  using NamedVariable = std::map<std::string, Variable, std::less<>>::value_type;
 
   /// @param variables  variables that the value may refer to.
-  void Evaluate(Entry* entry, Variables* variables);
-  void EvaluateInOrder(Entry* entry);
-  void Fail(Entry* entry, const std::string& message);
+  void Evaluate(NamedVariable* named, Variables* variables);
+  void EvaluateInOrder(NamedVariable* variable);
+  void Fail(NamedVariable* variable, const std::string& message);
   Binding FindAround(std::string_view name);
 
   Scope* enclosing_ = nullptr;
   ExpansionBudget& budget_;
   Findings& findings_;
   std::map<std::string, Variable, std::less<>> variables_;
-  std::vector<Entry*> in_work_;  // each needs the next
+  std::vector<NamedVariable*> in_work_;  // each needs the next
 };
 
 }  // namespace smile::scene_xml

@@ -53,8 +53,8 @@ struct Action {
 /// about 2 kB per object. Beyond half a gigabyte the oldest states are discarded, so Undo() no
 /// longer reaches them; the actions themselves stay.
 ///
-/// There is no other copy of the history: listeners keep only marks, by ActionId, and are notified
-/// when the cursor moves; see Listener::OnMove() and ActionMarks.
+/// There is no other copy of the history: listeners keep only values per ActionId and are notified
+/// when the cursor moves; see Listener::OnMove() and PerAction.
 class ActionHistory {
  public:
   explicit ActionHistory(std::size_t max_state_bytes = std::size_t{512} << 20);

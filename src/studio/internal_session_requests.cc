@@ -12,9 +12,9 @@ SessionRequests::SessionRequests(const StateMachine* states, std::vector<Request
                                  const std::function<void()>& on_request)
     : states_(states), rows_(std::move(rows)) {
   for (const RequestRow& row : rows_) {
-    page::RequestTable::Entry& entry = table_.entries[row.what];
-    entry.is_for_anyone = row.is_for_anyone;
-    entry.handle = [&row, on_request](const page::Request& request) {
+    page::RequestTable::RegisteredRequest& registered = table_.requests[row.what];
+    registered.is_for_anyone = row.is_for_anyone;
+    registered.handle = [&row, on_request](const page::Request& request) {
       on_request();
       // The callback runs twice: the request must see the present view, and may invalidate it.
       Json answer = row.handle(page::RequestFields(request));
@@ -23,7 +23,9 @@ SessionRequests::SessionRequests(const StateMachine* states, std::vector<Request
     };
     // Requests without rules have no entry in `allowed` of the state message.
     if (row.needs.empty() && !row.refuse) continue;
-    entry.refuse = [this, &row](const page::Request& request) { return RefusalOf(row, request); };
+    registered.refuse = [this, &row](const page::Request& request) {
+      return RefusalOf(row, request);
+    };
   }
 }
 

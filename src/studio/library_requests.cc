@@ -71,7 +71,7 @@ void AddLookUps(const library::Library* library, BackgroundJobs* jobs, page::Req
     jobs->Begin({.request = request, .work = work});
     return page::AnswersLater();
   };
-  table->entries["library"] = {list, /*is_for_anyone=*/true};
+  table->requests["library"] = {list, /*is_for_anyone=*/true};
   const auto open = [library, jobs](const page::Request& request) {
     // The id is copied: a job outlives its request.
     const auto work = [library,
@@ -81,20 +81,20 @@ void AddLookUps(const library::Library* library, BackgroundJobs* jobs, page::Req
     jobs->Begin({.request = request, .work = work, .replaces_older = true});
     return page::AnswersLater();
   };
-  table->entries["open"] = {open, /*is_for_anyone=*/true};
+  table->requests["open"] = {open, /*is_for_anyone=*/true};
 }
 
 /// Adds requests that change titles and move recordings to and from the bin.
 void AddTidying(const library::Library* library, page::RequestTable* table) {
-  table->entries["rename"] = {[library](const page::Request& request) {
+  table->requests["rename"] = {[library](const page::Request& request) {
     library->Rename(TextOf(request, "recording"), TextIfGiven(request, "title"),
                     TextIfGiven(request, "notes"));
     return Json::object();
   }};
-  table->entries["bin"] = {[library](const page::Request& request) -> Json {
+  table->requests["bin"] = {[library](const page::Request& request) -> Json {
     return {{"recording", library->Bin(TextOf(request, "recording"))}};
   }};
-  table->entries["unbin"] = {[library](const page::Request& request) -> Json {
+  table->requests["unbin"] = {[library](const page::Request& request) -> Json {
     return {{"recording", library->Unbin(TextOf(request, "recording"))}};
   }};
 }
@@ -104,7 +104,7 @@ void AddEditing(const library::Library* library, BackgroundJobs* jobs, page::Req
   // Shared by the table and running jobs, either of which may be destroyed first.
   const auto previews = std::make_shared<editing::EditPreviews>(
       [](const model::EyeSpec& spec) { return std::make_unique<picture::RenderedEye>(spec); });
-  table->entries["try_edit"] = {[=](const page::Request& request) {
+  table->requests["try_edit"] = {[=](const page::Request& request) {
     const auto work = [previews, edits = EditsOf(*library, request)](
                           const recording::Progress& progress) -> Json {
       return {{"report", ToJson(previews->Preview(edits, progress))}};
@@ -113,7 +113,7 @@ void AddEditing(const library::Library* library, BackgroundJobs* jobs, page::Req
         {.request = request, .work = work, .replaces_older = true, .can_be_canceled = true});
     return page::AnswersLater();
   }};
-  table->entries["edit"] = {[=](const page::Request& request) {
+  table->requests["edit"] = {[=](const page::Request& request) {
     const std::string title = TextOf(request, "name");
     // Checked now, so that a wrong title is not reported after a long simulation.
     recording::CheckTitle(title);
@@ -130,7 +130,7 @@ void AddEditing(const library::Library* library, BackgroundJobs* jobs, page::Req
     jobs->Cancel(request.client, static_cast<std::uint32_t>(seq));
     return Json::object();
   };
-  table->entries["cancel"] = {cancel, /*is_for_anyone=*/true};
+  table->requests["cancel"] = {cancel, /*is_for_anyone=*/true};
   table->deferred.emplace_back([previews] {
     previews->RemoveOlderThan(kMaxPreviewAge);
     return std::vector<page::DeferredMessage>();

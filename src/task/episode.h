@@ -8,7 +8,7 @@
 
 #include "recording/recording.h"
 #include "recording/trace.h"
-#include "sim/action_marks.h"
+#include "sim/per_action.h"
 #include "sim/simulation.h"
 
 namespace smile::task {
@@ -57,7 +57,7 @@ class EpisodeObserver : public sim::Listener {
 
   sim::Simulation* simulation_;
   recording::TraceTick begin_;
-  sim::ActionMarks<std::vector<NumberedContact>> contacts_;
+  sim::PerAction<std::vector<NumberedContact>> contacts_;
 };
 
 /// Returns the objects that are present, with their poses of that moment.

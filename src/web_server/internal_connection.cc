@@ -7,9 +7,9 @@ namespace smile::web_server {
 
 bool Connections::MakeRoom() {
   if (all_.size() < max_) return true;
-  std::shared_ptr<Connection> longest;
+  std::shared_ptr<ClientConnection> longest;
   // Only idle connections may be closed; a download or WebSocket is not interrupted for a newcomer.
-  for (const std::shared_ptr<Connection>& each : all_) {
+  for (const std::shared_ptr<ClientConnection>& each : all_) {
     if (!each->idle_since()) continue;
     if (!longest || *each->idle_since() < *longest->idle_since()) longest = each;
   }
@@ -22,20 +22,20 @@ bool Connections::MakeRoom() {
   return true;
 }
 
-void Connections::Remove(const Connection* connection) {
+void Connections::Remove(const ClientConnection* connection) {
   all_.remove_if([connection](const auto& each) { return each.get() == connection; });
 }
 
 void Connections::Resume() {
   // A copy, since a connection that ends during the loop leaves the list.
-  const std::vector<std::shared_ptr<Connection>> all(all_.begin(), all_.end());
-  for (const std::shared_ptr<Connection>& each : all) each->Resume();
+  const std::vector<std::shared_ptr<ClientConnection>> all(all_.begin(), all_.end());
+  for (const std::shared_ptr<ClientConnection>& each : all) each->Resume();
 }
 
 void Connections::AbortIdle() {
   // A copy, as in Resume().
-  const std::vector<std::shared_ptr<Connection>> all(all_.begin(), all_.end());
-  for (const std::shared_ptr<Connection>& each : all) {
+  const std::vector<std::shared_ptr<ClientConnection>> all(all_.begin(), all_.end());
+  for (const std::shared_ptr<ClientConnection>& each : all) {
     if (each->idle_since()) each->Abort();
   }
 }

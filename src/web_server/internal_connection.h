@@ -20,14 +20,14 @@ namespace smile::web_server {
 /// Time for the other end to read the last message and to close the connection.
 constexpr std::chrono::milliseconds kLastWordTimeout{1000};
 
-/// Connection. Belongs to the server's thread.
+/// Connection of a client. Belongs to the server's thread.
 ///
 /// Shared, because a pending completion of Asio may be its last owner.
-class Connection {
+class ClientConnection {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  virtual ~Connection() = default;
+  virtual ~ClientConnection() = default;
   /// Fails all pending operations, so that the connection ends.
   virtual void Abort() = 0;
   /// Sends waiting messages, and continues reading if it was paused.
@@ -63,8 +63,8 @@ class Connections {
   /// Makes room for one more: if the limit is reached, closes the connection that has been idle
   /// longest. Returns false if none is idle.
   [[nodiscard]] bool MakeRoom();
-  void Add(std::shared_ptr<Connection> connection) { all_.push_back(std::move(connection)); }
-  void Remove(const Connection* connection);
+  void Add(std::shared_ptr<ClientConnection> connection) { all_.push_back(std::move(connection)); }
+  void Remove(const ClientConnection* connection);
   bool is_empty() const { return all_.empty(); }
 
   void Resume();
@@ -73,7 +73,7 @@ class Connections {
 
  private:
   std::size_t max_;
-  std::list<std::shared_ptr<Connection>> all_;
+  std::list<std::shared_ptr<ClientConnection>> all_;
 };
 
 /// Parts of the server that its connections use.

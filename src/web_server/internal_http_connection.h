@@ -14,7 +14,8 @@
 namespace smile::web_server {
 
 /// HTTP connection: serves requests one after another, until one upgrades to a WebSocket.
-class HttpConnection : public Connection, public std::enable_shared_from_this<HttpConnection> {
+class HttpConnection : public ClientConnection,
+                       public std::enable_shared_from_this<HttpConnection> {
  public:
   HttpConnection(std::unique_ptr<Link> link, Services* services);
 

@@ -13,7 +13,7 @@
 namespace smile::web_server {
 
 /// WebSocket: reads messages piece by piece, within limits, and sends the messages of its handler.
-class WebSocket : public Connection, public std::enable_shared_from_this<WebSocket> {
+class WebSocket : public ClientConnection, public std::enable_shared_from_this<WebSocket> {
  public:
   /// Requires that the handler has opened `id`.
   WebSocket(Stream stream, WebSocketId id, Services* services);

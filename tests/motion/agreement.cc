@@ -68,7 +68,7 @@ void AskArm(const PlanningRobot& robot, const std::string& arm) {
     goal(2, 3) += way;
     const auto answer = robot.MoveLine(arm, ready, goal, {.tool_speed = 2});
     if (const auto* fault = std::get_if<LineFault>(&answer)) {
-      Print("fault " + fault->reason, std::vector{fault->share});
+      Print("fault " + fault->reason, std::vector{fault->fraction});
     } else {
       PrintMove("line", std::get<JointTrajectory>(answer));
     }

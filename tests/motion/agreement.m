@@ -49,7 +49,7 @@ function ask_arm(robot, arm)
     goal = smileForward(robot, arm, ready);
     goal(3, 4) += way;
     [move, fault] = smileMoveLine(robot, arm, ready, goal, 'toolSpeed', 2);
-    if isempty(move), show(['fault ' fault.reason], fault.share); else, show_move('line', move); end
+    if isempty(move), show(['fault ' fault.reason], fault.fraction); else, show_move('line', move); end
   end
 end
 

@@ -49,7 +49,7 @@ def ask_arm(robot, arm):
         goal[2, 3] += way
         move, fault = robot.move_line(arm, ready, goal, tool_speed=2)
         if fault:
-            show("fault " + fault.reason, fault.share)
+            show("fault " + fault.reason, fault.fraction)
         else:
             show_move("line", move)
 

@@ -27,7 +27,7 @@ class MotionTest(unittest.TestCase):
         self.assertIsNone(self.robot.inverse("left", goal, self.q))
         move, fault = self.robot.move_line("left", self.q, goal)
         self.assertIsNone(move)
-        self.assertLess(fault.share, 1)
+        self.assertLess(fault.fraction, 1)
         self.assertIn("out of reach", fault.reason)
 
     def test_shapes_are_those_of_brains(self):

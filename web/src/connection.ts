@@ -17,7 +17,7 @@ export class Refused extends Error {
 }
 
 /** The WebSocket to the program. Comes back by itself when it breaks: the program holds all truth. */
-export class Connection {
+export class StudioConnection {
   private socket: WebSocket | null = null;
   private seq = 0;
   private readonly waiting = new Map<number, { resolve(r: Reply): void; reject(e: Error): void }>();

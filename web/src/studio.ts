@@ -1,6 +1,6 @@
 import { computed, effect, signal } from "@preact/signals";
 import type { Command } from "./commands";
-import { Connection } from "./connection";
+import { StudioConnection } from "./connection";
 import type {
   AnswerTo,
   ClientsMessage,
@@ -101,10 +101,10 @@ function onUpdate(update: Update): void {
   }
 }
 
-let connection: Connection | null = null;
+let connection: StudioConnection | null = null;
 
 export function connect(): void {
-  connection = new Connection({
+  connection = new StudioConnection({
     onUpdate,
     onPoses: (poses) => poseListeners.forEach((listener) => listener(poses)),
     onEyeView: (view) => (eyeView.value = view),

@@ -104,8 +104,8 @@ TEST(MoveAlongLine, KeepsToTheLineAndToAllLimits) {
       const LineOptions options{.speed = trial % 3 ? 1 : 0.4, .any_turn = trial % 2 == 0};
       const auto answer = MoveAlongLine(arm, from, X_WG_to, options);
       if (const auto* fault = std::get_if<LineFault>(&answer)) {
-        EXPECT_GE(fault->share, 0);
-        EXPECT_LT(fault->share, 1);
+        EXPECT_GE(fault->fraction, 0);
+        EXPECT_LT(fault->fraction, 1);
         EXPECT_FALSE(fault->reason.empty());
         ++num_refused;
         continue;
@@ -162,13 +162,13 @@ TEST(MoveAlongLine, ReportsHowFarItGets) {
   const auto answer = MoveAlongLine(arm, kReady, goal);
   ASSERT_TRUE(std::holds_alternative<LineFault>(answer));
   const auto& fault = std::get<LineFault>(answer);
-  EXPECT_GT(fault.share, 0.05);
-  EXPECT_LT(fault.share, 0.5);
+  EXPECT_GT(fault.fraction, 0.05);
+  EXPECT_LT(fault.fraction, 0.5);
   const double way = (fault.X_WG.translation() - X_WG.translation()).norm();
-  EXPECT_NEAR(way / 2, fault.share, 0.01);
+  EXPECT_NEAR(way / 2, fault.fraction, 0.01);
 
   const auto nowhere = MoveAlongLine(arm, kReady, RigidTransform(Vector3(1e9, 0, 0)));
-  EXPECT_EQ(std::get<LineFault>(nowhere).share, 0);
+  EXPECT_EQ(std::get<LineFault>(nowhere).fraction, 0);
   EXPECT_EQ(std::get<JointTrajectory>(MoveAlongLine(arm, kReady, X_WG)).points.size(), 1u);
   EXPECT_THROW(MoveAlongLine(arm, kReady, X_WG, {.tool_speed = 0}), std::invalid_argument);
   EXPECT_THROW(MoveAlongLine(arm, std::vector(7, 3.0), X_WG), std::invalid_argument);

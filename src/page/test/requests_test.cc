@@ -7,11 +7,11 @@ namespace {
 
 RequestTable MakeTable() {
   RequestTable table;
-  table.entries["look"] = {[](const Request&) {
-                             return Json{{"seen", 3}};
-                           },
-                           /*is_for_anyone=*/true};
-  table.entries["load"] = {[](const Request&) -> Json {
+  table.requests["look"] = {[](const Request&) {
+                              return Json{{"seen", 3}};
+                            },
+                            /*is_for_anyone=*/true};
+  table.requests["load"] = {[](const Request&) -> Json {
     throw InputError(
         Diagnostic{.file = "a.xml", .line = 4, .element = "<block>", .message = "mass is -1"});
   }};
@@ -33,12 +33,12 @@ TEST(Answer, ReportsTheFailedPrecondition) {
   RequestTable table = MakeTable();
   std::optional<std::string> reason;
   int num_done = 0;
-  table.entries["dig"] = {.handle =
-                              [&num_done](const Request&) {
-                                ++num_done;
-                                return Json::object();
-                              },
-                          .refuse = [&reason](const Request&) { return reason; }};
+  table.requests["dig"] = {.handle =
+                               [&num_done](const Request&) {
+                                 ++num_done;
+                                 return Json::object();
+                               },
+                           .refuse = [&reason](const Request&) { return reason; }};
   EXPECT_EQ(AllowedRequests(table), (Json{{"dig", true}})) << "others have no precondition";
   EXPECT_TRUE(Answer(table, {.what = "dig"}, /*is_controller=*/true)["ok"]);
   reason = "the ground is frozen";
@@ -54,7 +54,7 @@ TEST(Answer, LetsWatchersOnlyWatch) {
 
 TEST(Answer, MayBeDeferred) {
   RequestTable table = MakeTable();
-  table.entries["dig"] = {[](const Request&) { return AnswersLater(); }};
+  table.requests["dig"] = {[](const Request&) { return AnswersLater(); }};
   table.deferred.emplace_back([] {
     return std::vector<DeferredMessage>{
         {.client = 2,

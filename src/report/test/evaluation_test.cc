@@ -144,7 +144,7 @@ TEST(EvaluationPage, HostileNamesAndMessagesAreTextsOnly) {
   Evaluation evaluation = Pair();
   evaluation.demo = evaluation.scene = evaluation.level = evaluation.again = hostile;
   evaluation.program = hostile;
-  evaluation.ways = {hostile};
+  evaluation.options = {hostile};
   for (EvaluatedBrain& brain : evaluation.brains) {
     brain.name += hostile;
     brain.brain = hostile;

@@ -160,20 +160,20 @@ TEST(ActionHistory, ARedoForgetsWhatHappenedSinceTheUndo) {
   EXPECT_EQ(history.done().front().events, (std::vector{event("a")}));
 }
 
-TEST(ActionMarks, OutliveTheUndoButNotTheDiscard) {
+TEST(PerAction, ValuesOutliveTheUndoButNotTheDiscard) {
   ActionHistory history;
-  ActionMarks<int> marks;
+  PerAction<int> values;
   history.Begin({});
-  marks.Begin(history, 1);
+  values.Begin(history, 1);
   history.Begin({});
-  marks.Begin(history, 2);
+  values.Begin(history, 2);
   history.Undo({});
-  ASSERT_NE(marks.Find(history.undone().front().id), nullptr);
+  ASSERT_NE(values.Find(history.undone().front().id), nullptr);
   history.Begin({});
-  marks.Begin(history, 3);
-  EXPECT_EQ(marks.size(), 2u);
-  EXPECT_EQ(*marks.Find(history.current().id), 3);
-  EXPECT_EQ(marks.Find({2}), nullptr);
+  values.Begin(history, 3);
+  EXPECT_EQ(values.size(), 2u);
+  EXPECT_EQ(*values.Find(history.current().id), 3);
+  EXPECT_EQ(values.Find({2}), nullptr);
 }
 
 }  // namespace

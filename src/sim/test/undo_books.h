@@ -4,14 +4,14 @@
 
 #include <vector>
 
-#include "sim/action_marks.h"
+#include "sim/per_action.h"
 #include "sim/simulation.h"
 
 namespace smile::sim {
 
 /// Independent record of a simulation's history, which is compared with it: the hash before each
-/// action, including implied ones, and at each undo; the done and undone actions; the marks of a
-/// listener.
+/// action, including implied ones, and at each undo; the done and undone actions; the values that a
+/// listener keeps per action.
 class UndoBooks : public Listener {
  public:
   /// Add it as a listener before anything is done.
@@ -22,7 +22,7 @@ class UndoBooks : public Listener {
     undone_.clear();
     if (IsAction(command)) {
       done_.push_back({.id = history.current().id, .before = now_});
-      marks_.Begin(history, now_);
+      hashes_.Begin(history, now_);
     }
     const auto& commands = history.current().commands;
     EXPECT_EQ(commands.back(), (TimedCommand{simulation.tick(), command}));
@@ -75,7 +75,7 @@ class UndoBooks : public Listener {
     undone_.pop_back();
     ++num_redone_;
   }
-  /// Checks that the cursor, the marks and this record agree.
+  /// Checks that the cursor, the values per action and this record agree.
   void Compare(const ActionHistory& history) {
     ASSERT_EQ(history.done().size(), done_.size() + 1);
     ASSERT_EQ(history.undone().size(), undone_.size());
@@ -88,14 +88,14 @@ class UndoBooks : public Listener {
   }
   void CompareOne(const Action& action, const Line& line) {
     EXPECT_EQ(action.id, line.id);
-    ASSERT_NE(marks_.Find(line.id), nullptr);
-    EXPECT_EQ(*marks_.Find(line.id), line.before);
+    ASSERT_NE(hashes_.Find(line.id), nullptr);
+    EXPECT_EQ(*hashes_.Find(line.id), line.before);
   }
 
   std::uint64_t now_;
   std::vector<Line> done_;    ///< in order
   std::vector<Line> undone_;  ///< the last one is the next to be redone
-  ActionMarks<std::uint64_t> marks_;
+  PerAction<std::uint64_t> hashes_;
   int num_undone_ = 0, num_redone_ = 0;
 };
 

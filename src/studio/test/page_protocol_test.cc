@@ -23,7 +23,7 @@ TEST_F(PageProtocol, NamesEveryRequestAndWhoMaySendIt) {
                                       {"take_control", true},
                                       {"keep_control", false},
                                       {"give_control", false}};
-  for (const auto& [name, entry] : table.entries) done[name] = entry.is_for_anyone;
+  for (const auto& [name, registered] : table.requests) done[name] = registered.is_for_anyone;
   std::map<std::string, bool> described;
   for (const page::RequestForm& form : page::RequestForms())
     described[form.name] = form.is_for_anyone;

@@ -619,7 +619,7 @@ TEST_F(SessionTest, NoRequestHowEverStrangeDoesHarm) {
   Begin();
   std::mt19937_64 random(1);
   std::vector<std::string> requests;
-  for (const auto& [name, entry] : session_->requests().entries) requests.push_back(name);
+  for (const auto& [name, entry] : session_->requests().requests) requests.push_back(name);
   for (int i = 0; i < 3000; ++i) {
     Json fields = Json::object();
     while (fields.size() < 4) {

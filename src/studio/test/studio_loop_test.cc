@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 class MovingThing : public SessionInterface {
  public:
   MovingThing() {
-    table_.entries["stop"] = {[this](const page::Request&) {
+    table_.requests["stop"] = {[this](const page::Request&) {
       is_moving_ = false;
       messages_.push_back({{"t", "event"}, {"kind", "stopped"}});
       return Json{{"at", place_}};

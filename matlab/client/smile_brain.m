@@ -131,7 +131,7 @@ function answer_steps(link, message, sequence, sensor, callback)
           if is_new, motor.drawMarkers = markers; end
         end
         type = message.motor;
-        if has(1) && wants_exit(answer{2}), type = message.final_motor; end
+        if has(1) && is_exit_requested(answer{2}), type = message.final_motor; end
         link('send', type, sequence, motor);
       catch err
         link('send', message.error, sequence, describe(err, callback, answer));
@@ -253,6 +253,6 @@ function text = in_one_line(names, field)
   end
 end
 
-function yes = wants_exit(aux)
+function yes = is_exit_requested(aux)
   yes = any(aux.exit(:) ~= 0);
 end

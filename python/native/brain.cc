@@ -225,12 +225,12 @@ py::bytes Encode(int type, std::uint32_t sequence, const py::dict& values) {
 
 // ---- the connection -----------------------------------------------------------------------------
 
-/// While it waits, other threads of the program run, and signals come through.
+/// Connection whose waits release the lock of the interpreter and handle signals.
 class Connection {
  public:
   explicit Connection(const std::string& address)
       : connection_(address, {.make_room = [this](std::size_t size) { return MakeRoom(size); },
-                              .on_signal = &LetSignalsThrough}) {}
+                              .on_signal = &HandleSignals}) {}
 
   void Greet(const std::string& client, const std::string& language, bool has_guard) {
     const py::gil_scoped_release unlocked;
@@ -257,7 +257,7 @@ class Connection {
   }
 
  private:
-  static void LetSignalsThrough() {
+  static void HandleSignals() {
     const py::gil_scoped_acquire locked;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   }

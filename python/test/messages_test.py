@@ -88,7 +88,7 @@ class ConnectionTest(unittest.TestCase):
         self.connection = messages.Connection(f"{folder}/door")
         self.simulator = self.enterContext(door.accept()[0])
 
-    def test_carries_messages_and_tells_their_end(self):
+    def test_carries_messages_and_reports_their_end(self):
         self.simulator.sendall(step({"a": 1}, 5) + step({"b": "x"}, 6))
         self.assertEqual(self.connection.receive(), (messages.STEP, 5, {"a": 1.0}))
         self.assertEqual(self.connection.receive(), (messages.STEP, 6, {"b": "x"}))
@@ -115,7 +115,7 @@ class ConnectionTest(unittest.TestCase):
         self.simulator.sendall(step({}, 8))
         self.assertEqual(self.connection.receive()[1], 8)
 
-    def test_goes_on_in_the_middle_of_a_picture(self):
+    def test_continues_in_the_middle_of_a_picture(self):
         pixels = bytes(k % 251 for k in range(240 * 320 * 3))
         frame = frame_of((b"picture", 1, 3, (240, 320, 3), pixels))
         self.simulator.sendall(frame[:100_000])

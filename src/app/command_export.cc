@@ -98,7 +98,7 @@ double SlowDown(Motion* motion) {
 /// Reports on stderr where the motion exceeds the limits of the robot.
 /// @returns true if a robot would refuse it. Accelerations are only a remark: descriptions of
 ///          robots do not limit them.
-bool TellBreaches(const Motion& motion, const std::string& demo) {
+bool ReportBreaches(const Motion& motion, const std::string& demo) {
   bool is_refused = false;
   std::size_t num_jerky = 0;
   for (const motion::LimitBreach& breach : motion.Breaches()) {
@@ -140,7 +140,7 @@ int Export(const ExportOptions& options) {
   motion.trajectory = JointMotionOf(recording, motion.channels, options.range, options.rate);
   const double factor = options.slow_down ? SlowDown(&motion) : 1;
   RequireReadable(motion.trajectory, options.demo);
-  const bool is_refused = TellBreaches(motion, options.demo);
+  const bool is_refused = ReportBreaches(motion, options.demo);
   if (is_refused && !options.allow_breaches) {
     std::fprintf(
         stderr,

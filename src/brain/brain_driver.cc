@@ -156,11 +156,11 @@ std::string_view ToString(BrainStatus status) {
 // Lock-step: the simulation stands still while the brain computes, so that the speed of neither the
 // machine nor the script affects the run.
 BrainStatus BrainDriver::Drive(BrainProcess* process, sim::Simulation* simulation) {
-  const std::optional<BrainQuestion> question = Ask(simulation);
+  const std::optional<BrainQuestion> question = NextQuestion(simulation);
   return question ? Take(process->Answer(*question), simulation) : status_;
 }
 
-std::optional<BrainQuestion> BrainDriver::Ask(sim::Simulation* simulation) {
+std::optional<BrainQuestion> BrainDriver::NextQuestion(sim::Simulation* simulation) {
   if (status_ == BrainStatus::kStarting) {
     RequireTwoArms(*simulation);
     Show(options_.demonstration.empty() ? robot::FaceExpression::kIdle
@@ -169,7 +169,7 @@ std::optional<BrainQuestion> BrainDriver::Ask(sim::Simulation* simulation) {
     return Describe(*simulation);
   }
   // While the brain watches, it gets frames of the demonstration in place of the robot's view.
-  if (frame_) return Watch(*simulation);
+  if (frame_) return SenseDemonstration(*simulation);
   // The schedule of pictures starts with the first step in which the brain acts.
   if (!first_tick_) first_tick_ = simulation->tick();
   Show(robot::FaceExpression::kWorking, simulation);
@@ -245,7 +245,7 @@ Sensor BrainDriver::Sense(const sim::Simulation& simulation) {
 // which it was recorded, counted from the end of init. A brain that measures `timeElapsed` thereby
 // sees the pace of the demonstrator, and between two frames the simulation ticks without a
 // question.
-std::optional<Sensor> BrainDriver::Watch(const sim::Simulation& simulation) {
+std::optional<Sensor> BrainDriver::SenseDemonstration(const sim::Simulation& simulation) {
   const std::uint64_t tick = simulation.tick();
   if (tick < begin_tick_)
     return std::nullopt;  // an undo went back before the start; continues from there

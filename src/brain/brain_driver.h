@@ -31,9 +31,9 @@ std::string_view ToString(BrainStatus status);
 
 /// Driver: lets a brain drive the robot of a simulation in lock-step: before each tick it gets the
 /// sensor values, and its motor commands are applied to the simulation. So its run is in the log
-/// and replays without it. Callers that cannot wait for the brain call Ask() and Take() separately,
-/// and must not tick in between: then the run is the same. The robot's face shows the phase:
-/// watching (a demonstration), working, and finally done or puzzled.
+/// and replays without it. Callers that cannot wait for the brain call NextQuestion() and Take()
+/// separately, and must not tick in between: then the run is the same. The robot's face shows the
+/// phase: watching (a demonstration), working, and finally done or puzzled.
 ///
 /// A brain that requests to watch first gets the demonstration: one step for each frame, at the
 /// frame's tick since the brain began. Time advances meanwhile, and the robot stands still.
@@ -49,7 +49,7 @@ class BrainDriver {
   /// Returns the question that is due, while the brain is starting or running; nullopt between two
   /// frames of the demonstration.
   /// @throws std::invalid_argument if the simulation has no robot with two arms of seven joints.
-  std::optional<BrainQuestion> Ask(sim::Simulation* simulation);
+  std::optional<BrainQuestion> NextQuestion(sim::Simulation* simulation);
   /// Applies the answer: the initial posture of the robot, or the motion of a step. When the brain
   /// ends, for any reason, the robot stops.
   BrainStatus Take(BrainAnswer answer, sim::Simulation* simulation);
@@ -66,7 +66,7 @@ class BrainDriver {
   Sensor SenseBody(const sim::Simulation& simulation) const;
   Sensor Sense(const sim::Simulation& simulation);
   /// Returns the next frame of the demonstration, if it is due.
-  std::optional<Sensor> Watch(const sim::Simulation& simulation);
+  std::optional<Sensor> SenseDemonstration(const sim::Simulation& simulation);
   void TakeNextFrame(sim::Simulation* simulation);
   bool IsPictureDue(const sim::Simulation& simulation) const;
   /// Adds new pictures of the eye and the cameras that the brain requested.

@@ -111,8 +111,8 @@ class BrainProcess::Impl {
   process::WaitLimit LimitOfHello(const process::WaitLimit& limit) const;
   bool TakeHello(const Message& hello);
   /// Sends a question and waits for its answer, which is of type `expected` (or kFinalMotor).
-  OrError<Message> Ask(const std::vector<std::byte>& question, MessageType expected, Phase phase,
-                       const process::WaitLimit& limit, double limit_seconds);
+  OrError<Message> Exchange(const std::vector<std::byte>& question, MessageType expected,
+                            Phase phase, const process::WaitLimit& limit, double limit_seconds);
   process::WaitLimit LimitOf(double seconds) const;
 
   BrainError ExplainFault(const ChannelFault& fault, Phase phase, double limit_seconds);
@@ -149,8 +149,8 @@ OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
   const process::WaitLimit limit = LimitOf(options_.start_seconds);
   if (auto error = Greet(limit)) return EndWith(std::move(*error));
 
-  auto answer = Ask(EncodeAux(++sequence_, aux, program_.folder_name, PutOut(aux.robot_files)),
-                    MessageType::kInitDone, Phase::kInit, limit, options_.start_seconds);
+  auto answer = Exchange(EncodeAux(++sequence_, aux, program_.folder_name, PutOut(aux.robot_files)),
+                         MessageType::kInitDone, Phase::kInit, limit, options_.start_seconds);
   if (auto* error = std::get_if<BrainError>(&answer)) return EndWith(std::move(*error));
   const Message& message = std::get<Message>(answer);
   // Names of the scripts from now on appear in messages about errors that happen within them.
@@ -179,8 +179,8 @@ std::string BrainProcess::Impl::PutOut(const std::vector<robot::RobotFile>& file
 OrError<StepReply> BrainProcess::Impl::Step(const Sensor& sensor) {
   if (!is_running()) throw std::logic_error("BrainProcess::Step: the brain is not running");
   auto answer =
-      Ask(EncodeSensor(++sequence_, sensor, pixel_order_), MessageType::kMotor, Phase::kCallback,
-          LimitOf(options_.callback_seconds), options_.callback_seconds);
+      Exchange(EncodeSensor(++sequence_, sensor, pixel_order_), MessageType::kMotor,
+               Phase::kCallback, LimitOf(options_.callback_seconds), options_.callback_seconds);
   if (auto* error = std::get_if<BrainError>(&answer)) return EndWith(std::move(*error));
   auto reply = DecodeStepReply(std::get<Message>(answer));
   if (const auto* error = std::get_if<WireError>(&reply)) {
@@ -299,11 +299,12 @@ bool BrainProcess::Impl::TakeHello(const Message& hello) {
   return true;
 }
 
-OrError<Message> BrainProcess::Impl::Ask(const std::vector<std::byte>& question,
-                                         MessageType expected, Phase phase,
-                                         const process::WaitLimit& limit, double limit_seconds) {
+OrError<Message> BrainProcess::Impl::Exchange(const std::vector<std::byte>& question,
+                                              MessageType expected, Phase phase,
+                                              const process::WaitLimit& limit,
   // Question and answer share one limit: a brain that does not read is as late as one that
   // computes.
+                                              double limit_seconds) {
   if (const auto fault = channel_->Send(question, limit)) {
     return ExplainFault(*fault, phase, limit_seconds);
   }

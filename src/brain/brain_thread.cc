@@ -27,7 +27,7 @@ BrainOptions BrainThread::WithEnd(BrainOptions options) {
   return options;
 }
 
-void BrainThread::Ask(BrainQuestion question) {
+void BrainThread::Submit(BrainQuestion question) {
   {
     const std::lock_guard lock(mutex_);
     question_ = std::move(question);

@@ -29,8 +29,8 @@ class BrainThread {
   /// Calls Leave() and waits for the end of the program, about a second.
   ~BrainThread();
 
-  /// Asks a question; the first one starts the program. Any failure becomes a BrainError.
-  void Ask(BrainQuestion question);
+  /// Submits a question; the first one starts the program. Any failure becomes a BrainError.
+  void Submit(BrainQuestion question);
   /// Returns the answer; nullopt if there is none within this time.
   std::optional<BrainAnswer> WaitForAnswer(std::chrono::nanoseconds timeout);
 

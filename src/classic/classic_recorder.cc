@@ -62,7 +62,7 @@ ClassicRecorder::ClassicRecorder(const std::filesystem::path& directory,
   index_.Append("frame,tick,image\n");
   OpenSegment();
   WriteStart(first, standing);
-  Watch(first);
+  WriteFrameIfDue(first);
 }
 
 void ClassicRecorder::OpenSegment() {
@@ -203,7 +203,7 @@ void ClassicRecorder::Note(const sim::Event& event) {
   }
 }
 
-void ClassicRecorder::Watch(const recording::TraceTick& now) {
+void ClassicRecorder::WriteFrameIfDue(const recording::TraceTick& now) {
   if (recording::IsFrameDue(state_.frame, now.tick - first_tick_, options_.frames_per_second))
     WriteFrame(now);
 }

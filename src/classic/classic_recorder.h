@@ -43,8 +43,8 @@ class ClassicRecorder {
   void Use(std::shared_ptr<const model::Model> model) { model_ = std::move(model); }
   /// Writes an event. An action of a hand begins a new segment.
   void Note(const sim::Event& event);
-  /// To be called after each tick: writes a frame if one is due.
-  void Watch(const recording::TraceTick& now);
+  /// Writes a frame if one is due.
+  void WriteFrameIfDue(const recording::TraceTick& now);
 
  private:
   struct Written {                       ///< an object's last `move` line

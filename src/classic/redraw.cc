@@ -74,10 +74,10 @@ std::size_t DrawAll(const recording::Recording& recording, const std::filesystem
     const recording::TraceTick moment = ReadMomentOf(picture, index, &trace);
     MakeDirectories(recording::SegmentPictures(directory, picture.segment));
     WritePng(directory / picture.image, draw(moment));
-    const bool goes_on =
+    const bool should_continue =
         !progress || progress(recording::SecondsInto(recording, picture.tick),
                               recording::SecondsInto(recording, pictures.back().tick));
-    if (!goes_on) throw std::runtime_error("interrupted");
+    if (!should_continue) throw std::runtime_error("interrupted");
   }
   return pictures.size();
 }

@@ -65,7 +65,7 @@ GraspPlan Demonstrator::PlanGrasp(HandName name, std::string_view object_id) con
   const auto holds = [&](HandName other) {
     return hand(other).is_holding() && hand(other).held != body;
   };
-  const auto let_go = [&](HandName other) {
+  const auto release = [&](HandName other) {
     if (holds(other)) plan.to_release.push_back(other);
   };
   using enum HandName;
@@ -74,11 +74,11 @@ GraspPlan Demonstrator::PlanGrasp(HandName name, std::string_view object_id) con
     case kRight:
       // A single hand needs one physical hand: not the pair's, and not the one that `any` uses
       // while the other is busy.
-      let_go(kBoth);
-      if (holds(name == kLeft ? kRight : kLeft)) let_go(kAny);
+      release(kBoth);
+      if (holds(name == kLeft ? kRight : kLeft)) release(kAny);
       break;
     case kBoth:
-      for (HandName other : {kLeft, kRight, kAny}) let_go(other);
+      for (HandName other : {kLeft, kRight, kAny}) release(other);
       break;
     case kAny:
       if (holds(kBoth)) return {.refusal = "both hands are occupied: " + WhatHolds(kBoth)};

@@ -100,10 +100,10 @@ EditReport EditPreviews::Preview(const EditRequest& request, const recording::Pr
   const recording::Recording recording = recording::OpenRecording(request.recording);
   // Invalid edits throw here, before anything is simulated.
   const auto edited = EditedByAll(DemonstrationOf(recording), request.edits);
-  bool goes_on = true;
+  bool should_continue = true;
   const recording::Progress watch = [&](double done, double total) {
-    goes_on = !progress || progress(done, total);
-    return goes_on;
+    should_continue = !progress || progress(done, total);
+    return should_continue;
   };
   if (source) {
     try {
@@ -116,13 +116,13 @@ EditReport EditPreviews::Preview(const EditRequest& request, const recording::Pr
       kept_ = kept;
       return kept->report;
     } catch (const std::runtime_error&) {
-      if (!goes_on) throw;
+      if (!should_continue) throw;
       // The preview could not be written, for example because the disk is full: simulates without
       // output. All other errors recur there.
     }
   }
   EditReport report = ReSimulate(recording, edited, std::nullopt, watch);
-  if (!goes_on) throw std::runtime_error("interrupted");
+  if (!should_continue) throw std::runtime_error("interrupted");
   return report;
 }
 

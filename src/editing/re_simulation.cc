@@ -179,14 +179,14 @@ EditReport MakeEdited(const recording::Recording& recording, const recording::De
                       const EditOutput& output, const recording::Progress& progress) {
   std::error_code error;
   const bool was_there = std::filesystem::exists(output.directory, error);
-  bool goes_on = true;
+  bool should_continue = true;
   const auto watch = [&](double done, double total) {
-    goes_on = !progress || progress(done, total);
-    return goes_on;
+    should_continue = !progress || progress(done, total);
+    return should_continue;
   };
   try {
     const EditReport report = ReSimulate(recording, edited, output, watch);
-    if (!goes_on) throw std::runtime_error("interrupted");
+    if (!should_continue) throw std::runtime_error("interrupted");
     return report;
     // A partial recording would look like a complete one.
   } catch (...) {

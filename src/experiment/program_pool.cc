@@ -89,7 +89,7 @@ void ListenTo(const PoolRuns& runs) {
 
 /// Interrupts all programs and waits for their end while reading their output, since a full pipe
 /// would block them. Destruction kills the rest.
-void AskToEnd(const PoolRuns& runs) {
+void InterruptAll(const PoolRuns& runs) {
   for (const auto& run : runs) run->Interrupt();
   const process::WaitLimit limit(kFarewellSeconds);
   for (bool is_any = true; is_any && !limit.HasPassed();) {
@@ -106,7 +106,7 @@ bool RunAll(const std::vector<PoolJob>& jobs, std::size_t at_once, const PoolCal
   std::size_t next = 0;
   while (next < jobs.size() || !runs.empty()) {
     if (calls.is_cancelled()) {
-      AskToEnd(runs);
+      InterruptAll(runs);
       return false;
     }
     // Keeps up to `at_once` programs running.

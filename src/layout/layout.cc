@@ -39,8 +39,8 @@ bool HasEdges(LayoutLevel level) {
 }
 
 /// Appends footprints of a slider's second object along its range.
-void AppendWay(const scene::SceneSpec& scene, const scene::SliderSpec& slider,
-               std::vector<Footprint>* footprints) {
+void AppendSweptSpace(const scene::SceneSpec& scene, const scene::SliderSpec& slider,
+                      std::vector<Footprint>* footprints) {
   // The obstacle is where the drawer or lid can be, not only where it is.
   constexpr int kParts = 10;
   for (int i = 0; i <= kParts; ++i) {
@@ -59,7 +59,7 @@ std::vector<Footprint> ObstaclesOf(const scene::SceneSpec& scene,
     if (std::ranges::find(loose, i) != loose.end()) continue;
     obstacles.push_back(FootprintOf(scene.objects[i], scene.objects[i].pose_in_world()));
   }
-  for (const scene::SliderSpec& slider : scene.sliders) AppendWay(scene, slider, &obstacles);
+  for (const scene::SliderSpec& slider : scene.sliders) AppendSweptSpace(scene, slider, &obstacles);
   return obstacles;
 }
 
@@ -202,13 +202,13 @@ std::vector<Footprint> PlacesFor(const scene::SceneSpec& scene,
     std::mt19937_64 random =
         StreamOf(seed, attempt, scene.objects[group.members.front().object].id());
     // Every second group.
-    const bool wants_rim = has_edges && k % 2 == 0;
+    const bool is_for_rim = has_edges && k % 2 == 0;
     bool is_placed = false;
     for (int i = 0; i < kTries && !is_placed; ++i) {
       const Footprint place = Somewhere(rules, group.half_size, &random);
       is_placed = rules.region.Holds(rules.table, place, group.top) &&
                   AreMembersReached(rules, group, place) &&
-                  (!wants_rim || IsAtRim(rules, place, group.top)) && IsFree(rules, taken, place);
+                  (!is_for_rim || IsAtRim(rules, place, group.top)) && IsFree(rules, taken, place);
       if (is_placed) taken.push_back(place);
     }
     // The attempt has failed; how far it came names the culprit in the message.

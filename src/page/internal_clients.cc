@@ -282,7 +282,7 @@ void Clients::CloseAll() {
 bool Clients::HasMessage(const Client& client) const {
   if (!client.outbox.empty()) return true;
   // State is sent only to clients that have received the scene to which it refers.
-  return client.knows_everything && !client.is_closing &&
+  return client.has_scene && !client.is_closing &&
          (client.known_poses < poses_.version() || client.acknowledged != client.to_acknowledge ||
           client.known_view < view_.number);
 }
@@ -303,9 +303,9 @@ Clients::OutgoingMessage Clients::TakeMessage(Client* client) {
     return message;
   }
   // Poses acknowledge requests, so they are also sent if nothing has moved.
-  const bool wants_poses =
+  const bool are_poses_due =
       client->known_poses < poses_.version() || client->acknowledged != client->to_acknowledge;
-  return wants_poses ? PosesFor(client) : ViewFor(client);
+  return are_poses_due ? PosesFor(client) : ViewFor(client);
 }
 
 Clients::OutgoingMessage Clients::PosesFor(Client* client) {
@@ -357,7 +357,7 @@ std::vector<Request> Clients::TakeRequests() {
 std::vector<ClientId> Clients::TakeNewClients() {
   const Lock lock(mutex_);
   // The caller sends the scene next, before any other message: updates may follow from now on.
-  for (const ClientId id : new_clients_) Find(id)->knows_everything = true;
+  for (const ClientId id : new_clients_) Find(id)->has_scene = true;
   return std::exchange(new_clients_, {});
 }
 
@@ -381,7 +381,7 @@ void Clients::SendToAll(const Json& message) {
   const auto body = std::make_shared<const std::string>(ToText(message));
   const Lock lock(mutex_);
   for (auto& [id, client] : clients_) {
-    if (client.knows_everything) Post(&client, {.body = body});
+    if (client.has_scene) Post(&client, {.body = body});
   }
 }
 

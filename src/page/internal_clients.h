@@ -70,7 +70,7 @@ class Clients : public web_server::WebSocketHandler {
     std::size_t waiting_bytes = 0;
 
     // Its messages.
-    bool knows_everything = false;  ///< has received the scene, so updates make sense
+    bool has_scene = false;  ///< has received the scene, so updates make sense
     std::deque<OutgoingMessage> outbox;
     std::size_t outbox_bytes = 0;
     PoseBroadcaster::Version known_poses = 0;

@@ -12,9 +12,9 @@ namespace smile::page {
 namespace {
 
 /// Minimum time between two requests of one client for control.
-constexpr std::chrono::seconds kAskPause(10);
+constexpr std::chrono::seconds kRequestInterval(10);
 /// Minimum time between requests of any clients: a client that reconnects counts as another one.
-constexpr std::chrono::seconds kAskPauseOfAll(3);
+constexpr std::chrono::seconds kRequestIntervalOfAll(3);
 
 std::string SecondsText(std::chrono::steady_clock::duration time) {
   return std::to_string(std::chrono::ceil<std::chrono::seconds>(time).count()) + " s";
@@ -24,7 +24,7 @@ std::string SecondsText(std::chrono::steady_clock::duration time) {
 
 void ControlArbiter::Leave(ClientId client) {
   std::erase(clients_, client);
-  asked_.erase(client);
+  requested_.erase(client);
   // Control does not pass to another client by itself: the next owner must want it.
   if (controller_ == client) SetController(std::nullopt, last_sign_);
 }
@@ -35,33 +35,34 @@ void ControlArbiter::NoteSignOfLife(ClientId client, Time now) {
 
 bool ControlArbiter::Take(ClientId client, bool by_force, Time now) {
   if (controller_ == client) return true;
-  if (controller_ && !(by_force ? MayForce(client, now) : MayAsk(client, now))) return false;
+  if (controller_ && !(by_force ? ForceControl(client, now) : RequestControl(client, now)))
+    return false;
   SetController(client, now);
   return true;
 }
 
 /// Records that the client asks, unless it asked a short time ago; control is never granted at
 /// once.
-bool ControlArbiter::MayAsk(ClientId client, Time now) {
-  const auto asked = asked_.find(client);
-  if (asked != asked_.end() && now - asked->second < kAskPause) {
+bool ControlArbiter::RequestControl(ClientId client, Time now) {
+  const auto requested = requested_.find(client);
+  if (requested != requested_.end() && now - requested->second < kRequestInterval) {
     throw RequestError("the controller has already been asked; you can ask again in " +
-                       SecondsText(kAskPause - (now - asked->second)));
+                       SecondsText(kRequestInterval - (now - requested->second)));
   }
-  NoteAsked(client, now);
+  NoteRequest(client, now);
   return false;
 }
 
 /// Returns true if the controller has been silent long enough since this client asked. The first
 /// attempt counts as asking.
-bool ControlArbiter::MayForce(ClientId client, Time now) {
-  const auto asked = asked_.find(client);
-  const bool is_first = asked == asked_.end();
+bool ControlArbiter::ForceControl(ClientId client, Time now) {
+  const auto requested = requested_.find(client);
+  const bool is_first = requested == requested_.end();
   // Silence starts with the later one of the question and the controller's last activity.
-  const auto silence = now - std::max(is_first ? now : asked->second, last_sign_);
+  const auto silence = now - std::max(is_first ? now : requested->second, last_sign_);
   if (silence >= silence_) return true;
   if (is_first) {
-    NoteAsked(client, now);
+    NoteRequest(client, now);
     return false;
   }
   throw RequestError("the controller has been asked; control can be taken after inactivity of " +
@@ -69,15 +70,15 @@ bool ControlArbiter::MayForce(ClientId client, Time now) {
                      " at the earliest");
 }
 
-void ControlArbiter::NoteAsked(ClientId client, Time now) {
+void ControlArbiter::NoteRequest(ClientId client, Time now) {
   // The limit holds for all clients together, since each question interrupts the
   // controller.
-  if (last_asked_ && now - *last_asked_ < kAskPauseOfAll) {
+  if (last_request_ && now - *last_request_ < kRequestIntervalOfAll) {
     throw RequestError("another client has asked the controller; you can ask in " +
-                       SecondsText(kAskPauseOfAll - (now - *last_asked_)));
+                       SecondsText(kRequestIntervalOfAll - (now - *last_request_)));
   }
-  asked_[client] = now;
-  last_asked_ = now;
+  requested_[client] = now;
+  last_request_ = now;
 }
 
 void ControlArbiter::Give(ClientId from, std::optional<ClientId> to, Time now) {
@@ -92,8 +93,8 @@ void ControlArbiter::SetController(std::optional<ClientId> client, Time now) {
   controller_ = client;
   last_sign_ = now;
   // Questions were directed at the former controller; the new one has not been asked.
-  asked_.clear();
-  last_asked_.reset();
+  requested_.clear();
+  last_request_.reset();
 }
 
 bool ControlArbiter::IsHere(ClientId client) const {

@@ -37,18 +37,18 @@ class ControlArbiter {
   const std::vector<ClientId>& clients() const { return clients_; }
 
  private:
-  bool MayAsk(ClientId client, Time now);
-  bool MayForce(ClientId client, Time now);
+  bool RequestControl(ClientId client, Time now);
+  bool ForceControl(ClientId client, Time now);
   /// @throws RequestError if any client asked the controller too recently.
-  void NoteAsked(ClientId client, Time now);
+  void NoteRequest(ClientId client, Time now);
   void SetController(std::optional<ClientId> client, Time now);
 
   std::chrono::milliseconds silence_;
   std::vector<ClientId> clients_;  ///< in order of arrival
   std::optional<ClientId> controller_;
-  Time last_sign_{};                ///< of the controller
-  std::map<ClientId, Time> asked_;  ///< time of the last request of each client
-  std::optional<Time> last_asked_;  ///< time of the last request of any client
+  Time last_sign_{};                    ///< of the controller
+  std::map<ClientId, Time> requested_;  ///< time of the last request of each client
+  std::optional<Time> last_request_;    ///< time of the last request of any client
 };
 
 }  // namespace smile::page

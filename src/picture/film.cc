@@ -33,7 +33,7 @@ bool ForEachFrame(const recording::Recording& recording, const recording::TickRa
   const auto is_due = [&](std::uint64_t frame, std::uint64_t tick) {
     return recording::IsFrameDue(frame, tick - range.first, rate);
   };
-  const auto goes_on = [&](std::uint64_t tick) {
+  const auto report_progress = [&](std::uint64_t tick) {
     return !progress || progress(recording::SecondsInto(recording, tick), total);
   };
   recording::TraceReader trace(recording);
@@ -41,13 +41,13 @@ bool ForEachFrame(const recording::Recording& recording, const recording::TickRa
   std::uint64_t frame = 0;
   while (const auto moment = trace.Next()) {
     if (moment->tick > range.last) break;
-    if (!goes_on(moment->tick)) return false;
+    if (!report_progress(moment->tick)) return false;
     if (moment->tick < range.first || !is_due(frame, moment->tick)) continue;
     const Image& image = renderer->Take(*moment, markers.At(moment->tick));
     // A rate above that of the ticks shows a tick more than once.
     for (; is_due(frame, moment->tick); ++frame) {
       add(frame, moment->tick, image);
-      if (!goes_on(moment->tick)) return false;
+      if (!report_progress(moment->tick)) return false;
     }
   }
   return true;

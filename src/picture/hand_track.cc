@@ -19,12 +19,12 @@ constexpr double kPeakSpeed = 1.0;  ///< between contacts, if there is time [m/s
 /// Ratio of peak to mean speed of a minimum-jerk motion from rest to rest. Source: T. Flash, N.
 /// Hogan, "The Coordination of Arm Movements" (1985).
 constexpr double kPeakOverMean = 1.875;
-constexpr double kShortestWay = 0.5;     ///< [s]
-constexpr double kShortestRest = 0.6;    ///< [s]
-constexpr double kFastestTurn = 7;       ///< of a hand; faster than objects are turned [rad/s]
-constexpr double kFastestFinger = 0.35;  ///< [m/s]
-constexpr double kRelaxed = 0.028;       ///< half an opening [m]
-constexpr double kOpened = 0.016;        ///< clearance to the object to be taken, on each side [m]
+constexpr double kMinMotionSeconds = 0.5;  ///< [s]
+constexpr double kShortestRest = 0.6;      ///< [s]
+constexpr double kFastestTurn = 7;         ///< of a hand; faster than objects are turned [rad/s]
+constexpr double kFastestFinger = 0.35;    ///< [m/s]
+constexpr double kRelaxed = 0.028;         ///< half an opening [m]
+constexpr double kOpened = 0.016;  ///< clearance to the object to be taken, on each side [m]
 /// Largest rotation of a wrist with the object that it holds; beyond it, the object turns within
 /// the hand.
 constexpr double kMostTwist = DegreesToRadians(70);
@@ -145,7 +145,7 @@ class HandPlayer {
     double best = 0, least = std::numeric_limits<double>::infinity();
     for (int k = -14; k <= 14; ++k) {
       Aim aim = BeginOf(interval, k * kStep);
-      Feel(interval, X_WB, interval.begin.variants, &aim);
+      FitGrip(interval, X_WB, interval.begin.variants, &aim);
       const double cost = aim.reach[0] + aim.reach[1] + kPerRadian * std::abs(k * kStep) +
                           2 * std::max(0.0, aim.lift);
       if (cost >= least - 1e-6) continue;
@@ -166,8 +166,8 @@ class HandPlayer {
 
   /// Closes the hand on an object: as deep as the fingers reach, or lays it on top if the object is
   /// too thick.
-  void Feel(const ContactInterval& interval, const RigidTransform& X_WB,
-            const std::vector<int>& variants, Aim* aim) const {
+  void FitGrip(const ContactInterval& interval, const RigidTransform& X_WB,
+               const std::vector<int>& variants, Aim* aim) const {
     constexpr double kDeepest = 0.042;  // fingertips below the top [m]
     const Matrix3 R_BH = X_WB.rotation().transpose() * aim->R_WH;
     const Vector3 p_BQ = X_WB.inverse() * aim->p_WQ;
@@ -216,7 +216,7 @@ class HandPlayer {
       aim.R_WH = TurnedTowards(R_natural, R_with_it, kMostTwist);
     }
     aim.p_WQ = X_WB * interval.p_BQ;
-    Feel(interval, X_WB, state.variants, &aim);
+    FitGrip(interval, X_WB, state.variants, &aim);
     return aim;
   }
 
@@ -227,15 +227,15 @@ class HandPlayer {
   }
 
   /// Returns the time for a motion at the desired peak speed [s].
-  static double WayTime(const Aim& from, const Aim& to) {
+  static double MotionSeconds(const Aim& from, const Aim& to) {
     const double distance = (to.p_WQ - from.p_WQ).norm();
-    return std::max(kShortestWay, distance * kPeakOverMean / kPeakSpeed);
+    return std::max(kMinMotionSeconds, distance * kPeakOverMean / kPeakSpeed);
   }
 
   /// Returns the aim on the way between two aims.
   /// @param u  fraction of its time that has passed.
   /// @param seconds  duration of the motion.
-  static Aim OnTheWay(const Aim& from, const Aim& to, double u, double seconds) {
+  static Aim AimDuringMotion(const Aim& from, const Aim& to, double u, double seconds) {
     constexpr double kRise = 0.4;  // share of the time for going up, and again for going down
     const double s = Smooth(u);
     // The hand rises at the begin and descends at the end; fingers open by the same profile.
@@ -262,13 +262,14 @@ class HandPlayer {
     const std::optional<Aim>& to = ahead_;
     const double since = now_ ? sim::SecondsOf(tick - intervals_[*now_].last) : 0;
     const double until = to ? sim::SecondsOf(intervals_[next_].first - tick) : 0;
-    const double back = now_ ? WayTime(left_, rest) : 0, there = to ? WayTime(rest, *to) : 0;
+    const double back = now_ ? MotionSeconds(left_, rest) : 0,
+                 there = to ? MotionSeconds(rest, *to) : 0;
     if (now_ && to && since + until < back + kShortestRest + there) {
-      const double seconds = std::max(since + until, WayTime(left_, *to));
-      return OnTheWay(left_, *to, since / seconds, seconds);
+      const double seconds = std::max(since + until, MotionSeconds(left_, *to));
+      return AimDuringMotion(left_, *to, since / seconds, seconds);
     }
-    if (now_ && since < back) return OnTheWay(left_, rest, since / back, back);
-    if (to && until < there) return OnTheWay(rest, *to, 1 - until / there, there);
+    if (now_ && since < back) return AimDuringMotion(left_, rest, since / back, back);
+    if (to && until < there) return AimDuringMotion(rest, *to, 1 - until / there, there);
     return rest;
   }
 

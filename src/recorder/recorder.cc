@@ -187,7 +187,7 @@ void Recorder::OnTick(const sim::Simulation& simulation) {
   tick_ = simulation.tick();
   const recording::TraceTick now = recording::Observe(simulation);
   trace_->Add(now);
-  classic_->Watch(now);
+  classic_->WriteFrameIfDue(now);
 }
 
 void Recorder::OnMove(const sim::Simulation& simulation, sim::ActionId from, sim::ActionId to) {
@@ -237,7 +237,7 @@ void Recorder::ShowAgain(const ActionSavepoints& redone, const sim::Simulation& 
   // On one path, later records are farther back in the file, so a comparison of places selects
   // those after the action began.
   while (const auto moment = trace.Next()) {
-    if (trace.places()[0] > redone.before.place) classic_->Watch(*moment);
+    if (trace.places()[0] > redone.before.place) classic_->WriteFrameIfDue(*moment);
     for (std::size_t i = 0; i < moment->events.size(); ++i) {
       if (trace.places()[i + 1] > redone.before.place) classic_->Note(moment->events[i]);
     }

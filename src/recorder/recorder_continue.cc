@@ -48,16 +48,16 @@ class ReplayAlong {
   ReplayAlong& operator=(const ReplayAlong&) = delete;
 
   Reached Go(const recording::Progress& progress) {
-    const auto goes_on = [&](std::uint64_t tick) {
+    const auto on_tick = [&](std::uint64_t tick) {
       const bool does = !progress || progress(sim::SecondsOf(tick), sim::SecondsOf(until_.tick));
       if (!does) throw std::runtime_error("interrupted");
       return does;
     };
     // Without events the places of actions in the trace are unknown.
     if (!trace_.has_events()) Fail(recording_, "has an older format and cannot be continued");
-    if (player_.RunToStart(simulation_, goes_on)) FailAsDifferent();
-    collector_.Forget();
-    while (Step()) goes_on(simulation_->tick());
+    if (player_.RunToStart(simulation_, on_tick)) FailAsDifferent();
+    collector_.Clear();
+    while (Step()) on_tick(simulation_->tick());
     CheckEnd();
     const auto& events = collector_.events();
     const auto num_reported = static_cast<std::ptrdiff_t>(last_->events.size());
@@ -196,7 +196,7 @@ void Recorder::Rebuild(const recording::Recording& recording, sim::Eye* eye,
   recording::TraceReader trace(recording);
   while (const auto moment = trace.Next()) {
     if (classic_) {
-      classic_->Watch(*moment);
+      classic_->WriteFrameIfDue(*moment);
     } else {
       classic_.emplace(
           directory_,

@@ -79,10 +79,10 @@ class Summaries {
   void Add(std::size_t step, const sim::Event& event, const TraceTick* moment) {
     if (steps_[step].summary) return;
     // What an object was put on is known only from the poses at that moment.
-    const bool lets_go = event.kind == sim::EventKind::kReleased;
+    const bool is_release = event.kind == sim::EventKind::kReleased;
     steps_[step].summary =
-        SummaryOf(event, lets_go && moment != nullptr ? SupportAt(*moment, event.object, scene_)
-                                                      : std::nullopt);
+        SummaryOf(event, is_release && moment != nullptr ? SupportAt(*moment, event.object, scene_)
+                                                         : std::nullopt);
   }
 
   const Recording& recording_;
@@ -112,10 +112,10 @@ std::vector<Segment> CutAtActions(const Recording& recording, std::uint64_t last
     const auto* command = std::get_if<sim::Command>(&logged.what);
     // Each line extends the current step to its tick; only a command that is no action becomes part
     // of it.
-    const bool goes_on = command != nullptr && !IsAction(*command);
-    steps[step].end = {.line = goes_on ? line : line - 1, .tick = logged.tick};
-    if (command == nullptr || goes_on) {
-      step_of_line[line] = step_of_line[goes_on ? line - 1 : log.After(line).line];
+    const bool extends_step = command != nullptr && !IsAction(*command);
+    steps[step].end = {.line = extends_step ? line : line - 1, .tick = logged.tick};
+    if (command == nullptr || extends_step) {
+      step_of_line[line] = step_of_line[extends_step ? line - 1 : log.After(line).line];
       continue;
     }
     step_of_line[line] = steps.size();

@@ -16,7 +16,7 @@ class EventCollector : public sim::Listener {
 
   const std::vector<sim::Event>& events() const { return events_; }
   /// Drops all events so far.
-  void Forget() { events_.clear(); }
+  void Clear() { events_.clear(); }
 
  private:
   std::vector<sim::Event> events_;

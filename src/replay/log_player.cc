@@ -13,22 +13,23 @@ std::optional<LogPlayer::Failure> LogPlayer::ApplyNext(sim::Simulation* simulati
   return Failure{logged, *std::move(refusal)};
 }
 
-bool LogPlayer::RunToTick(std::uint64_t tick, sim::Simulation* simulation, const GoesOn& goes_on) {
+bool LogPlayer::RunToTick(std::uint64_t tick, sim::Simulation* simulation,
+                          const TickCallback& on_tick) {
   while (simulation->tick() < tick) {
-    if (goes_on && !goes_on(simulation->tick())) return false;
+    if (on_tick && !on_tick(simulation->tick())) return false;
     simulation->Tick();
   }
   return true;
 }
 
 std::optional<LogPlayer::Failure> LogPlayer::RunToStart(sim::Simulation* simulation,
-                                                        const GoesOn& goes_on) {
+                                                        const TickCallback& on_tick) {
   // By line and not by tick: commands of the recording may have the tick at which it began.
   while (next() != nullptr && next()->line <= start_.line) {
-    if (!RunToTick(next()->tick, simulation, goes_on)) return std::nullopt;
+    if (!RunToTick(next()->tick, simulation, on_tick)) return std::nullopt;
     if (auto failure = ApplyNext(simulation)) return failure;
   }
-  RunToTick(start_.tick, simulation, goes_on);
+  RunToTick(start_.tick, simulation, on_tick);
   return std::nullopt;
 }
 

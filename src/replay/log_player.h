@@ -25,12 +25,12 @@ class LogPlayer {
   };
 
   /// Called at each tick; returns false to stop.
-  using GoesOn = std::function<bool(std::uint64_t tick)>;
+  using TickCallback = std::function<bool(std::uint64_t tick)>;
 
   /// Runs a fresh simulation to the beginning of the demonstration, or to the tick at which it is
   /// stopped.
   [[nodiscard]] std::optional<Failure> RunToStart(sim::Simulation* simulation,
-                                                  const GoesOn& goes_on = {});
+                                                  const TickCallback& on_tick = {});
   /// Applies the commands that are due at the present tick.
   [[nodiscard]] std::optional<Failure> ApplyDue(sim::Simulation* simulation);
 
@@ -42,7 +42,8 @@ class LogPlayer {
  private:
   std::optional<Failure> ApplyNext(sim::Simulation* simulation);
   /// Returns false if it was stopped.
-  static bool RunToTick(std::uint64_t tick, sim::Simulation* simulation, const GoesOn& goes_on);
+  static bool RunToTick(std::uint64_t tick, sim::Simulation* simulation,
+                        const TickCallback& on_tick);
 
   std::vector<recording::LoggedCommand> commands_;
   recording::HistoryPoint start_;

@@ -31,13 +31,13 @@ class ReplayRun {
     simulation_.AddListener(&collector_);
   }
 
-  ReplayReport Go(const std::function<bool(std::uint64_t tick)>& goes_on) {
+  ReplayReport Go(const std::function<bool(std::uint64_t tick)>& on_tick) {
     // After each refusal the replay continues, so that all refused commands are listed.
-    while (const auto failure = player_.RunToStart(&simulation_, goes_on)) Note(*failure);
+    while (const auto failure = player_.RunToStart(&simulation_, on_tick)) Note(*failure);
     if (simulation_.tick() < start_tick_) return std::move(report_);  // stopped
     // Events before the recording are not in its trace.
-    collector_.Forget();
-    while (!is_over() && Step() && !is_over() && goes_on(simulation_.tick())) {
+    collector_.Clear();
+    while (!is_over() && Step() && !is_over() && on_tick(simulation_.tick())) {
     }
     report_.deviations = meter_.Deviations();
     return std::move(report_);

@@ -26,8 +26,8 @@ bool IsTake(sim::EventKind kind) {
   return kind == sim::EventKind::kGrasped || kind == sim::EventKind::kGripperHolds;
 }
 /// Returns true for events after which an object is not held any more.
-bool IsLetGo(sim::EventKind kind) {
-  return kind == sim::EventKind::kReleased || kind == sim::EventKind::kGripperLetGo ||
+bool IsRelease(sim::EventKind kind) {
+  return kind == sim::EventKind::kReleased || kind == sim::EventKind::kGripperReleased ||
          kind == sim::EventKind::kDestroyed;
 }
 
@@ -45,7 +45,7 @@ std::vector<Carry> CarriesOf(const recording::Recording& recording) {
       if (IsTake(event.kind)) held[key] = now;
       // A recording may begin while an object is held: its release has no beginning and is left
       // out.
-      if (!IsLetGo(event.kind) || !held.contains(key)) continue;
+      if (!IsRelease(event.kind) || !held.contains(key)) continue;
       carries.push_back({event.object, key.first, held.at(key), now});
       held.erase(key);
     }

@@ -251,7 +251,7 @@ class SideFileReader {
     ExpectOnArm(gripper.left_finger, arm, names[0]);
     ExpectOnArm(gripper.right_finger, arm, names[1]);
     for (int finger : {gripper.left_finger, gripper.right_finger}) {
-      LetSlideFromZero(&model_.links[finger], fingers);
+      MakeSlideFromZero(&model_.links[finger], fingers);
     }
     if (node.Has("closed_opening")) {
       gripper.closed_opening = node.Member("closed_opening").Number();
@@ -264,12 +264,12 @@ class SideFileReader {
                    " m apart when closed, expected less than 100");
     }
     // Pads that would overlap when closed: a negative opening has no meaning in commands.
-    if (gripper.closed_opening < 0) LetMeetAtZero(&gripper, fingers);
+    if (gripper.closed_opening < 0) MakeMeetAtZero(&gripper, fingers);
     return gripper;
   }
 
   /// Reverses the axis of a finger whose joint runs from 0 downwards, so that it runs upwards.
-  void LetSlideFromZero(scene::LinkSpec* link, const JsonNode& node) {
+  void MakeSlideFromZero(scene::LinkSpec* link, const JsonNode& node) {
     if (link->joint_type == scene::JointType::kPrismatic && link->upper == 0) {
       // Position and axis change sign together, so the finger moves as before.
       link->axis = -link->axis;
@@ -283,15 +283,15 @@ class SideFileReader {
   }
 
   /// Shifts the origins of fingers that would overlap when closed, such that they meet at 0.
-  void LetMeetAtZero(Gripper* gripper, const JsonNode& node) {
+  void MakeMeetAtZero(Gripper* gripper, const JsonNode& node) {
     // Half of the overlap for either finger.
-    const double way = -gripper->closed_opening / 2;
+    const double shift = -gripper->closed_opening / 2;
     for (int finger : {gripper->left_finger, gripper->right_finger}) {
       scene::LinkSpec& link = model_.links[finger];
-      if (!(link.upper > way)) node.Fail("never open, expected joints with a longer range");
+      if (!(link.upper > shift)) node.Fail("never open, expected joints with a longer range");
       // The former position `way` becomes 0; the range ends at the same place as before.
-      link.X_PJ = link.X_PJ * RigidTransform(Vector3(link.axis * way));
-      link.upper -= way;
+      link.X_PJ = link.X_PJ * RigidTransform(Vector3(link.axis * shift));
+      link.upper -= shift;
     }
     gripper->closed_opening = 0;
   }

@@ -77,7 +77,7 @@ UrdfDocument::UrdfDocument(const std::string& text, std::string file)
   LogCollector log;
   model_ = urdf::parseURDF(text);
   // The parser may report an error, leave out an element and continue; here any report is an error.
-  if (!model_ || !log.text().empty()) FailLikeParser(log.text());
+  if (!model_ || !log.text().empty()) FailWithParserLog(log.text());
 }
 
 void UrdfDocument::Fail(std::string_view element, std::string_view name,
@@ -132,7 +132,7 @@ int UrdfDocument::LineOf(std::string_view element, std::string_view name) const 
 
 /// Throws the parser's report. Names of links and joints are in brackets in it; the first known one
 /// gives the line.
-void UrdfDocument::FailLikeParser(const std::string& log) const {
+void UrdfDocument::FailWithParserLog(const std::string& log) const {
   Diagnostic diagnostic{.file = file_, .message = log.empty() ? "not a URDF" : log};
   for (auto open = log.find('['); open != std::string::npos && diagnostic.line == 0;
        open = log.find('[', open + 1)) {

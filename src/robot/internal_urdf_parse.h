@@ -32,7 +32,7 @@ class UrdfDocument {
   void CheckTree() const;
   void CheckCount(const std::string& element) const;
   int LineOf(std::string_view element, std::string_view name) const;
-  [[noreturn]] void FailLikeParser(const std::string& log) const;
+  [[noreturn]] void FailWithParserLog(const std::string& log) const;
 
   std::string file_;
   xml::Element root_;

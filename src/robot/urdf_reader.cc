@@ -24,10 +24,10 @@ using internal::UrdfPart;
 
 constexpr std::size_t kMaxUrdfBytes = 4 << 20, kMaxSideFileBytes = 1 << 20;
 
-/// Lets all pairs of links pass through each other, for a robot without a side file: links that
+/// Disables collisions between all pairs of links, for a robot without a side file: links that
 /// touch by construction are unknown, and overlapping links would keep physics busy. No joint moves
 /// anyway.
-void LetLinksPass(RobotModel* model) {
+void IgnoreLinkCollisions(RobotModel* model) {
   for (int second = 0; second < model->num_joints(); ++second) {
     for (int first = -1; first < second; ++first) model->never_collide.emplace_back(first, second);
   }
@@ -100,7 +100,7 @@ RobotReading Read(const FoundFile& urdf, const RobotReaderOptions& options, Robo
   if (side_file) {
     side_file->Apply(&built, options.has_appearance);
   } else {
-    LetLinksPass(&built.model);
+    IgnoreLinkCollisions(&built.model);
   }
   return {.model = std::move(built.model),
           .has_side_file = side.has_value(),

@@ -62,7 +62,7 @@ void ActionHistory::Begin(SimulationState before) {
                       .at_undo = nullptr,
                       .num_events_before = num_events_before});
   ++cursor_;
-  ForgetOldestStates();
+  DropOldestStates();
 }
 
 void ActionHistory::Add(TimedCommand command) {
@@ -108,7 +108,7 @@ void ActionHistory::DiscardUndone() {
   actions_.resize(cursor_ + 1);
 }
 
-void ActionHistory::ForgetOldestStates() {
+void ActionHistory::DropOldestStates() {
   // The state of the current action always stays, so that one undo is possible.
   for (; num_state_bytes_ > max_state_bytes_ && first_state_ < cursor_; ++first_state_) {
     num_state_bytes_ -= SizeOf(*actions_[first_state_].before);

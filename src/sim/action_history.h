@@ -97,7 +97,7 @@ class ActionHistory {
   /// Returns the index of the last done action that loaded a scene; 0, the start, if none did.
   std::size_t LastLoad() const;
   void DiscardUndone();
-  void ForgetOldestStates();
+  void DropOldestStates();
 
   std::size_t max_state_bytes_;
   std::vector<Action> actions_;  ///< the first one is the start

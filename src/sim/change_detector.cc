@@ -174,7 +174,7 @@ void ChangeDetector::AppendGrippers(std::vector<Event>* events) const {
       }
     };
     // Releases are reported before grasps.
-    append_missing(held_by_grippers_[arm], now[arm], EventKind::kGripperLetGo);
+    append_missing(held_by_grippers_[arm], now[arm], EventKind::kGripperReleased);
     append_missing(now[arm], held_by_grippers_[arm], EventKind::kGripperHolds);
   }
 }

@@ -27,7 +27,7 @@ std::string_view ToString(EventKind kind) {
       return "fell";
     case EventKind::kGripperHolds:
       return "gripper_holds";
-    case EventKind::kGripperLetGo:
+    case EventKind::kGripperReleased:
       return "gripper_let_go";
     case EventKind::kCommandRefused:
       return "command_refused";

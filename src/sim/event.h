@@ -22,16 +22,16 @@ enum class EventKind {
   kFastened,        ///< `object` is fastened one stage tighter, to `tightness`
   /// `object` is loosened one stage, to `tightness`; 0: it came free, without a hand if one of the
   /// two was destroyed
-  kLoosened,        ///< `
-  kAttended,        ///< a hand pointed out `properties` of the object it holds
-  kFell,            ///< an object left the table and lies on the floor, out of play
-  kGripperHolds,    ///< a closing gripper grasped an object
-  kGripperLetGo,    ///< an opening gripper released it
-  kCommandRefused,  ///< a command was not carried out, for the `reason`
-  kAdded,           ///< `objects` were added to the scene
-  kRemoved,         ///< `objects` were removed from the world, without a hand
-  kCleared,         ///< the same for all objects except held ones
-  kLoaded,          ///< another scene was loaded, its name in `object`; in no trace
+  kLoosened,         ///< `
+  kAttended,         ///< a hand pointed out `properties` of the object it holds
+  kFell,             ///< an object left the table and lies on the floor, out of play
+  kGripperHolds,     ///< a closing gripper grasped an object
+  kGripperReleased,  ///< an opening gripper released it
+  kCommandRefused,   ///< a command was not carried out, for the `reason`
+  kAdded,            ///< `objects` were added to the scene
+  kRemoved,          ///< `objects` were removed from the world, without a hand
+  kCleared,          ///< the same for all objects except held ones
+  kLoaded,           ///< another scene was loaded, its name in `object`; in no trace
 };
 
 std::string_view ToString(EventKind kind);

@@ -64,13 +64,13 @@ What ReadFields(const Json& json, double meters_per_unit) {
 }
 
 /// Returns true for a value that need not be written if it is optional.
-inline bool SaysNothing(const std::string& text) { return text.empty(); }
-inline bool SaysNothing(bool flag) { return !flag; }
+inline bool IsOmissible(const std::string& text) { return text.empty(); }
+inline bool IsOmissible(bool flag) { return !flag; }
 template <class T>
-bool SaysNothing(const std::optional<T>& value) {
+bool IsOmissible(const std::optional<T>& value) {
   return !value.has_value();
 }
-bool SaysNothing(const auto&) { return false; }
+bool IsOmissible(const auto&) { return false; }
 
 template <class What>
 Json WriteFields(const What& what, double meters_per_unit) {
@@ -78,7 +78,7 @@ Json WriteFields(const What& what, double meters_per_unit) {
   if constexpr (requires { what.hand; }) json[kHandField.name] = "";  // before what it does
   json["do"] = What::kName.name;
   What::VisitFields(what, [&](const auto& value, const CommandField& field) {
-    if (field.presence == Presence::kOptional && SaysNothing(value)) return;
+    if (field.presence == Presence::kOptional && IsOmissible(value)) return;
     json[field.name] = Written(value, WrittenUnit(field, meters_per_unit));
   });
   return json;

@@ -33,7 +33,7 @@ std::optional<Refusal> Simulation::Apply(const Command& wanted) {
             [&](const auto&) { return Perform(command); }},
         command);
   }
-  if (refusal) Tell({.kind = EventKind::kCommandRefused, .reason = *refusal});
+  if (refusal) Notify({.kind = EventKind::kCommandRefused, .reason = *refusal});
   return refusal;
 }
 
@@ -58,16 +58,16 @@ void Simulation::Undo() {
   const ActionId from = history_.current().id;
   // The present state is kept with the undone action, for Redo().
   RestoreState(history_.Undo(Save()));
-  TellOfMove(from);
+  NotifyMove(from);
 }
 
 void Simulation::Redo() {
   const ActionId from = history_.current().id;
   RestoreState(*history_.Redo());
-  TellOfMove(from);
+  NotifyMove(from);
 }
 
-void Simulation::TellOfMove(ActionId from) {
+void Simulation::NotifyMove(ActionId from) {
   for (Listener* listener : listeners_) listener->OnMove(*this, from, history_.current().id);
 }
 
@@ -92,9 +92,9 @@ std::optional<Refusal> Simulation::Perform(const Command& command) {
   // The command before its events, as cause before effect.
   for (Listener* listener : listeners_) listener->OnCommand(*this, command);
   if (load != nullptr) {
-    Tell({.kind = EventKind::kLoaded, .object = scene().name});
+    Notify({.kind = EventKind::kLoaded, .object = scene().name});
   } else {
-    for (const Event& event : changes->EventsOf(command)) Tell(event);
+    for (const Event& event : changes->EventsOf(command)) Notify(event);
   }
   return std::nullopt;
 }
@@ -120,13 +120,13 @@ void Simulation::Tick() {
   const std::vector<const world::Object*> fallen = running_->Tick();
   // The tick before its events, since these are recorded with the poses at its end.
   for (Listener* listener : listeners_) listener->OnTick(*this);
-  for (const Event& event : changes.EventsOfTick()) Tell(event);
+  for (const Event& event : changes.EventsOfTick()) Notify(event);
   for (const world::Object* object : fallen) {
-    Tell({.kind = EventKind::kFell, .object = object->id()});
+    Notify({.kind = EventKind::kFell, .object = object->id()});
   }
 }
 
-void Simulation::Tell(const Event& event) {
+void Simulation::Notify(const Event& event) {
   // A refusal has no effect that undo or a recording would need.
   if (event.kind != EventKind::kCommandRefused) history_.Add(event);
   // The support is a property of the moment of release.

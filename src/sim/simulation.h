@@ -146,8 +146,8 @@ class Simulation {
   /// Applies the releases that a grasp implies, as commands of their own; none if it will be
   /// refused.
   void ReleaseFor(const Grasp& grasp);
-  void Tell(const Event& event);
-  void TellOfMove(ActionId from);
+  void Notify(const Event& event);
+  void NotifyMove(ActionId from);
 
   std::unique_ptr<RunningModel> running_;  ///< never null; replaced by a Load
   bool has_begun_ = false;

@@ -28,7 +28,7 @@ constexpr double kSpeedToStart = 0.5;
 /// slightly faster.
 constexpr double kPositionSlack = 1e-3, kVelocitySlack = 0.01;
 /// A holding gripper releases if it is commanded to open by this much more than its opening [m].
-constexpr double kLetGo = 0.005;
+constexpr double kReleaseMargin = 0.005;
 
 double ClampedTo(const motion::JointLimits& limits, double q) {
   return std::clamp(q, limits.lower, limits.upper);
@@ -252,7 +252,7 @@ void TrajectoryFollower::DriveGripper(int arm, double rate, double error) {
   // A held object is released when the trajectory opens the gripper, not by a correction. With an
   // object between them the fingers cannot reach the opening of the trajectory: the error remains,
   // and must not count as a command.
-  const bool keeps = !robot_.HeldBodies(arm).empty() && !(rate > 0 && error > kLetGo);
+  const bool keeps = !robot_.HeldBodies(arm).empty() && !(rate > 0 && error > kReleaseMargin);
   robot_.SetGripperVelocity(arm, keeps ? 0.0 : rate + kGain * error);
 }
 

@@ -27,7 +27,7 @@ class EyePreview {
   /// @returns the reason why the eye cannot draw, once.
   std::optional<std::string> Update(LiveWorld* world, const SessionState& shown);
   /// Requests a new picture even if the view has not changed.
-  void Forget() const { seen_.reset(); }
+  void Reset() const { seen_.reset(); }
   /// Returns the last picture since the last call.
   std::optional<Picture> Take() { return std::exchange(picture_, std::nullopt); }
 

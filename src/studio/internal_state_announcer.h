@@ -13,7 +13,7 @@ class StateAnnouncer {
   /// is no change, except that a recording is a second longer.
   std::optional<Json> Update(Json state);
   /// Makes the next Update() return the state in any case.
-  void Forget() { sent_ = nullptr; }
+  void Reset() { sent_ = nullptr; }
 
  private:
   Json sent_;  ///< the last one, without the time

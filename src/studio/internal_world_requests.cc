@@ -135,9 +135,9 @@ Json WorldRequests::DescribeAllowedCommands() const {
   return commands;
 }
 
-void WorldRequests::Forget() {
-  rehearsal_.Forget();
-  resting_place_.Forget();
+void WorldRequests::Reset() {
+  rehearsal_.Reset();
+  resting_place_.Reset();
 }
 
 void WorldRequests::Apply(const sim::Command& command) {

@@ -37,7 +37,7 @@ class WorldRequests {
   /// Returns `snap` of a state message.
   std::vector<std::string> snap() const { return NamesOf(snapper_.to); }
   /// Forgets copies of the world, after it was replaced.
-  void Forget();
+  void Reset();
 
  private:
   /// Applies a command to the live world.

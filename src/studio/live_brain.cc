@@ -27,7 +27,7 @@ void LiveBrain::Start(const library::BrainChoice& choice, const brain::BrainDriv
                                                  std::move(former_));
   driver_.emplace(options);
   try {
-    Ask(simulation);
+    SubmitQuestion(simulation);
   } catch (...) {
     Leave();
     throw;
@@ -43,21 +43,21 @@ bool LiveBrain::Drive(sim::Simulation* simulation) {
   if (is_starting()) return false;
   if (!is_running()) return true;
   // The driver need not ask at every tick: without a question the world ticks at once.
-  if (!is_asked_) Ask(simulation);
-  return !is_asked_ || TakeAnswer(kMoment, simulation);
+  if (!is_question_pending_) SubmitQuestion(simulation);
+  return !is_question_pending_ || TakeAnswer(kMoment, simulation);
 }
 
-void LiveBrain::Ask(sim::Simulation* simulation) {
-  std::optional<brain::BrainQuestion> question = driver_->Ask(simulation);
-  is_asked_ = question.has_value();
+void LiveBrain::SubmitQuestion(sim::Simulation* simulation) {
+  std::optional<brain::BrainQuestion> question = driver_->NextQuestion(simulation);
+  is_question_pending_ = question.has_value();
   watched_ticks_ = driver_->watched_ticks();
-  if (question) thread_->Ask(*std::move(question));
+  if (question) thread_->Submit(*std::move(question));
 }
 
 bool LiveBrain::TakeAnswer(std::chrono::nanoseconds timeout, sim::Simulation* simulation) {
   auto answer = thread_->WaitForAnswer(timeout);
   if (!answer) return false;
-  is_asked_ = false;
+  is_question_pending_ = false;
   driver_->Take(*std::move(answer), simulation);
   if (const auto& error = driver_->error()) {
     console_.Write(ToString(*error));
@@ -85,7 +85,7 @@ void LiveBrain::Stop(sim::Simulation* simulation) {
 
 void LiveBrain::Leave() {
   driver_.reset();
-  was_stopped_ = is_asked_ = false;
+  was_stopped_ = is_question_pending_ = false;
   if (!thread_) return;
   thread_->Leave();
   // Ending a process takes time; the former program ends in its own thread, and the next one waits

@@ -55,7 +55,7 @@ class LiveBrain {
  private:
   bool HasStatus(brain::BrainStatus status) const { return driver_ && driver_->status() == status; }
   bool is_starting() const { return HasStatus(brain::BrainStatus::kStarting); }
-  void Ask(sim::Simulation* simulation);
+  void SubmitQuestion(sim::Simulation* simulation);
   /// Returns false if the program has not answered yet.
   bool TakeAnswer(std::chrono::nanoseconds timeout, sim::Simulation* simulation);
 
@@ -63,7 +63,7 @@ class LiveBrain {
   Console console_;  ///< written by the programs' threads, which end first
   std::string name_;
   bool was_stopped_ = false;
-  bool is_asked_ = false;
+  bool is_question_pending_ = false;
   std::uint64_t watched_ticks_ = 0;
   std::unique_ptr<brain::BrainThread> former_;  ///< the program before, which may still be ending
   std::unique_ptr<brain::BrainThread> thread_;

@@ -16,7 +16,7 @@ class Rehearsal {
   /// would be accepted.
   std::optional<sim::Refusal> Try(const sim::Command& command, const sim::Simulation& simulation);
   /// Forgets the copy, before the simulation is replaced.
-  void Forget() { copy_.reset(); }
+  void Reset() { copy_.reset(); }
 
  private:
   std::unique_ptr<sim::Simulation> copy_;  ///< of the same scene and robot

@@ -28,7 +28,7 @@ class RestingPlace {
   Json Answer(const sim::Simulation& simulation, sim::HandName hand, std::uint64_t step,
               Rehearsal* rehearsal);
   /// Forgets the answer, before the simulation is replaced.
-  void Forget() { answer_ = nullptr; }
+  void Reset() { answer_ = nullptr; }
 
  private:
   Json answer_;  ///< the last; null before

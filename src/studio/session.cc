@@ -59,7 +59,7 @@ class Session::Impl : private StateMachine::Listener {
   /// Returns the table of all requests with their needs.
   std::vector<RequestRow> RequestRows();
 
-  void OnOtherWorld() override { world_requests_.Forget(); }
+  void OnOtherWorld() override { world_requests_.Reset(); }
   void OnOtherScene() override;
   void OnScore(Json score) override;
   /// Updates `failure` after a recording ended by an error.
@@ -178,8 +178,8 @@ bool Session::Impl::Tick() {
 
 void Session::Impl::OnOtherScene() {
   view_.reset();
-  eye_preview_.Forget();
-  state_announcer_.Forget();
+  eye_preview_.Reset();
+  state_announcer_.Reset();
   // Pages need the scene before its poses and state; the announcer counts it.
   const SessionState& shown = states_.shown();
   // The complete state follows with the next state message, as the announcer has forgotten the last
@@ -257,7 +257,7 @@ SessionUpdates Session::Impl::TakeUpdates() {
 
 std::vector<Json> Session::Impl::Everything() const {
   // A new client needs a picture even if the view does not change.
-  eye_preview_.Forget();
+  eye_preview_.Reset();
   const std::vector<int>& variants = view().state.variants;
   // In the order in which a page can use them: the scene before its looks, and the state last.
   std::vector<Json> all = {scene_announcer_.Describe(states_.shown().model(), variants),

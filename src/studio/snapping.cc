@@ -264,8 +264,9 @@ sim::Command Snapper::SnappedRotate(const LiveWorld& world, const sim::Rotate& r
   Turn& turn = turns_[static_cast<std::size_t>(rotate.hand)];
   // Consecutive rotations accumulate without snapping, so that small steps can leave a snapped
   // angle.
-  const bool goes_on = R_now.isApprox(turn.R_snapped, 1e-9);
-  turn.R_wanted = RotationFromFixedAxes(rotate.angles_deg) * (goes_on ? turn.R_wanted : R_now);
+  const bool continues_turn = R_now.isApprox(turn.R_snapped, 1e-9);
+  turn.R_wanted =
+      RotationFromFixedAxes(rotate.angles_deg) * (continues_turn ? turn.R_wanted : R_now);
   turn.R_snapped = SnapTurn(to, turn.R_wanted, FramesNear(world, hand));
   return sim::Rotate{.hand = rotate.hand,
                      .angles_deg = FixedAxesAngles(Matrix3(turn.R_snapped * R_now.transpose()))};

@@ -17,7 +17,7 @@ constexpr recording::PoseGap kStayed{.distance = 0.01, .angle = DegreesToRadians
 bool IsContact(sim::EventKind kind) {
   using enum sim::EventKind;
   return kind == kGrasped || kind == kReleased || kind == kFastened || kind == kLoosened ||
-         kind == kFell || kind == kGripperHolds || kind == kGripperLetGo;
+         kind == kFell || kind == kGripperHolds || kind == kGripperReleased;
 }
 
 /// Returns the contact of an event with the object's pose at `now`; nullopt for other events and
@@ -80,7 +80,7 @@ class PlacementOrder {
         return;
       // A release places the object only if the holder has moved it.
       case kReleased:
-      case kGripperLetGo: {
+      case kGripperReleased: {
         const auto hold = holds_.find({HolderOf(contact.event), object});
         if (hold == holds_.end()) return;
         if (HasMoved(hold->second, contact.X_WB)) Put(object);
@@ -254,7 +254,7 @@ std::set<std::string> HeldInTheEnd(const Episode& episode) {
         holds.insert(hold);
         break;
       case sim::EventKind::kReleased:
-      case sim::EventKind::kGripperLetGo:
+      case sim::EventKind::kGripperReleased:
         holds.erase(hold);
         break;
       default:
@@ -277,7 +277,7 @@ Work WorkOf(const Episode& episode) {
       const auto held = holders.find(object);
       if (held != holders.end() && held->second == 0) ++work.retries;
       ++holders[object];
-    } else if (contact.event.kind == sim::EventKind::kGripperLetGo) {
+    } else if (contact.event.kind == sim::EventKind::kGripperReleased) {
       holders[object] = std::max(0, holders[object] - 1);
     }
   }

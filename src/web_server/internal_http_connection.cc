@@ -172,13 +172,13 @@ void HttpConnection::Answer() {
     // Files come from memory and are sent in this thread; everything else may take long.
     const StaticFiles::File* file = services_->files->Find(request_.path);
     if (file != nullptr) return Send(FileReply(*file, request_));
-    AskHandler();
+    CallHandler();
   } catch (const std::exception& error) {
     Send(ErrorReply(error));
   }
 }
 
-void HttpConnection::AskHandler() {
+void HttpConnection::CallHandler() {
   // The handler may be slow; it runs in a worker thread, and its reply returns to the server's
   // thread.
   net::post(*services_->workers, [self = shared_from_this()] {

@@ -31,7 +31,7 @@ class HttpConnection : public ClientConnection,
   void Answer();
   HttpReply ReplyTo(const HttpRequest& request);
   /// Calls the program's handler in a worker thread.
-  void AskHandler();
+  void CallHandler();
   void Upgrade();
   void Send(HttpReply reply);
   void HandleSent(error_code error);

@@ -242,10 +242,10 @@ void Bonds::Join(GuestIndex guest, HostIndex host, int tightness) {
     // The guest is still inside the hole: contacts would eject it.
     world_->IgnoreCollisionUntilSeparated(holder, body);
   }
-  TellDownstream(host);
+  NotifyDownstream(host);
 }
 
-void Bonds::TellDownstream(HostIndex index) {
+void Bonds::NotifyDownstream(HostIndex index) {
   const model::Host& host = model_->host(index);
   const int tightness = states_[index].tightness;
   // Set: the state is the tightness. Override: the stage decides what the control shows. Lock: the
@@ -269,7 +269,7 @@ void Bonds::EndBondsOf(ObjectIndex object) {
     if (state.joint) world_->RemoveJoint(state.joint);
     // The lock belongs to the host, not to the bond.
     state = BondState{{.is_locked = state.is_locked}};
-    TellDownstream(host);
+    NotifyDownstream(host);
   }
 }
 

@@ -69,7 +69,7 @@ class Bonds {
   std::optional<Refusal> RefuseToMove(GuestIndex guest, HostIndex host,
                                       const RigidTransform& X_WB) const;
   bool IsHeldByRobot(physics::BodyId body) const;
-  void TellDownstream(HostIndex host);
+  void NotifyDownstream(HostIndex host);
   bool IsInPlay(ObjectIndex object) const {
     return world_->Has((*objects_)[object].body) && !(*object_states_)[object].has_fallen;
   }

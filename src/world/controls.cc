@@ -92,7 +92,7 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
     state.state = (state.state + 1) % toggle.num_states;
     return std::nullopt;
   };
-  const auto go_on = [&](const CustomControl& custom) -> std::optional<Refusal> {
+  const auto advance = [&](const CustomControl& custom) -> std::optional<Refusal> {
     std::vector<Target> targets = TargetsOf(custom, state.state);
     if (!part.empty()) {
       std::erase_if(targets, [part](const Target& target) { return target.part != part; });
@@ -113,7 +113,7 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
     return std::nullopt;
   };
   auto refusal = std::visit(
-      Overloaded{press, go_on,
+      Overloaded{press, advance,
                  [&](const auto&) -> std::optional<Refusal> {
                    return name +
                           " is a row of lights: it follows other controls and cannot be triggered";

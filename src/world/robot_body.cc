@@ -85,7 +85,7 @@ void RobotBody::SetArmVelocities(int arm, std::span<const double> velocities) {
 void RobotBody::SetGripperVelocity(int arm, double velocity) {
   if (!model().arms.at(arm).gripper) return;
   state_.grippers[arm].opening_velocity = velocity;
-  if (velocity > 0) LetGo(arm);
+  if (velocity > 0) Release(arm);
   CommandFingers(arm);
 }
 
@@ -190,7 +190,7 @@ void RobotBody::CloseAround(int arm) {
   articulation().HoldStill(gripper.right_finger);
 }
 
-void RobotBody::LetGo(int arm) {
+void RobotBody::Release(int arm) {
   for (physics::JointId weld : std::exchange(state_.grippers[arm].welds, {})) {
     for (const physics::Joint& joint : world_->joints()) {
       if (joint.id != weld) continue;

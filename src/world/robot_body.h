@@ -77,7 +77,7 @@ class RobotBody {
   physics::Articulation& articulation() { return world_->articulation(articulation_); }
   const physics::Articulation& articulation() const { return world_->articulation(articulation_); }
   void CloseAround(int arm);
-  void LetGo(int arm);
+  void Release(int arm);
   void CommandFingers(int arm);
   /// Returns true if a body touches both fingers.
   bool IsSqueezing(const robot::Gripper& gripper) const;

@@ -84,9 +84,9 @@ std::vector<int> BlockLengths(const std::vector<std::string>& lines, bool only_o
       if (is_outer || !only_outer) lengths.push_back(static_cast<int>(i - begins[indent] + 1));
       begins.erase(indent);
     }
-    const bool goes_on = i > 0 && indent >= IndentOf(lines[statement]) + 4 &&
-                         !lines[i - 1].ends_with(";") && !lines[i - 1].ends_with("{");
-    if (!goes_on) statement = i;
+    const bool is_continuation = i > 0 && indent >= IndentOf(lines[statement]) + 4 &&
+                                 !lines[i - 1].ends_with(";") && !lines[i - 1].ends_with("{");
+    if (!is_continuation) statement = i;
     if (begins.empty() && std::regex_match(line, one_line)) lengths.push_back(1);
     const bool opens = line.ends_with("{") && !std::regex_match(lines[statement], no_function);
     if (opens) begins[IndentOf(lines[statement])] = statement;

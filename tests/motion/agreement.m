@@ -30,7 +30,7 @@ function q = configuration(robot, arm, k)
   q = lower + share .* (upper - lower);
 end
 
-function ask_arm(robot, arm)
+function query_arm(robot, arm)
   ready = robot.poses.untucked(struct('left', 1, 'right', 2).(arm), :);
   for k = 0:39
     goal = smileForward(robot, arm, configuration(robot, arm, k));
@@ -53,7 +53,7 @@ function ask_arm(robot, arm)
   end
 end
 
-function ask_both(robot)
+function query_both(robot)
   low = configuration(robot, 'both', 3);
   high = configuration(robot, 'both', 8);
   move = smileMoveJoints(robot, 'both', cat(3, low, high, low));
@@ -63,6 +63,6 @@ function ask_both(robot)
 end
 
 robot = smileRobot(argv(){end}, [0 -1 0 0.5; 1 0 0 -8; 0 0 1 2; 0 0 0 1], 0.1);
-ask_arm(robot, 'left');
-ask_arm(robot, 'right');
-ask_both(robot);
+query_arm(robot, 'left');
+query_arm(robot, 'right');
+query_both(robot);

@@ -31,7 +31,7 @@ def configuration(robot, arm, k):
     return lower + share.reshape(lower.shape) * (upper - lower)
 
 
-def ask_arm(robot, arm):
+def query_arm(robot, arm):
     ready = robot.pose(arm, "untucked")
     for k in range(40):
         goal = robot.forward(arm, configuration(robot, arm, k))
@@ -54,7 +54,7 @@ def ask_arm(robot, arm):
             show_move("line", move)
 
 
-def ask_both(robot):
+def query_both(robot):
     low, high = configuration(robot, "both", 3), configuration(robot, "both", 8)
     move = robot.move_joints("both", [low, high, low])
     show_move("both", move)
@@ -66,9 +66,9 @@ def ask_both(robot):
 def main():
     base = [[0, -1, 0, 0.5], [1, 0, 0, -8], [0, 0, 1, 2], [0, 0, 0, 1]]
     robot = Robot(sys.argv[1], base=base, unit=0.1)
-    ask_arm(robot, "left")
-    ask_arm(robot, "right")
-    ask_both(robot)
+    query_arm(robot, "left")
+    query_arm(robot, "right")
+    query_both(robot)
 
 
 main()

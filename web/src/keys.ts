@@ -77,7 +77,7 @@ export type KeyActions = Record<string, (isDown: boolean, isShift: boolean) => v
 /** Carries out what keys mean, by the names in the table; held keys are reported twice, down and up. */
 export function listenToKeys(actions: KeyActions): () => void {
   const down = new Map<string, Key>();
-  const letGo = (code: string) => {
+  const release = (code: string) => {
     const key = down.get(code);
     down.delete(code);
     if (key) actions[key.what]?.(false, false);
@@ -91,8 +91,8 @@ export function listenToKeys(actions: KeyActions): () => void {
     if (key.isHeld) down.set(event.code, key);
     action(true, event.shiftKey);
   };
-  const onUp = (event: KeyboardEvent) => letGo(event.code);
-  const onBlur = () => [...down.keys()].forEach(letGo);
+  const onUp = (event: KeyboardEvent) => release(event.code);
+  const onBlur = () => [...down.keys()].forEach(release);
   window.addEventListener("keydown", onDown);
   window.addEventListener("keyup", onUp);
   window.addEventListener("blur", onBlur);

@@ -140,7 +140,7 @@ export const texts = {
     take: "Take control",
     takeByForce: "Take control from an inactive controller",
     give: (client: number) => `Give control to visitor ${client}`,
-    letGo: "Release control",
+    releaseControl: "Release control",
     watchingBanner: "You are watching.",
     watchingReason: "You are watching; take control first",
     asked: "Control requested",

@@ -37,12 +37,12 @@ class BrainDriverTest : public ::testing::Test {
     for (int i = 0; i < seconds * sim::kTicksPerSecond; ++i) simulation_.Tick();
   }
   void Start(const InitReply& reply = {}) {
-    EXPECT_TRUE(std::holds_alternative<Aux>(driver_.Ask(&simulation_).value()));
+    EXPECT_TRUE(std::holds_alternative<Aux>(driver_.NextQuestion(&simulation_).value()));
     driver_.Take(reply, &simulation_);
   }
   /// Runs a tick. Returns the sensor data sent to the brain before it; nullopt if it was not asked.
   std::optional<Sensor> Step(const StepReply& reply = {}) {
-    const std::optional<BrainQuestion> question = driver_.Ask(&simulation_);
+    const std::optional<BrainQuestion> question = driver_.NextQuestion(&simulation_);
     if (question) driver_.Take(reply, &simulation_);
     simulation_.Tick();
     return question ? std::optional(std::get<Sensor>(*question)) : std::nullopt;

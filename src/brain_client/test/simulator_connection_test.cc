@@ -61,7 +61,7 @@ class SimulatorConnectionTest : public testing::Test {
   }
 
   /// A short message.
-  wire::Message Hear() const {
+  wire::Message Receive() const {
     std::array<std::byte, 4096> bytes;
     const ssize_t count = ::read(socket_, bytes.data(), bytes.size());
     return wire::Decoded(
@@ -82,7 +82,7 @@ TEST_F(SimulatorConnectionTest, GreetingFollowsTheProtocol) {
   SimulatorConnection connection(Address());
   Accept();
   connection.Greet({.client = "lua", .language = "5.4", .takes_rows = true});
-  const wire::Message hello = Hear();
+  const wire::Message hello = Receive();
   EXPECT_EQ(hello.type, MessageType::kHello);
   EXPECT_EQ(hello.Find("version")->Numbers(), std::vector<double>{wire::kProtocolVersion});
   EXPECT_EQ(hello.TextOf("client"), "lua");
@@ -195,13 +195,13 @@ TEST_F(SimulatorConnectionTest, ABrainInCppSendsItsSettingsAndAnswers) {
   int result = -1;
   std::thread thread([&] { result = brain_client::Run(brain); });
   Accept();
-  EXPECT_EQ(Hear().type, MessageType::kHello);
+  EXPECT_EQ(Receive().type, MessageType::kHello);
   MessageWriter init(MessageType::kInit, 1);
   init.AddScalar("numLimbs", 2);
   init.AddScalar("numJoints", 7);
   init.AddText("demonstration", "out/demo");
   Say(init.Finish());
-  const wire::Message wishes = Hear();
+  const wire::Message wishes = Receive();
   EXPECT_EQ(wishes.type, MessageType::kInitDone);
   EXPECT_EQ(wishes.Find("watch")->Numbers(), std::vector{1.0});
   EXPECT_EQ(wishes.Find("imageSeconds")->Numbers(), std::vector{2.0});
@@ -209,7 +209,7 @@ TEST_F(SimulatorConnectionTest, ABrainInCppSendsItsSettingsAndAnswers) {
     MessageWriter step(MessageType::kStep, 2);
     step.AddLogical("demoCue", is_shown);
     Say(step.Finish());
-    const wire::Message motor = Hear();
+    const wire::Message motor = Receive();
     EXPECT_EQ(motor.type, MessageType::kMotor);
     EXPECT_EQ(motor.Find("headVelocity") == nullptr, is_shown);
   }

@@ -37,11 +37,11 @@ class ServerTest : public ::testing::Test {
   int port() { return std::stoi(server().link().substr(server().link().rfind(':') + 1)); }
   WebClient Connect() { return WebClient(port()); }
   /// Returns a client that has said hello and, on request, has received everything.
-  WebClient Join(bool knows_everything = true) {
+  WebClient Join(bool has_scene = true) {
     WebClient client = Connect();
     EXPECT_EQ(client.Upgrade(), 101);
     EXPECT_EQ(client.Hello()["ok"], true);
-    if (knows_everything) server().TakeNewClients();
+    if (has_scene) server().TakeNewClients();
     return client;
   }
   /// What clients ask for, once so much of it is there.
@@ -166,7 +166,7 @@ TEST_F(ServerTest, HandsOverTheControllersRequestsAndOneOfEachWatcher) {
 }
 
 TEST_F(ServerTest, UpdatesAreSentOnlyToClientsThatKnowTheScene) {
-  WebClient client = Join(/*knows_everything=*/false);
+  WebClient client = Join(/*has_scene=*/false);
   server().SendToAll({{"t", "event"}, {"kind", "early"}});
   EXPECT_EQ(server().TakeNewClients(), std::vector<ClientId>{1});
   EXPECT_TRUE(server().TakeNewClients().empty());

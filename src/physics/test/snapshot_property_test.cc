@@ -30,9 +30,9 @@ std::uint64_t FullHash(const World& world) {
 
 /// Continues for 600 ticks while the robot sweeps through the pile, a weld is made and removed, and
 /// bodies are removed and added; returns the hash of the whole run.
-std::uint64_t GoOn(World& world, ArticulationId robot, BodyId held, BodyId removed) {
+std::uint64_t RunOn(World& world, ArticulationId robot, BodyId held, BodyId removed) {
   PhysicsWorldBuilder verbs;
-  StateHash way;
+  StateHash hash;
   Articulation& arms = world.articulation(robot);
   JointId weld = world.joints().empty() ? JointId{} : world.joints().front().id;
   for (int tick = 0; tick < kTicks; ++tick) {
@@ -52,10 +52,10 @@ std::uint64_t GoOn(World& world, ArticulationId robot, BodyId held, BodyId remov
                               .links_not_colliding = {2, 3}});
     }
     for (int i = 0; i < kStepsPerTick; ++i) world.Step();
-    way.Add(world.state_hash());
+    hash.Add(world.state_hash());
   }
-  way.Add(FullHash(world));
-  return way.value();
+  hash.Add(FullHash(world));
+  return hash.value();
 }
 
 /// Seed, and true for a kinematic robot.
@@ -78,27 +78,27 @@ class SnapshotProperty : public ::testing::TestWithParam<std::pair<unsigned, boo
     builder_.StepSeconds(0.4);
     snapshot_ = builder_.world_.Save();
     full_hash_ = FullHash(builder_.world_);
-    way_ = GoOn(builder_.world_, builder_.robot_, pile_[1], pile_[0]);
+    hash_ = RunOn(builder_.world_, builder_.robot_, pile_[1], pile_[0]);
   }
 
   PhysicsWorldBuilder builder_;
   std::vector<BodyId> pile_;
   Snapshot snapshot_;
   std::uint64_t full_hash_ = 0;
-  std::uint64_t way_ = 0;
+  std::uint64_t hash_ = 0;
 };
 
 TEST_P(SnapshotProperty, ContinuesExactlyInPlace) {
   builder_.world_.Restore(snapshot_);
   EXPECT_EQ(FullHash(builder_.world_), full_hash_);
-  EXPECT_EQ(GoOn(builder_.world_, builder_.robot_, pile_[1], pile_[0]), way_);
+  EXPECT_EQ(RunOn(builder_.world_, builder_.robot_, pile_[1], pile_[0]), hash_);
 }
 
 TEST_P(SnapshotProperty, ContinuesExactlyInAFreshWorld) {
   World fresh;
   fresh.Restore(snapshot_);
   EXPECT_EQ(FullHash(fresh), full_hash_);
-  EXPECT_EQ(GoOn(fresh, builder_.robot_, pile_[1], pile_[0]), way_);
+  EXPECT_EQ(RunOn(fresh, builder_.robot_, pile_[1], pile_[0]), hash_);
 }
 
 TEST_P(SnapshotProperty, ContinuesExactlyInAnotherProcess) {
@@ -116,16 +116,16 @@ TEST_P(SnapshotProperty, ContinuesExactlyInAnotherProcess) {
     const std::string text = ReadFile(file, 1 << 26);
     World world;
     world.Restore(ParseSnapshot(std::as_bytes(std::span(text.data(), text.size()))));
-    const std::uint64_t way = GoOn(world, builder_.robot_, pile_[1], pile_[0]);
-    _exit(write(result[1], &way, sizeof way) == sizeof way ? 0 : 1);
+    const std::uint64_t hash = RunOn(world, builder_.robot_, pile_[1], pile_[0]);
+    _exit(write(result[1], &hash, sizeof hash) == sizeof hash ? 0 : 1);
   }
-  std::uint64_t way = 0;
-  EXPECT_EQ(read(result[0], &way, sizeof way), static_cast<ssize_t>(sizeof way));
+  std::uint64_t hash = 0;
+  EXPECT_EQ(read(result[0], &hash, sizeof hash), static_cast<ssize_t>(sizeof hash));
   waitpid(child, nullptr, 0);
   close(result[0]);
   close(result[1]);
   std::filesystem::remove(file);
-  EXPECT_EQ(way, way_);
+  EXPECT_EQ(hash, hash_);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, SnapshotProperty,
@@ -153,8 +153,8 @@ class JointedWorld : public PhysicsWorldBuilder {
   }
 
   /// Continues while joints are made and removed, forms change, and hands take and release.
-  static std::uint64_t GoOn(World& world, const JointedWorld& made) {
-    StateHash way;
+  static std::uint64_t RunOn(World& world, const JointedWorld& made) {
+    StateHash hash;
     const auto& lids = made.lids_;
     for (int tick = 0; tick < 400; ++tick) {
       if (tick == 20) world.RemoveJoint(made.fixed_);
@@ -176,14 +176,14 @@ class JointedWorld : public PhysicsWorldBuilder {
         }
         world.Step();
       }
-      way.Add(world.state_hash());
+      hash.Add(world.state_hash());
     }
-    way.Add(FullHash(world));
+    hash.Add(FullHash(world));
     for (BodyId id : made.boxes_) {
       // NaNs would be equal, too. One body may fall off the table.
       EXPECT_LT(world.body(id).pose_in_world().translation().head<2>().norm(), 10);
     }
-    return way.value();
+    return hash.value();
   }
 
  private:
@@ -272,22 +272,22 @@ TEST_P(JointedSnapshotProperty, ContinuesExactlyInPlaceInAFreshWorldFromBytesAnd
   const Snapshot saved = made.world_.Save();
   EXPECT_FALSE(saved.passing.empty()) << "or the test tests less than it says";
   const std::uint64_t full_hash = FullHash(made.world_);
-  const std::uint64_t way = JointedWorld::GoOn(made.world_, made);
+  const std::uint64_t hash = JointedWorld::RunOn(made.world_, made);
 
   made.world_.Restore(saved);
   EXPECT_EQ(FullHash(made.world_), full_hash);
-  EXPECT_EQ(JointedWorld::GoOn(made.world_, made), way) << "in place";
-  const auto go_on_fresh = [&](std::uint64_t* fresh_way) {
+  EXPECT_EQ(JointedWorld::RunOn(made.world_, made), hash) << "in place";
+  const auto run_on_fresh = [&](std::uint64_t* fresh_hash) {
     World fresh;
     fresh.Restore(ParseSnapshot(Serialize(saved)));
-    *fresh_way = JointedWorld::GoOn(fresh, made);
+    *fresh_hash = JointedWorld::RunOn(fresh, made);
   };
-  std::uint64_t ways[2] = {};
-  std::thread thread(go_on_fresh, &ways[0]);
-  go_on_fresh(&ways[1]);
+  std::uint64_t hashes[2] = {};
+  std::thread thread(run_on_fresh, &hashes[0]);
+  run_on_fresh(&hashes[1]);
   thread.join();
-  EXPECT_EQ(ways[0], way) << "in a fresh world, in a thread";
-  EXPECT_EQ(ways[1], way) << "in a fresh world";
+  EXPECT_EQ(hashes[0], hash) << "in a fresh world, in a thread";
+  EXPECT_EQ(hashes[1], hash) << "in a fresh world";
 }
 
 /// A snapshot is complete without running a step.

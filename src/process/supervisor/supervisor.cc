@@ -115,7 +115,7 @@ void RemoveScratch() {
   }
 }
 
-[[noreturn]] void EndLike(int status) {
+[[noreturn]] void ExitWithStatus(int status) {
   if (!WIFSIGNALED(status)) ::_exit(WEXITSTATUS(status));
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
@@ -157,5 +157,5 @@ int main(int argc, char** argv) {
   const int status = EndAll(program);
   // SIGTERM means that the simulator died; otherwise, it removes the folder itself.
   if (reason == SIGTERM) RemoveScratch();
-  EndLike(status);
+  ExitWithStatus(status);
 }

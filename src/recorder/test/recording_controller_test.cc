@@ -127,13 +127,13 @@ TEST_F(RecordingControllerTest, AfterTheFinishTheWorldCanBeUndoneButNotTheRecord
 TEST_F(RecordingControllerTest, ARecordingInProgressCannotBeContinued) {
   Do(sim::StartRecording{.name = "take"}, 10);
   auto other = MakeSimulation(false);
-  const auto go_on = [&] {
+  const auto continue_recording = [&] {
     return Recorder::Continue(root_ / "take", {.line = 0, .tick = 5}, nullptr, other.get());
   };
-  EXPECT_THROW(go_on(), std::runtime_error);
+  EXPECT_THROW(continue_recording(), std::runtime_error);
   Do(sim::FinishRecording());
   EXPECT_EQ(recording::OpenRecording(root_ / "take").log.lines().size(), 0u);
-  EXPECT_NE(go_on(), nullptr);
+  EXPECT_NE(continue_recording(), nullptr);
 }
 
 TEST_F(RecordingControllerTest, TheHistoryIncludesUndoneSteps) {
@@ -179,7 +179,8 @@ TEST_F(RecordingControllerTest, AStepOnThePathEndsWhereTheNextBegins) {
   const auto steps = [this] {
     return recording::HistoryOf(recording::OpenRecording(root_ / "take"));
   };
-  const auto go_on = [this](const recording::HistoryPoint& from, const sim::Command& command) {
+  const auto continue_recording = [this](const recording::HistoryPoint& from,
+                                         const sim::Command& command) {
     const auto simulation = MakeSimulation(false);
     const auto recorder = Recorder::Continue(root_ / "take", from, nullptr, simulation.get());
     simulation->AddListener(recorder.get());
@@ -187,10 +188,10 @@ TEST_F(RecordingControllerTest, AStepOnThePathEndsWhereTheNextBegins) {
     simulation->Tick();
   };
   const recording::HistoryPoint drop_end = steps()[2].end;
-  go_on({.line = 1, .tick = 14}, sim::Release{.hand = HandName::kLeft});
+  continue_recording({.line = 1, .tick = 14}, sim::Release{.hand = HandName::kLeft});
   EXPECT_EQ(steps()[1].end, (recording::HistoryPoint{.line = 3, .tick = 14}));
   // Back to the abandoned branch: the attempt in between does not shorten the path to it.
-  go_on(drop_end, sim::Point{.hand = HandName::kRight, .part = "b"});
+  continue_recording(drop_end, sim::Point{.hand = HandName::kRight, .part = "b"});
   EXPECT_EQ(steps()[1].end, steps()[2].begin);
   EXPECT_EQ(steps()[1].end, (recording::HistoryPoint{.line = 1, .tick = 20}));
 }

@@ -117,7 +117,7 @@ TEST_F(HistoryTest, KnowsWhetherAnythingIsMissing) {
   EXPECT_EQ(*simulation.Apply(Undo()), "nothing to undo");
 }
 
-TEST(ActionHistory, ForgetsTheOldestStatesButNoAction) {
+TEST(ActionHistory, DropsTheOldestStatesButNoAction) {
   const auto state = [](std::uint64_t tick) {
     SimulationState large{.tick = tick};
     large.physics.state.resize(1 << 20);

@@ -322,7 +322,7 @@ TEST_F(RobotDynamicsTest, FrictionHoldsAUnitBlockThatIsMovedAboutAndLetsItGo) {
 
 TEST_F(RobotDynamicsTest, ARestoredSimulationContinuesExactlyWithEachKindOfBody) {
   for (const RobotBodyOptions& body : {RobotBodyOptions(), kKinematic, kByFriction}) {
-    const auto go_on = [](Simulation& simulation) {
+    const auto run_on = [](Simulation& simulation) {
       MoveTool(simulation, {0.05, 0, 0.03}, 0.5);
       Grip(simulation, 0.1);
       TickSeconds(simulation, 0.5);
@@ -331,13 +331,13 @@ TEST_F(RobotDynamicsTest, ARestoredSimulationContinuesExactlyWithEachKindOfBody)
     const auto others = {BlockAt("other", {-0.30, -0.05, 0.05})};
     auto simulation = HoldingABlock(2, body, others);
     const SimulationState holding = simulation->Save();
-    const std::uint64_t hash = go_on(*simulation);
+    const std::uint64_t hash = run_on(*simulation);
     simulation->Restore(holding);
-    EXPECT_EQ(go_on(*simulation), hash);
+    EXPECT_EQ(run_on(*simulation), hash);
     auto elsewhere = HoldingABlock(2, body, others);
     TickSeconds(*elsewhere, 0.3);
     elsewhere->Restore(holding);
-    EXPECT_EQ(go_on(*elsewhere), hash);
+    EXPECT_EQ(run_on(*elsewhere), hash);
   }
 }
 

@@ -12,7 +12,7 @@ class SimulationTest : public SimulationFixture {
  protected:
   /// The arm moves with a hand carrying and a block falling: everything at once.
   static std::uint64_t RunBusySecond(Simulation& simulation, std::uint64_t first_tick) {
-    StateHash way;
+    StateHash hash;
     for (int i = 0; i < 60; ++i) {
       if (i % 10 == 0) {
         simulation.Apply(JointVelocities{
@@ -25,9 +25,9 @@ class SimulationTest : public SimulationFixture {
       if (i == 40) simulation.Apply(Grasp{.object = "c"});
       if (i == 41) simulation.Apply(MoveTo{.p_WH = {0.05, -0.1, 0.2}});
       simulation.Tick();
-      way.Add(simulation.state_hash());
+      hash.Add(simulation.state_hash());
     }
-    return way.value();
+    return hash.value();
   }
   static std::unique_ptr<Simulation> MakeBusy() {
     auto simulation =
@@ -56,16 +56,16 @@ TEST_F(SimulationTest, ContinuesExactlyAfterRestoringInPlaceAndElsewhere) {
   auto simulation = MakeBusy();
   const SimulationState state = simulation->Save();
   const std::uint64_t hash = simulation->state_hash();
-  const std::uint64_t way = RunBusySecond(*simulation, 1);
+  const std::uint64_t later_hash = RunBusySecond(*simulation, 1);
 
   simulation->Restore(state);
   EXPECT_EQ(simulation->state_hash(), hash);
-  EXPECT_EQ(RunBusySecond(*simulation, 1), way);
+  EXPECT_EQ(RunBusySecond(*simulation, 1), later_hash);
 
   auto elsewhere = MakeBusy();
   TickSeconds(*elsewhere, 0.5);
   elsewhere->Restore(state);
-  EXPECT_EQ(RunBusySecond(*elsewhere, 1), way);
+  EXPECT_EQ(RunBusySecond(*elsewhere, 1), later_hash);
 }
 
 TEST_F(SimulationTest, ARefusedCommandChangesNothingAndIsReported) {

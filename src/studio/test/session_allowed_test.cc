@@ -31,7 +31,7 @@ TEST_F(SessionAllowed, AStateReportsRefusedRequestsWithReasons) {
   EXPECT_EQ(AllowedNow().count("play"), 0u);
 }
 
-TEST_F(SessionAllowed, DuringTheRobotsRageOnlyScenesMayChange) {
+TEST_F(SessionAllowed, WhileTheRobotClearsTheTableOnlyScenesMayChange) {
   Begin(nullptr, /*with_robot=*/true);
   Names live = AllowedNow();
   EXPECT_TRUE(live.contains("start_brain") && live.contains("imitate"));

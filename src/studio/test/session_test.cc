@@ -507,7 +507,7 @@ TEST_F(SessionTest, TheEyeShowsWhatIsRecordedAndRestsWhenNothingMoves) {
   EXPECT_EQ(updates.view->color.front(), eye.num_pictures());
 }
 
-TEST_F(SessionTest, TheRobotsRageLeavesAllAsItWas) {
+TEST_F(SessionTest, ARobotThatClearsTheTableChangesNothingElse) {
   Begin(nullptr, /*with_robot=*/true);
   // The copies in which this is tried out have what was added, too.
   Do(R"({"do":"spawn","preset":"ball","seed":1})");
@@ -530,7 +530,7 @@ TEST_F(SessionTest, TheRobotsRageLeavesAllAsItWas) {
   EXPECT_EQ(State()["robot"]["joints"], before["robot"]["joints"]);
 }
 
-TEST_F(SessionTest, ARageIsNoPartOfWhatWasDone) {
+TEST_F(SessionTest, ClearingTheTableIsNotInTheHistory) {
   // Two sessions do the same, one of them with a rage in between.
   std::vector<std::string> logs;
   std::vector<Json> ends;

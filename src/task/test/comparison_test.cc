@@ -163,9 +163,9 @@ TEST(StructureComparison, HeldObjectsDoNotCount) {
   EXPECT_EQ(CompareWith(tower, episode).score, 0.5);
   EXPECT_TRUE(CompareWith(tower, episode).errors.at("c").is_held);
   contact({.kind = kGripperHolds, .arm = "right", .object = "c"});
-  contact({.kind = kGripperLetGo, .arm = "left", .object = "c"});
+  contact({.kind = kGripperReleased, .arm = "left", .object = "c"});
   EXPECT_EQ(CompareWith(tower, episode).score, 0.5) << "the other arm has it";
-  contact({.kind = kGripperLetGo, .arm = "right", .object = "c"});
+  contact({.kind = kGripperReleased, .arm = "right", .object = "c"});
   contact({.kind = kReleased, .hand = sim::HandName::kRight, .object = "d"});
   EXPECT_TRUE(CompareWith(tower, episode).is_achieved());
 }

@@ -59,7 +59,7 @@ inline void Carry(const std::string& object, const RigidTransform& from, const R
                   Episode* episode) {
   using enum sim::EventKind;
   episode->contacts.push_back({{.kind = kGripperHolds, .arm = "left", .object = object}, 1, from});
-  episode->contacts.push_back({{.kind = kGripperLetGo, .arm = "left", .object = object}, 2, to});
+  episode->contacts.push_back({{.kind = kGripperReleased, .arm = "left", .object = object}, 2, to});
 }
 
 }  // namespace smile::task

@@ -169,9 +169,9 @@ void Note(EventKind kind, const std::string& object, const Vector3& p, Episode* 
 TEST(Episode, UnmovedAndHeldObjectsAreNotPlaced) {
   Episode episode = ThreeBlocks();
   Note(EventKind::kGripperHolds, "a", {0, 0.3, 0}, &episode);
-  Note(EventKind::kGripperLetGo, "a", {-0.3, 0, 0.05}, &episode);
+  Note(EventKind::kGripperReleased, "a", {-0.3, 0, 0.05}, &episode);
   Note(EventKind::kGripperHolds, "b", {0, 0, 0.05}, &episode);
-  Note(EventKind::kGripperLetGo, "b", {0, 0.004, 0.05}, &episode);
+  Note(EventKind::kGripperReleased, "b", {0, 0.004, 0.05}, &episode);
   EXPECT_EQ(PlacementsOf(episode), Ids{"a"});
   Note(EventKind::kGripperHolds, "c", {0.3, 0.3, 0.05}, &episode);
   Note(EventKind::kGripperHolds, "a", {0, 0.9, 0}, &episode, "right");
@@ -182,8 +182,8 @@ TEST(Episode, CountsGraspsAndRetries) {
   Episode episode = ThreeBlocks();
   Note(EventKind::kGripperHolds, "a", Vector3(0, 0, 0), &episode);
   Note(EventKind::kGripperHolds, "a", Vector3(0, 0, 0), &episode, "right");  // both arms carry it
-  Note(EventKind::kGripperLetGo, "a", Vector3(0, 0, 0), &episode);
-  Note(EventKind::kGripperLetGo, "a", Vector3(0, 0, 0), &episode, "right");
+  Note(EventKind::kGripperReleased, "a", Vector3(0, 0, 0), &episode);
+  Note(EventKind::kGripperReleased, "a", Vector3(0, 0, 0), &episode, "right");
   Note(EventKind::kGripperHolds, "b", Vector3(0, 0, 0), &episode);
   EXPECT_EQ(WorkOf(episode), (Work{.grasps = 3, .retries = 0}));
   Note(EventKind::kGripperHolds, "a", Vector3(0, 0, 0), &episode);

@@ -7,7 +7,7 @@ import { Button } from "../ui/buttons";
 import { openDialogs } from "../ui/dialog";
 import { Notices } from "../ui/notices";
 import { ControlWanted, takeControl } from "./control";
-import { failedRecording, isPaused, isPlayback, isRage, isRestoring } from "./derived_signals";
+import { failedRecording, isPaused, isPlayback, isClearingTable, isRestoring } from "./derived_signals";
 
 /** Time before the page reports that connecting takes long, and time before it reports that it may fail. */
 const PATIENCE_MS = 800;
@@ -89,7 +89,7 @@ function Present() {
           />
         </div>
       )}
-      {isRage.value && (
+      {isClearingTable.value && (
         <div class="banner words-only">
           <span>{texts.objects.rageBanner}</span>
         </div>

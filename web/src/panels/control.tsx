@@ -49,7 +49,7 @@ function entries(): MenuEntry[] {
   const others = now.clients.filter((client) => client !== now.you);
   return [
     ...others.map(giving),
-    { label: texts.people.letGo, onChoose: () => void ask("give_control", { to: null }) },
+    { label: texts.people.releaseControl, onChoose: () => void ask("give_control", { to: null }) },
   ];
 }
 

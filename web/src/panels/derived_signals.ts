@@ -5,7 +5,7 @@ import { settled } from "../settled";
 import { scene, state } from "../studio";
 
 export const isPaused = computed(() => state.value?.paused ?? false);
-export const isRage = computed(() => state.value?.mode === "rage");
+export const isClearingTable = computed(() => state.value?.mode === "rage");
 export const isPlayback = computed(() => state.value?.mode === "playback");
 /** The world goes back to a moment of a recording. */
 export const isRestoring = computed(() => (state.value?.restoring ?? null) !== null);

@@ -125,7 +125,7 @@ function AddObjects() {
   const seed = useSignal(1);
   const presets = sceneCatalog.value?.presets ?? [];
   const chosen = preset.value || (presets[0]?.name ?? "");
-  const [mayRage] = useAllowed([{ do: "clear", rage: true }]);
+  const [mayClearTable] = useAllowed([{ do: "clear", rage: true }]);
   const spawn = async () => {
     if ((await ask("spawn", { preset: chosen, seed: seed.value })) !== null) seed.value += 1;
   };
@@ -172,7 +172,7 @@ function AddObjects() {
         />
         <Button
           label={words.rage}
-          {...when(mayRage, words.rageWhy)}
+          {...when(mayClearTable, words.rageWhy)}
           onClick={() => void ask("clear", { rage: true })}
         />
       </div>

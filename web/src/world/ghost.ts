@@ -48,11 +48,11 @@ export class Ghost {
     } else if (this.isWaiting) {
       this.isOutdated = true;
     } else {
-      void this.askFor(object);
+      void this.requestPlace(object);
     }
   }
 
-  private async askFor(object: string): Promise<void> {
+  private async requestPlace(object: string): Promise<void> {
     this.isWaiting = true;
     this.isOutdated = false;
     const reply = await request("resting_place", { hand: currentHand.value }).catch(() => null);

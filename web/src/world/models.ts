@@ -84,19 +84,19 @@ export class Models {
 
   setVariants(variants: number[]): void {
     this.variants = variants;
-    this.showWhatIsThere();
+    this.updateVisibility();
   }
 
   setGone(gone: string[]): void {
     if (gone.length === this.gone.size && gone.every((id) => this.gone.has(id))) return;
     this.gone = new Set(gone);
-    this.showWhatIsThere();
+    this.updateVisibility();
   }
 
   setRobotShown(isShown: boolean): void {
     if (isShown === this.isRobotShown) return;
     this.isRobotShown = isShown;
-    this.showWhatIsThere();
+    this.updateVisibility();
   }
 
   /** Without gloss, or with. */
@@ -213,7 +213,7 @@ export class Models {
     stretch(mesh, visual);
     mesh.castShadow = !visual.glows;
     mesh.receiveShadow = !visual.glows;
-    mesh.visible = this.isToBeSeen(visual, object);
+    mesh.visible = this.isVisible(visual, object);
     this.frames[visual.frame]?.group.add(mesh);
     this.pieces.push({ mesh, visual, object });
   }
@@ -248,14 +248,14 @@ export class Models {
     return material;
   }
 
-  private isToBeSeen({ choice, look, frame }: Visual, object: string): boolean {
+  private isVisible({ choice, look, frame }: Visual, object: string): boolean {
     if (choice >= 0 && this.variants[choice] !== look) return false;
     if (!this.isRobotShown && frame >= (this.scene?.robotFrame ?? Infinity)) return false;
     return !this.gone.has(object);
   }
 
-  private showWhatIsThere(): void {
-    for (const { mesh, visual, object } of this.pieces) mesh.visible = this.isToBeSeen(visual, object);
+  private updateVisibility(): void {
+    for (const { mesh, visual, object } of this.pieces) mesh.visible = this.isVisible(visual, object);
     this.onChange();
   }
 }

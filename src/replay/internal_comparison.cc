@@ -170,8 +170,8 @@ void DeviationMeter::Note(std::size_t index, std::uint64_t tick,
   deviation.tick = tick;
 }
 
-void DeviationMeter::Watch(const recording::TraceTick& recorded,
-                           const recording::TraceTick& replayed) {
+void DeviationMeter::Compare(const recording::TraceTick& recorded,
+                             const recording::TraceTick& replayed) {
   const TickComparison comparison(recorded, replayed, model_);
   for (model::ObjectIndex i : model_.objects()) Note(i, recorded.tick, comparison.GapOf(i));
   for (model::LinkIndex i : IndexRange<model::LinkIndex>(recorded.joints.size())) {

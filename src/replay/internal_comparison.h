@@ -51,7 +51,7 @@ class DeviationMeter {
   /// @param model  as for TickComparison.
   explicit DeviationMeter(const model::Model& model);
 
-  void Watch(const recording::TraceTick& recorded, const recording::TraceTick& replayed);
+  void Compare(const recording::TraceTick& recorded, const recording::TraceTick& replayed);
   /// Returns the deviations of all that ever deviated, the largest first.
   std::vector<Deviation> Deviations() const;
 

@@ -97,7 +97,7 @@ class ReplayRun {
     if (const auto difference = comparison.First()) Note(*difference);
     // As long as nothing visible differs, all deviations are zero and need not be measured.
     if (!has_visible_difference_ || is_over()) return;
-    meter_.Watch(recorded, replayed);
+    meter_.Compare(recorded, replayed);
     report_.state_differences = comparison.States();
   }
 

@@ -25,7 +25,7 @@ std::string ActorOf(const sim::Event& event) {
 bool IsTake(sim::EventKind kind) {
   return kind == sim::EventKind::kGrasped || kind == sim::EventKind::kGripperHolds;
 }
-/// Returns true for events after which an object is not held any more.
+/// Returns true for events after which an object is no longer held.
 bool IsRelease(sim::EventKind kind) {
   return kind == sim::EventKind::kReleased || kind == sim::EventKind::kGripperReleased ||
          kind == sim::EventKind::kDestroyed;

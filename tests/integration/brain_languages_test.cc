@@ -170,7 +170,7 @@ TEST_F(BrainWatches, InPython) {
   EXPECT_EQ(Read("out/imitation/brain.log"), std::to_string(num_frames_) + " shown, 1 tick ago\n");
 }
 
-TEST_F(BrainLanguages, MatlabIsStartedTheWayItsManualSays) {
+TEST_F(BrainLanguages, MatlabIsStartedAsItsManualDescribes) {
   // No Matlab: a placeholder object that takes the same arguments and lets Octave do the work.
   Write("matlab", "#!/bin/sh\n[ \"$1\" = -batch ] || exit 9\nexec octave-cli -q --eval \"$2\"\n");
   Write("brain/agentBehavior.m",

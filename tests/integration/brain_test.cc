@@ -35,7 +35,7 @@ TEST_F(BrainAsUsed, MovesTheRobotAndItsRunReplaysWithoutIt) {
   EXPECT_EQ(Smile("replay demo --verify").exit_code, 0);
 }
 
-TEST_F(BrainAsUsed, SeesAFreshPictureFourTimesASecond) {
+TEST_F(BrainAsUsed, ReceivesAFreshPictureFourTimesASecond) {
   WriteBrain(
       "if isfield(sensor, 'rgbVision'), seen = seen + 1; size_seen = size(sensor.rgbVision); end\n"
       "if sensor.simTime >= 1.9, printf('%d %d %d %d\\n', seen, size_seen); aux.exit = 1; end",
@@ -58,7 +58,7 @@ constexpr const char* kCheckCorners =
     "  else, name, bounds, pixels, errors, end\n"
     "end\n";
 
-TEST_F(BrainAsUsed, SeesThingsWhereItsCamerasAre) {
+TEST_F(BrainAsUsed, ReceivesPicturesFromTheViewpointsOfItsCameras) {
   Write("pair.xml",
         SceneOf("<block id='b' color='blue' location='(7,3,0.5)'/>"
                 "<block id='a' color='red' location='(0,12,0.5)' mass='0'/>"
@@ -104,7 +104,7 @@ TEST_F(BrainAsUsed, ReceivesTheListOfCameras) {
       << answer.err;
 }
 
-TEST_F(BrainAsUsed, HearsTheSameNoiseFromTheSameSeed) {
+TEST_F(BrainAsUsed, ReceivesTheSameNoiseFromTheSameSeed) {
   WriteBrain(
       "if isfield(sensor, 'rgbVision'), total = total + sum(sensor.rgbVision(:)); end\n"
       "total = total + sum(sensor.jointAngles(:));\n"

@@ -87,7 +87,7 @@ TEST_F(RecordingAsUsed, AFailedScriptKeepsWhatWasRecorded) {
   EXPECT_GT(answer.json()["ticks"], 40);
 }
 
-TEST_F(RecordingAsUsed, SurvivesBeingKilledAndEndsCleanlyWhenAsked) {
+TEST_F(RecordingAsUsed, SurvivesBeingKilledAndEndsCleanlyOnRequest) {
   const Answer killed =
       Shell("\"" SMILE_PROGRAM "\" run pair.xml --seconds 600 --realtime --record killed & " +
             UntilSomeIsWritten("killed") + "kill -9 $!; wait");

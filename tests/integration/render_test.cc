@@ -83,7 +83,7 @@ TEST_F(RenderAsUsed, DrawsAgainWhatTheRealEyeSaw) {
   EXPECT_GT(num_pictures, 5);
 }
 
-TEST_F(RenderAsUsed, SeesThroughEveryCamera) {
+TEST_F(RenderAsUsed, RendersThroughEveryCamera) {
   Write("pair.xml", SceneOf("<block id='a' location='(0,-3,0.5)'/>"
                             "<camera id='overhead' location='(0,0,20)' target='(0,0,0)'/>"));
   for (const std::string camera : {"eye", "head", "left_hand", "right_hand", "overhead"}) {

@@ -126,7 +126,7 @@ TEST_F(Scenes, TheKnobTurnsTheDialAndTheDialTheDigit) {
             Json({{"Knob", "three"}, {"Dial", "zero"}, {"Digit", "zero"}}));
 }
 
-TEST_F(Scenes, AScrewStandsWhereItsStageSays) {
+TEST_F(Scenes, AScrewStandsAtThePoseOfItsStage) {
   const std::string tighter = Do("fasten", "BrassScrew");
   for (int stage = 1; stage <= 3; ++stage) {
     const Json json = After("screws", Times(stage - 1, tighter) + Wait(0.5));

@@ -32,7 +32,7 @@ TEST_F(StudioProgram, ServesItsPageUntilASignal) {
   EXPECT_NE(answer.out.find("<html>the page</html>"), std::string::npos);
 }
 
-TEST_F(StudioProgram, LetsOthersInWithItsToken) {
+TEST_F(StudioProgram, AdmitsOthersWithItsToken) {
   WritePage();
   Write("pair.xml", PairOfBlocks());
   const Answer answer = WhileOpen("pair.xml --no-robot --no-pictures --listen 0.0.0.0",

@@ -137,7 +137,7 @@ test("a reload loses nothing; a second page watches, asks for control, and gets 
 /** The controller is asked at most once in this time, by all clients together. */
 const PAUSE_MS = 3000;
 
-test("requests for control stop no drag, and all who are refused are told", async (t) => {
+test("requests for control stop no drag, and each refused client is notified", async (t) => {
   const { studio, page, witness, person } = await browser.workplace(t, { studio: ["--no-robot", "--no-pictures"] });
   const [second, third] = [await browser.open(studio), await browser.open(studio)];
   const [other, another] = [new Person(second, witness), new Person(third, witness)];

@@ -14,22 +14,22 @@ const WATCHERS = [0, 20];
 const browser = new Browser();
 await browser.start();
 try {
-  tellSize();
-  await tellFirstPicture();
-  for (const numWatchers of WATCHERS) await tellDrag(numWatchers);
-  await tellScript();
+  reportSize();
+  await reportFirstPicture();
+  for (const numWatchers of WATCHERS) await reportDrag(numWatchers);
+  await reportScript();
 } finally {
   await browser.close();
 }
 
-function tellSize() {
+function reportSize() {
   const packed = readdirSync(PAGE).filter((name) => name.endsWith(".gz"));
   const numBytes = packed.reduce((sum, name) => sum + statSync(PAGE + name).size, 0);
-  tell("the page, packed", `${Math.round(numBytes / 1000)} kB`);
+  report("the page, packed", `${Math.round(numBytes / 1000)} kB`);
 }
 
 /** Each time in a browser that knows nothing yet. */
-async function tellFirstPicture() {
+async function reportFirstPicture() {
   const times = [];
   await atWork({}, async ({ studio }) => {
     for (let k = 0; k < NUM_LOADS; ++k) {
@@ -38,21 +38,21 @@ async function tellFirstPicture() {
       await page.context().close();
     }
   });
-  tell("first picture, from the call of the page on", figures(times, "ms"));
+  report("first picture, from the call of the page on", figures(times, "ms"));
 }
 
 /** While others watch. */
-async function tellDrag(numWatchers) {
+async function reportDrag(numWatchers) {
   await atWork({}, async ({ studio, page, person }) => {
     for (let k = 0; k < numWatchers; ++k) await Witness.of(studio);
     await carryToAndFro(page, person);
     const [latencies, fps] = await page.evaluate(() => [window.smileStudio.lastLatencies(), window.smileStudio.fps()]);
-    tell(`drag to pose, ${numWatchers} watchers`, `${figures(latencies, "ms")}, ${Math.round(fps)} pictures a second`);
+    report(`drag to pose, ${numWatchers} watchers`, `${figures(latencies, "ms")}, ${Math.round(fps)} pictures a second`);
   });
 }
 
 /** What a picture of all detail costs the page itself: the rest is the graphics card's. */
-async function tellScript() {
+async function reportScript() {
   await atWork({ likes: { detail: "high" } }, async ({ page, person }) => {
     await page.evaluate(() => {
       window.scriptTimes = [];
@@ -65,7 +65,7 @@ async function tellScript() {
         });
     });
     await carryToAndFro(page, person);
-    tell("script of a picture in high detail", figures(await page.evaluate(() => window.scriptTimes), "ms"));
+    report("script of a picture in high detail", figures(await page.evaluate(() => window.scriptTimes), "ms"));
   });
 }
 
@@ -94,6 +94,6 @@ function figures(values, unit) {
   return `${quantile(0.5)} ${unit}, p95 ${quantile(0.95)} ${unit}, of ${sorted.length}`;
 }
 
-function tell(what, figure) {
+function report(what, figure) {
   console.log(`${what}: ${figure}`);
 }

@@ -94,7 +94,7 @@ test("the ghost shows where a thing comes to rest", async (t) => {
   }
 });
 
-test("a right click triggers and points; what cannot be done is grey, and tells why", async (t) => {
+test("a right click triggers and points; commands that are refused are grey and show the reason", async (t) => {
   const { page, witness, person } = await browser.workplace(t, { studio: [shipped("dock"), ...BARE] });
   const [raised, lamp, wall] = [[-4.87, -0.65, 1.1], [-4.9, 0, 0.98], [-5.9, 4, 2.9]];
   const switches = () => [1, 2, 3, 4].map((number) => witness.state.controls[`DockSwitch${number}`]);
@@ -164,7 +164,7 @@ test("screws are fastened and loosened, nuts are not", async (t) => {
   }
 });
 
-test("what matters is told; what was destroyed comes back by Undo, into the hand", async (t) => {
+test("notices report important events; Undo restores a destroyed object into the hand", async (t) => {
   const { page, witness, person } = await browser.workplace(t, { studio: BARE });
   await person.press("Record");
   await witness.until(() => witness.state.recording !== null, "a recording");
@@ -235,7 +235,7 @@ test("a drag ends flush with a face where faces are snapped to; Escape lets the 
   }
 });
 
-test("while recording nothing is loaded: it is grey, tells why, and what was written is kept", async (t) => {
+test("while recording, loading is grey and shows the reason; edited text is kept", async (t) => {
   const { page, witness, person } = await browser.workplace(t, { studio: BARE });
   await person.press("Record");
   await witness.until(() => witness.state.recording !== null, "a recording");

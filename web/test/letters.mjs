@@ -36,7 +36,7 @@ export async function buildLetters(person) {
   for (const [id, place] of LETTERS) {
     await person.grasp(id);
     await person.carryOnto(id, place, CLEARANCE);
-    await letGoAt(person, id, place);
+    await releaseAt(person, id, place);
   }
 }
 
@@ -48,7 +48,7 @@ async function layFoot(person) {
   await person.typePlace({ x, y });
   await isAt(person, id, raised(place));
   await person.typePlace({ z });
-  await letGoAt(person, id, place);
+  await releaseAt(person, id, place);
 }
 
 function raised([x, y, z]) {
@@ -56,7 +56,7 @@ function raised([x, y, z]) {
 }
 
 /** A held object follows the hand: a release before it has arrived drops it. */
-async function letGoAt(person, id, place) {
+async function releaseAt(person, id, place) {
   await isAt(person, id, place);
   await person.release();
 }

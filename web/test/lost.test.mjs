@@ -30,7 +30,7 @@ test("when the program dies, the page claims nothing that it cannot know", async
   assert.match(await doubt.textContent(), /A recording in progress may lack its last moments\.$/);
 });
 
-test("a full disk ends the recording, and that is told once, till it is read", async (t) => {
+test("a full disk ends the recording, with one notice that stays until it is read", async (t) => {
   const { studio, page, witness, person } = await browser.workplace(t, { studio: PLAIN, maxFileBytes: 60 * 1024 });
   await person.press("Record");
   await witness.until(() => witness.state.recording !== null, "a recording");
@@ -47,7 +47,7 @@ test("a full disk ends the recording, and that is told once, till it is read", a
   await alert.waitFor({ state: "detached" });
 });
 
-test("a recording whose folder is removed is told to be lost, not to be in the library", async (t) => {
+test("a recording whose folder is removed is reported as lost, not as in the library", async (t) => {
   const { studio, page, witness, person } = await browser.workplace(t, { studio: PLAIN });
   await person.press("Pause");
   await person.press("Record");
@@ -70,7 +70,7 @@ async function onlyAlert(page) {
   const alert = page.locator(".banner.error");
   await alert.waitFor();
   await page.waitForTimeout(1000);
-  assert.deepEqual(await page.locator(".notice").allTextContents(), [], "nothing else is said");
+  assert.deepEqual(await page.locator(".notice").allTextContents(), [], "no other notice");
   await page.waitForTimeout(4000);
   assert.equal(await alert.count(), 1, "it stays");
   return alert;

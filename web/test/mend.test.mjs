@@ -16,7 +16,7 @@ after(() => browser.close());
 const PLAIN = { studio: ["--no-robot", "--no-pictures"] };
 const MILLIMETERS_PER_UNIT = 100;
 
-test("a recording goes on from any moment, also from what was left", async (t) => {
+test("a recording continues from any moment, also from undone actions", async (t) => {
   const { studio, page, witness, person } = await browser.workplace(t, PLAIN);
   const { timeline } = person;
   const moment = timeline.getByRole("slider", { name: "Moment" });
@@ -42,7 +42,7 @@ test("a recording goes on from any moment, also from what was left", async (t) =
   await person.finish();
   assert.deepEqual(await undone(), [false, false, true, false]);
 
-  // What was left first is still there to go on from, and all before it as it was then.
+  // The first undone branch can still be continued, and everything before it is unchanged.
   await goOn(() => chooseInHistory(2));
   await witness.until(() => isOnTable(witness, "RedBlock"), "it lies where it fell then");
   assert.ok(!witness.isHeld("RedBlock"), "and is not held");
@@ -85,7 +85,7 @@ test("a recording goes on from any moment, also from what was left", async (t) =
   }
 });
 
-test("what an edit does is told before it is done, and what is told becomes true", async (t) => {
+test("the effects of an edit are previewed, and the edit has these effects", async (t) => {
   const { studio, page, witness, person } = await browser.workplace(t, PLAIN);
   const { timeline } = person;
   const dialog = page.getByRole("dialog");
@@ -105,7 +105,7 @@ test("what an edit does is told before it is done, and what is told becomes true
   await choose(3, "Delete");
   const dropped = programSays(["edit", join(studio.recordings, id), "--drop", "3", "--dry-run"]);
   assert.equal(dropped.left_out.length, 1, JSON.stringify(dropped));
-  await tells(dropped, "GreenBlock");
+  await expectReport(dropped, "GreenBlock");
   await dialog.getByText("can no longer be carried out").waitFor();
   await person.press("Cancel", dialog);
   await dialog.waitFor({ state: "detached" });
@@ -118,7 +118,7 @@ test("what an edit does is told before it is done, and what is told becomes true
   await person.slideTo(to, 0.1);
   const trim = `1:0-${await to.inputValue()}`;
   const trimmed = programSays(["edit", join(studio.recordings, id), "--trim", trim, "--dry-run"]);
-  await tells(trimmed, "RedBlock");
+  await expectReport(trimmed, "RedBlock");
   await person.press("Save as a new recording", dialog);
   await dialog.waitFor({ state: "detached" });
   const made = recordingsOf(studio).filter((name) => name !== id);
@@ -137,7 +137,7 @@ test("what an edit does is told before it is done, and what is told becomes true
   }
 
   /** The dialog reports as many effects as the program does, and how far off the block ends. */
-  async function tells(report, block) {
+  async function expectReport(report, block) {
     const centimeters = (report.displaced.find((one) => one.id === block).distance_mm / 10).toFixed(0);
     await dialog.getByRole("status").getByText(`${block} ends ${centimeters} cm from its previous place`).waitFor();
     const effects = ["left_out", "gone", "there_again", "displaced", "controls", "host_points", "joints"];

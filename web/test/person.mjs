@@ -45,18 +45,18 @@ export class Fingers {
   }
 
   async press(...points) {
-    await this.tell("touchStart", points);
+    await this.dispatch("touchStart", points);
   }
 
   /** In few steps: a finger that hardly moves for half a second asks for a menu. */
   async moveTo(...points) {
     const half = points.map(({ x, y }, k) => ({ x: (this.at[k].x + x) / 2, y: (this.at[k].y + y) / 2 }));
-    await this.tell("touchMove", half);
-    await this.tell("touchMove", points);
+    await this.dispatch("touchMove", half);
+    await this.dispatch("touchMove", points);
   }
 
   async lift() {
-    await this.tell("touchEnd", []);
+    await this.dispatch("touchEnd", []);
   }
 
   async click(point) {
@@ -64,7 +64,7 @@ export class Fingers {
     await this.lift();
   }
 
-  async tell(type, points) {
+  async dispatch(type, points) {
     this.at = points;
     const touchPoints = points.map(({ x, y }, id) => ({ x, y, id }));
     await this.screen.send("Input.dispatchTouchEvent", { type, touchPoints });
@@ -148,7 +148,7 @@ export class Person {
    * which it moves: [x, y, z], null where it does not matter.
    */
   async dragTo(id, wanted) {
-    await this.letGo(await this.dragOn(id, wanted, null));
+    await this.liftPointer(await this.dragOn(id, wanted, null));
   }
 
   /** Continues from where the pointer is pressed, null if it is not yet; returns where it is pressed then. */
@@ -173,7 +173,7 @@ export class Person {
     throw new Error(`${id} does not come to ${wanted}`);
   }
 
-  async letGo(pressed) {
+  async liftPointer(pressed) {
     if (pressed !== null) await this.pointer.lift();
   }
 
@@ -190,13 +190,13 @@ export class Person {
 
   /** Lifts a held object, then carries it level. */
   async carryAbove(id, place) {
-    await this.letGo(await this.carryOn(id, place));
+    await this.liftPointer(await this.carryOn(id, place));
   }
 
   /** Lifts, carries and lowers a held object, as people stack: in one drag. */
   async carryOnto(id, [x, y, z], clearance = CLEARANCE) {
     const pressed = await this.carryOn(id, [x, y, z + clearance]);
-    await this.letGo(await this.dragOn(id, [null, null, z], pressed));
+    await this.liftPointer(await this.dragOn(id, [null, null, z], pressed));
   }
 
   async carryOn(id, [x, y, z]) {

@@ -32,7 +32,7 @@ TEST(ByteWriter, WritesLittleEndianWithoutPadding) {
   EXPECT_EQ(writer.bytes(), expected);
 }
 
-TEST(ByteReader, GivesZerosPastTheEndAndRemembersIt) {
+TEST(ByteReader, ReturnsZerosPastTheEndAndReportsIt) {
   ByteWriter writer;
   writer.Put(std::uint16_t{9});
   ByteReader reader(writer.bytes());

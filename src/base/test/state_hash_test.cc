@@ -15,7 +15,7 @@ std::uint64_t HashOf(const Values&... values) {
   return hash.value();
 }
 
-TEST(StateHash, SeesTheLastBitAndTheOrder) {
+TEST(StateHash, DependsOnTheLastBitAndTheOrder) {
   EXPECT_EQ(HashOf(1.0, 2.0), HashOf(1.0, 2.0));
   EXPECT_NE(HashOf(1.0, 2.0), HashOf(2.0, 1.0));
   EXPECT_NE(HashOf(1.0), HashOf(std::nextafter(1.0, 2.0)));

@@ -21,7 +21,7 @@ TEST(Quoted, NeverCutsALetterInTwo) {
   EXPECT_EQ(cut, "\"" + std::string(59, 'x') + "…\"");
 }
 
-TEST(OneOf, ListsWordsTheWayPeopleDo) {
+TEST(OneOf, ListsWordsAsInASentence) {
   EXPECT_EQ(OneOf({}), "");
   EXPECT_EQ(OneOf(std::span(kShapes).first(1)), "block");
   EXPECT_EQ(OneOf(std::span(kShapes).first(2)), "block or box");

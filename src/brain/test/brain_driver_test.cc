@@ -86,7 +86,7 @@ TEST_F(BrainDriverTest, PicturesKeepTheirRateInAnOldSimulation) {
   EXPECT_EQ(steps_with_picture, (std::vector<int>{0, 15, 30}));
 }
 
-TEST_F(BrainDriverTest, ShowsTheDemonstrationFrameByFrameToABrainThatAsks) {
+TEST_F(BrainDriverTest, ShowsTheDemonstrationFrameByFrameOnRequest) {
   TickSeconds(1);
   StartToWatch({0, 15, 18});
   std::vector<int> ticks;

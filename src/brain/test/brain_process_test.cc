@@ -155,7 +155,7 @@ TEST_F(BrainProcessTest, BothTransportsGiveTheSameAnswer) {
   EXPECT_EQ(motors[0].joint_velocities(0, 2), (3 * 202 * 7 % 256) / 255.0);
 }
 
-TEST_F(BrainProcessTest, BothTransportsBringWhatItAskedFor) {
+TEST_F(BrainProcessTest, BothTransportsBringTheRequestedPictures) {
   const fs::path folder = Brain(
       "assert(aux.cameraNames, {'eye', 'overhead'}); assert(aux.unit, 0.5);\n"
       "assert(aux.robotBase, eye(4)); assert(fileread(aux.robot), '<robot/>');\n"
@@ -403,14 +403,14 @@ TEST_F(BrainProcessTest, RefusesAnotherVersion) {
             std::string::npos);
 }
 
-TEST_F(BrainProcessTest, RefusesAnswersToWhatWasNotAsked) {
+TEST_F(BrainProcessTest, RefusesUnrequestedAnswers) {
   const auto frames = Joined(Hello(), MessageWriter(MessageType::kInitDone, 77).Finish());
   EXPECT_NE(ErrorOfInit(Talker(kSendAll, frames), kOverPipes)
                 .find("this is not an answer to the request"),
             std::string::npos);
 }
 
-TEST_F(BrainProcessTest, AnExecutableMaySpeakTheProtocol) {
+TEST_F(BrainProcessTest, AnExecutableMayUseTheProtocol) {
   auto frames = Joined(Hello(), MessageWriter(MessageType::kInitDone, 1).Finish());
   MessageWriter motor(MessageType::kFinalMotor, 2);
   motor.AddDoubles("jointVelocities", std::array{2u, 7u}, std::array<double, 14>{1});

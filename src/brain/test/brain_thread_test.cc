@@ -72,7 +72,7 @@ TEST_F(BrainThreadTest, StartsWhenTheOneBeforeHasEnded) {
   EXPECT_EQ(error ? ToString(*error) : "", "");
 }
 
-TEST_F(BrainThreadTest, LeavesWhileItStartsOrThinks) {
+TEST_F(BrainThreadTest, LeavesWhileItStartsOrComputes) {
   const fs::path endless = Program("endless.py",
                                    "import time\n"
                                    "def init(aux): time.sleep(1000)\n"

@@ -84,7 +84,7 @@ const std::vector<Hostile>& AllHostile() {
       Step("LeavesAChild", "os.fork() or time.sleep(60); os._exit(0)", "it ended with exit code 0"),
       Raw("ExitsInInit", "s.sendall(hello()); read(s); sys.exit(0)",
           "the brain ended during init: it ended with exit code 0", false),
-      Raw("SaysNothing", "", "the start took longer than 3 s", false),
+      Raw("StaysSilent", "", "the start took longer than 3 s", false),
       Raw("SpeaksOnItsSecondConnection", "t = connect(); t.sendall(hello())",
           "the start took longer than 3 s", false),
       Raw("RandomBytes", "s.sendall(os.urandom(100000))", "the received bytes are not a message",

@@ -31,7 +31,7 @@ double Deviation(const Values& values, double mean) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-TEST(SensorNoise, HasTheDeviationsAskedFor) {
+TEST(SensorNoise, HasTheRequestedDeviations) {
   const SensorNoise noise{.joints = 0.01, .image = 0.05, .depth = 0.2, .seed = 3};
   std::vector<double> angles;
   for (std::uint64_t tick = 0; tick < 1000; ++tick) {

@@ -251,7 +251,7 @@ TEST_F(RendererTest, AnySizeWorks) {
   EXPECT_EQ(Render(TableScene(), HeadView(1, 1)).ids.at(0), 1u) << "the camera looks at the table";
 }
 
-TEST_F(RendererTest, ChannelsThatWereNotAskedForAreEmpty) {
+TEST_F(RendererTest, ChannelsThatWereNotRequestedAreEmpty) {
   const Image image = Render(TableScene(), HeadView(20, 20), {.color = false, .ids = true});
   EXPECT_TRUE(image.color.empty());
   EXPECT_TRUE(image.depth.empty());
@@ -430,7 +430,7 @@ TEST_F(RendererTest, SurvivesPosesThatAreNoNumbers) {
   EXPECT_EQ(image.color.size(), 3u * 64 * 48);
 }
 
-TEST(Renderer, NamesTheVariableThatAsksForAnUnknownPlatform) {
+TEST(Renderer, NamesTheVariableThatRequestsAnUnknownPlatform) {
   setenv("SMILE_EGL_PLATFORM", "window", 1);
   try {
     Renderer renderer;

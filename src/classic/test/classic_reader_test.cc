@@ -54,7 +54,7 @@ const What& At(const ClassicRecording& recording, std::size_t segment, std::size
   return std::get<What>(recording.segments.at(segment).lines.at(line).what);
 }
 
-/// What is said of texts that are refused.
+/// Finding in a refused text.
 std::string Refusal(const std::vector<ClassicText>& texts, const ClassicLimits& limits = {}) {
   try {
     ReadClassicTexts(texts, limits);
@@ -64,7 +64,7 @@ std::string Refusal(const std::vector<ClassicText>& texts, const ClassicLimits& 
   return "was read";
 }
 
-TEST(ClassicReader, ReadsEveryLineAsWhatItSays) {
+TEST(ClassicReader, ReadsEveryKindOfLine) {
   const ClassicRecording evening = ReadClassicTexts(kEvening);
   EXPECT_EQ(evening.last_frame(), 13u);
   EXPECT_EQ(evening.Objects(), (std::vector<std::string>{"Cup", "Lamp", "ball"}));
@@ -185,7 +185,7 @@ class ClassicDirectory : public ::testing::Test {
   void Write(const std::string& name, const std::string& text) const {
     std::ofstream(root_ / name) << text;
   }
-  /// What is said, without the directory.
+  /// Finding, without the directory.
   std::string Answer() const {
     try {
       ReadClassic(root_);
@@ -241,7 +241,7 @@ TEST_F(ClassicDirectory, HasSoundPicturesOfOneSize) {
   EXPECT_EQ(Answer(), "/1/3.png: is not a readable PNG of at most 8192 pixels per side");
 }
 
-TEST(Placeholders, ShowWhatTheDescriptionsSay) {
+TEST(Placeholders, FollowTheDescriptions) {
   const scene::SceneSpec scene = MakePlaceholders(ReadClassicTexts(kEvening));
   ASSERT_EQ(scene.objects.size(), 3u);
   const scene::ObjectSpec& cup = scene.objects[0];

@@ -172,7 +172,7 @@ TEST_F(DemonstratorTest, HandsThatPushAgainstEachOtherDoNotExplode) {
   EXPECT_LT((PositionOf("a") - p_WA).norm(), 0.005) << "no jump";
 }
 
-TEST_F(DemonstratorTest, TurnsAboutTheWorldsAxesByWhatIsAsked) {
+TEST_F(DemonstratorTest, TurnsAboutTheWorldsAxesByTheRequestedAngles) {
   Grasp("a");
   MoveTo({0, 0, 0.3});
   ASSERT_EQ(hands_->Rotate(HandName::kAny, {0, 0, 90}), std::nullopt);

@@ -113,7 +113,7 @@ TEST_F(MechanismHandsTest, OnlyAnEmptyHandTriggers) {
   EXPECT_EQ(hands_->Trigger(kRight, "panel", ""), "there is no control 'panel'");
 }
 
-TEST_F(MechanismHandsTest, AHandWantsWhatItHoldsWhereItFastenedIt) {
+TEST_F(MechanismHandsTest, TheGoalOfAHandIsWhereItFastenedTheObject) {
   Grasp(kLeft, "peg");
   ASSERT_EQ(hands_->MoveTo(kLeft, {0.1, 0, 0.3}, std::nullopt), std::nullopt);
   StepSeconds(0.3);

@@ -117,7 +117,7 @@ TEST_F(ImitationTest, ACancelledOneIsScoredAsFarAsItCame) {
   EXPECT_TRUE(recording::IsRecording(root_ / "imitation"));
 }
 
-TEST_F(ImitationTest, AProgramThatAsksWatchesTheDemonstrationBeforeItActs) {
+TEST_F(ImitationTest, AProgramThatRequestsItWatchesTheDemonstrationBeforeItActs) {
   ImitationPlan plan = PlanWith(Write("brain/watcher.py",
                                       "def init(aux): aux.watch, aux.frames = True, []\n"
                                       "def step(sensor, motor, aux):\n"

@@ -222,7 +222,7 @@ TEST(RandomLayout, AnArmReachesEverythingFromAbove) {
   }
 }
 
-TEST(RandomLayout, LevelsHaveWhatTheirNamesSay) {
+TEST(RandomLayout, LevelsMatchTheirNames) {
   const scene::SceneSpec scene = Shipped("um_robot");
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     const scene::SceneSpec touching = RandomLayout(scene, seed, LayoutLevel::kTouching);

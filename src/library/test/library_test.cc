@@ -116,7 +116,7 @@ TEST_F(LibraryTest, RestoresFromTheBinEvenIfTheNameIsInUse) {
   EXPECT_EQ(library_.List().size(), 3u);
 }
 
-TEST_F(LibraryTest, KnowsOnlyDirectoriesOfItsOwn) {
+TEST_F(LibraryTest, ListsOnlyItsOwnDirectories) {
   RecordAs("inside");
   const fs::path shelf = root_ / "shelf";
   fs::create_directories(shelf);

@@ -59,7 +59,7 @@ TEST(LookAt, ShowsThePointInTheMiddleAndTheWorldUpright) {
   EXPECT_NEAR(X_WC.rotation().determinant(), 1, 1e-12);
 }
 
-TEST(LookAt, SeesXToTheRightAndYAwayFromTheUsersPlace) {
+TEST(LookAt, HasXToTheRightAndYAwayFromTheUsersPlace) {
   const RigidTransform X_WC = LookAt({0, -2, 0}, {0, 0, 0});
   Matrix3 expected;
   expected.col(0) = Vector3::UnitX();

@@ -133,7 +133,7 @@ TEST(ConvexPieces, LeavesTheHoleOfARingInAnyPosition) {
   EXPECT_TRUE(ConvexPieces(Torus(48, 16)) == pieces);
 }
 
-TEST(ConvexPieces, DoesNotMindWhichSideIsOutside) {
+TEST(ConvexPieces, DoNotDependOnWhichSideIsOutside) {
   scene::SurfaceMesh torus = Torus(24, 8);
   const auto pieces = ConvexPieces(torus);
   for (auto& triangle : torus.triangles) std::swap(triangle[1], triangle[2]);

@@ -21,7 +21,7 @@ TEST(CheckLimits, FindsTheMomentBetweenPointsAtWhichAJointIsWorst) {
   EXPECT_EQ(breaches[1].limit, 1);
 }
 
-TEST(CheckLimits, KnowsTheFastestMomentAndTheHardestPush) {
+TEST(CheckLimits, FindsTheFastestMomentAndTheHardestPush) {
   // From rest to rest over 0.8 rad in 0.4 s: 3 rad/s half way, 30 rad/s2 at both ends.
   const JointTrajectory jerk{{"a"}, {{0, {0}, {0}}, {0.4, {-0.8}, {0}}}};
   const std::vector<LimitBreach> breaches = CheckLimits(jerk, kOneJoint);

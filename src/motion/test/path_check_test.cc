@@ -70,7 +70,7 @@ TEST(FirstInvalid, NamesTheLimitThatIsBroken) {
   EXPECT_THROW(robot.FirstInvalid(move, {}, std::nullopt), std::invalid_argument);
 }
 
-TEST(PlanningRobot, SpeaksUnitsOfTheScene) {
+TEST(PlanningRobot, UsesUnitsOfTheScene) {
   const PlanningRobot robot = AtTable();
   const std::vector<double> zero(7, 0.0);
   const Eigen::Matrix4d pose = robot.Forward("left", zero);

@@ -48,7 +48,7 @@ TEST_F(ControlArbiterTest, LimitsAllClientsToOneRequestPerThreeSeconds) {
   EXPECT_FALSE(Ask(4, 11));
 }
 
-TEST_F(ControlArbiterTest, ForceRequiresSilenceAfterTheControllerWasAsked) {
+TEST_F(ControlArbiterTest, ForceRequiresSilenceAfterARequest) {
   EXPECT_FALSE(Force(2, 500)) << "an idle controller is asked first";
   EXPECT_THROW((void)Force(2, 529), RequestError);
   EXPECT_EQ(arbiter_.controller(), 1);

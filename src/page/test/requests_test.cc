@@ -47,7 +47,7 @@ TEST(Answer, ReportsTheFailedPrecondition) {
   EXPECT_EQ(num_done, 1);
 }
 
-TEST(Answer, LetsWatchersOnlyWatch) {
+TEST(Answer, RefusesControlToWatchers) {
   const Json answer = Answer(MakeTable(), {.what = "load"}, /*is_controller=*/false);
   EXPECT_EQ(answer["error"], "you are watching; take control first");
 }

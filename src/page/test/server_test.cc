@@ -165,7 +165,7 @@ TEST_F(ServerTest, HandsOverTheControllersRequestsAndOneOfEachWatcher) {
   EXPECT_EQ(server().TakeRequests().front().seq, 3u);
 }
 
-TEST_F(ServerTest, UpdatesAreSentOnlyToClientsThatKnowTheScene) {
+TEST_F(ServerTest, UpdatesAreSentOnlyToClientsThatHaveTheScene) {
   WebClient client = Join(/*has_scene=*/false);
   server().SendToAll({{"t", "event"}, {"kind", "early"}});
   EXPECT_EQ(server().TakeNewClients(), std::vector<ClientId>{1});

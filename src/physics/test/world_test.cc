@@ -98,7 +98,7 @@ TEST_F(WorldTest, WorldsInThreadsDoNotDisturbOneAnother) {
   for (std::uint64_t hash : together) EXPECT_EQ(hash, alone);
 }
 
-TEST_F(WorldTest, KnowsWhoTouchesWhom) {
+TEST_F(WorldTest, ReportsWhichBodiesTouch) {
   const BodyId table =
       world_.AddBody(BlockSpec({2, 1.2, 0.4}, RigidTransform(Vector3(0, 0, -0.2)), 0));
   const BodyId low = AddCube({0, 0, 0.05}, 0.1), high = AddCube({0, 0, 0.15}, 0.1);

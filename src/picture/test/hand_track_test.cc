@@ -160,7 +160,7 @@ TEST_F(HandTrackTest, CrossesNoArmsThatNeedNot) {
   EXPECT_EQ(right[0].object, model::ObjectIndex(2));
 }
 
-TEST_F(HandTrackTest, TakesHoldWhereTheLogSays) {
+TEST_F(HandTrackTest, TakesHoldAtTheLoggedPlace) {
   const HandTrack track = TrackOf(
       R"({"hand":"right","do":"grasp","object":"plank","point":[-5.2,1,0.8]}
 {"hand":"right","do":"move_to","position":[-5.2,1,3]}

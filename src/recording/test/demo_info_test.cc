@@ -39,7 +39,7 @@ class DemoInfoTest : public recorder::RecordingFixture {
     WriteFile(root_ / "demo.json", text);
     return ReadDemoInfo(root_ / "demo.json");
   }
-  /// What is said, without the path, when this text stands instead of the value at a place.
+  /// Finding, without the path, if this text replaces the value at a place.
   std::string ComplaintAbout(const std::string& place, const std::string& value) const {
     Json json = Json::parse(ToJsonText(Everything()));
     json[Json::json_pointer(place)] = "HERE";

@@ -101,7 +101,7 @@ TEST_F(ReplayTest, NoticesAnotherFace) {
   ASSERT_EQ(report.state_differences.size(), 1u);
 }
 
-TEST_F(ReplayTest, KnowsWhatKindOfBodyTheRobotHad) {
+TEST_F(ReplayTest, UsesTheKindOfBodyThatTheRobotHad) {
   for (const bool is_kinematic : {true, false}) {
     const model::RobotBodyOptions body{.is_kinematic = is_kinematic,
                                        .grasps_by_friction = !is_kinematic};
@@ -168,7 +168,7 @@ TEST_F(ReplayTest, ContinuesAfterRefusedCommandsAndReportsThem) {
   EXPECT_GT(report.deviations[0].end->distance, 0.3);
 }
 
-TEST_F(ReplayTest, ComparesOnlyTheRangeAskedFor) {
+TEST_F(ReplayTest, ComparesOnlyTheRequestedRange) {
   const recording::Recording recording = RecordAndReword("[3.0,-2.0,1.51]", "[3.3,-2.0,1.51]");
   const std::uint64_t tick = Replay(recording).first_difference->tick;
   const double seconds = recording::SecondsInto(recording, tick);

@@ -68,7 +68,7 @@ TEST(Baxter, HasTheLimitsOfTheRealRobot) {
   EXPECT_EQ(head.upper, 1.3963);
 }
 
-TEST(Baxter, AnArmWeighsWhatTheDescriptionSays) {
+TEST(Baxter, AnArmHasTheMassOfItsDescription) {
   constexpr double kArm = 19.71082, kPalm = 0.3;  // [kg]
   for (const Arm& arm : Baxter().arms) {
     double mass = 0;

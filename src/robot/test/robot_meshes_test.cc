@@ -94,7 +94,7 @@ class RobotMeshes : public RobotFiles {
   }
 };
 
-TEST_F(RobotMeshes, AreDrawnWholeAndFeltAsPieces) {
+TEST_F(RobotMeshes, AreDrawnWholeAndCollideAsPieces) {
   Write("robot/a.stl", TetrahedronStl());
   const RobotModel model = Load(UrdfWith("a.stl")).model;
   ASSERT_EQ(model.visuals.size(), 1u);

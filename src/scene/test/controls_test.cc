@@ -39,7 +39,7 @@ TEST(Controls, AreCountedInTheOrderOfTheFile) {
   EXPECT_THROW(NumStatesOf(panel), std::logic_error);
 }
 
-TEST(Controls, AreFeltAsTheyLook) {
+TEST(Controls, CollideAsTheyAreDrawn) {
   const std::vector<Solid> solids = SolidsOf(PanelWithAllControls());
   // The switch's two buttons; of the dial a block, or a block, a box and a block; sphere, lamps.
   EXPECT_EQ(SolidsWith({0, 0, 0}, solids).size(), 2u + 1 + 1 + 3);
@@ -48,7 +48,7 @@ TEST(Controls, AreFeltAsTheyLook) {
   EXPECT_EQ(solids.back().part_id, "lamps");
 }
 
-TEST(Visuals, KnowTheInnermostPartWithAnId) {
+TEST(Visuals, NameTheInnermostPartWithAnId) {
   std::string parts;
   for (const Visual& visual : VisualsOf(PanelWithAllControls())) {
     if (!parts.ends_with(visual.part_id + " ")) parts += visual.part_id + " ";
@@ -68,7 +68,7 @@ TEST(Controls, ShowOnlyTheLightsThatAreOnAndThoseGlow) {
   EXPECT_EQ(num_lights_in[1], 2);
 }
 
-TEST(Visuals, KnowTheButtonOfASwitch) {
+TEST(Visuals, NameTheButtonOfASwitch) {
   std::string buttons;
   for (const Visual& visual : VisualsOf(PanelWithAllControls())) {
     EXPECT_EQ(visual.button.has_value(), visual.part_id == "switch");

@@ -11,7 +11,7 @@ std::string Camera(const std::string& attributes) {
   return SceneText("<camera " + attributes + "/>");
 }
 
-TEST(CameraReader, ReadsWhereACameraStandsAndWhatItSees) {
+TEST(CameraReader, ReadsThePoseAndTheFieldOfViewOfACamera) {
   const scene::SceneSpec scene = MustRead(
       Camera("id='side' location='(-9,0,3)' target='(0,1,0.5)'/>"
              "<camera id='overhead' location='(0,0,12)' target='(0,0,0)' up='(0,2,0)' fov='30'"));

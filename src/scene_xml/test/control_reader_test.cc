@@ -25,7 +25,7 @@ TEST(ControlReader, ReadsASwitchWithItsDefaults) {
   EXPECT_EQ(std::get<scene::ToggleSwitch>(object.whole.shape), scene::ToggleSwitch{});
 }
 
-TEST(ControlReader, ReadsASwitchWithAllItSays) {
+TEST(ControlReader, ReadsASwitchWithAllAttributes) {
   const scene::SceneSpec scene = MustRead(SceneText(
       "<composite" + kAtOrigin + "><toggleSwitch id='S' xspan='1.7' yspan='1' zspan='0.5'" +
       kAtOrigin + " angle='20' leftPressed='false' numStates='3' initState='2' color='red'>" +

@@ -63,7 +63,7 @@ inline scene::ObjectSpec MustReadObject(std::string_view object) {
   return scene.objects.empty() ? scene::ObjectSpec{} : scene.objects[0];
 }
 
-/// What is said about a text with faults, a line each.
+/// Findings in a text with faults, a line each.
 inline std::vector<std::string> FaultsOf(std::string_view text,
                                          const SceneReaderOptions& options = {}) {
   const SceneReading reading = ReadSceneText(text, "test.xml", options);

@@ -42,7 +42,7 @@ TEST(Cameras, OfARobotPrecedeThoseOfTheScene) {
             EyeView(Simulation(SceneWithCamera(), Baxter()), {.camera = "left_hand"}).X_WC);
 }
 
-TEST(Cameras, AreNamedWhenAnotherIsAskedFor) {
+TEST(Cameras, AreNamedWhenAnUnknownOneIsRequested) {
   const Simulation simulation(SceneWithCamera());
   try {
     EyeView(simulation, {.camera = "overhed"});

@@ -106,7 +106,7 @@ TEST_F(HistoryTest, ACommandAfterAnUndoDiscardsWhatWasUndone) {
   EXPECT_EQ(history.CommandsDone().size(), 2u);
 }
 
-TEST_F(HistoryTest, KnowsWhetherAnythingIsMissing) {
+TEST_F(HistoryTest, ReportsWhetherAnythingIsMissing) {
   Simulation simulation(EverythingScene::Make());
   simulation.Tick();
   EXPECT_TRUE(simulation.history().is_complete());
@@ -144,7 +144,7 @@ TEST(ActionHistory, DropsTheOldestStatesButNoAction) {
   EXPECT_TRUE(history.can_undo());
 }
 
-TEST(ActionHistory, ARedoForgetsWhatHappenedSinceTheUndo) {
+TEST(ActionHistory, ARedoDiscardsWhatHappenedSinceTheUndo) {
   ActionHistory history;
   const auto event = [](const char* object) {
     return Event{.kind = EventKind::kFell, .object = object};

@@ -261,7 +261,7 @@ TEST_F(RobotDynamicsTest, AHeldObjectPushesOthersAndIsStoppedByTheTable) {
   EXPECT_GT((PositionOf(*simulation, "other") - p_WOther).norm(), 0.03);
 }
 
-TEST_F(RobotDynamicsTest, ItTakesTwoBlocksAtOnceAndAnyOpeningLetsBothGo) {
+TEST_F(RobotDynamicsTest, ItTakesTwoBlocksAtOnceAndAnyOpeningReleasesBoth) {
   auto empty = AtATable({});
   empty->Apply(JointAngles{.left = kOverTable});
   const Vector3 p = empty->robot()->ToolPose(0).translation();
@@ -298,7 +298,7 @@ TEST_F(RobotDynamicsTest, LoadsUpToThePayloadAreLiftedAndHeavierOnesAreNot) {
   EXPECT_GT(heavy->robot()->ToolPose(0).translation().z(), 0.12) << "it can move again";
 }
 
-TEST_F(RobotDynamicsTest, FrictionHoldsAUnitBlockThatIsMovedAboutAndLetsItGo) {
+TEST_F(RobotDynamicsTest, FrictionHoldsAUnitBlockThatIsMovedAboutAndReleasesIt) {
   auto simulation = HoldingABlock(1, kByFriction);
   EXPECT_TRUE(simulation->robot()->HeldBodies(0).empty());
   const auto in_gripper = [&simulation] {

@@ -163,7 +163,7 @@ class GripperTest : public SimulationFixture {
   std::unique_ptr<Simulation> simulation_;
 };
 
-TEST_F(GripperTest, ClosingHoldsTheBlockAndOpeningLetsItGo) {
+TEST_F(GripperTest, ClosingHoldsTheBlockAndOpeningReleasesIt) {
   Grip(-0.1);
   TickSeconds(*simulation_, 1.5);
   ASSERT_EQ(simulation_->robot()->HeldBodies(0).size(), 1u);

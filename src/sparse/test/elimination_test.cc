@@ -64,7 +64,7 @@ TEST(Elimination, SkipsAnIslandThatIsTooExpensiveAndKeepsTheOthers) {
   for (int node = 40; node < 43; ++node) EXPECT_GE(elimination.place_of_node[node], 0);
 }
 
-TEST(Elimination, LetsANodeWaitForANeighbour) {
+TEST(Elimination, EliminatesDeferredNodesLast) {
   BlockGraph graph = Graph(3, {{0, 1}, {0, 2}, {1, 2}});
   graph.sizes = {1, 6, 6};
   graph.is_deferred[1] = graph.is_deferred[2] = true;

@@ -42,7 +42,7 @@ TEST(PageProtocolTable, ReportsErrorsOfAMessage) {
   EXPECT_EQ(page::MisfitOfRequest({{"do", "spawn"}, {"preset", "blocks"}}), ".seed is missing");
 }
 
-TEST(PageProtocolTable, KnowsEveryKindOfAction) {
+TEST(PageProtocolTable, ContainsEveryKindOfAction) {
   for (int kind = 0; kind <= static_cast<int>(sim::ActionKind::kLoad); ++kind) {
     const sim::ActionSummary summary{.kind = static_cast<sim::ActionKind>(kind),
                                      .hand = sim::HandName::kLeft,

@@ -100,7 +100,7 @@ TEST_F(SessionAllowed, TheRaisedButtonOfASwitchMayBePressedInAnyState) {
   }
 }
 
-TEST_F(SessionAllowed, RequestsMayBeAskedForWithTheirFields) {
+TEST_F(SessionAllowed, RequestsMayBeCheckedWithTheirFields) {
   Begin();
   const Json allowed =
       Do(R"({"do":"allowed","requests":[{"do":"clear"},{"do":"clear","rage":true},{"do":"live"}]})")

@@ -106,7 +106,7 @@ TEST_F(SessionBrainTest, AnImitationIsScoredAndRecorded) {
   EXPECT_EQ(result["brain"]["status"], "exited");
 }
 
-TEST_F(SessionBrainTest, AProgramThatAsksWatchesTheDemonstrationFirst) {
+TEST_F(SessionBrainTest, AProgramThatRequestsItWatchesTheDemonstrationFirst) {
   recorder::PaintedEye eye;
   Begin(&eye, /*with_robot=*/true);
   WritePython("watcher.py",
@@ -161,7 +161,7 @@ TEST_F(SessionBrainTest, ReportsAnUnreadableDemonstration) {
   EXPECT_EQ(Status(), "none");
 }
 
-TEST_F(SessionBrainTest, ImitationWantsAProgramThatReadsDemonstrations) {
+TEST_F(SessionBrainTest, ImitationRequiresAProgramThatReadsDemonstrations) {
   WritePython("waves.py", "def step(sensor, motor, aux): aux.exit = True\n");
   Command(R"({"do":"start","name":"take"})");
   PutAOnB();
@@ -232,7 +232,7 @@ TEST_F(SessionBrainTest, OnlyTheWorldWaitsWhileAProgramStarts) {
   EXPECT_EQ(Status(), "exited") << ToText(State()["brain"]);
 }
 
-TEST_F(SessionBrainTest, OnlyTheWorldWaitsWhileAProgramThinks) {
+TEST_F(SessionBrainTest, OnlyTheWorldWaitsWhileAProgramComputes) {
   WriteGated("slow.py",
              "def step(sensor, motor, aux):\n"
              "  motor.headVelocity = 0.5\n"

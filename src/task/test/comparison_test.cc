@@ -131,7 +131,7 @@ TEST(StructureComparison, AStructureOnAFixedObjectHasOnePlace) {
   EXPECT_TRUE(structure.is_fixed());
   std::vector<scene::ObjectSpec> outcome = Moved(structure.objects, 30, {0.2, 0, 0});
   EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
-  // A tray is the same the other way round, but not so long as it is broad.
+  // A tray is the same the other way round, but its length and width differ.
   outcome[1].whole.X_PE = outcome[0].pose_in_world() * RigidTransform(Vector3(-0.1, 0, 0.1));
   EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
   outcome[1].whole.X_PE = outcome[0].pose_in_world() * RigidTransform(Vector3(0, 0.1, 0.1));

@@ -21,7 +21,7 @@ std::string HeadAnnouncing(std::uint64_t bytes, int first_byte) {
   return head + std::string("\1\2\3\4");
 }
 
-TEST_F(WebServerTest, ShakesHandsAsTheStandardSays) {
+TEST_F(WebServerTest, ShakesHandsAsTheStandardRequires) {
   WebClient client = Connect();
   client.Upgrade();
   EXPECT_NE(client.head().find("Sec-WebSocket-Accept: s3pPLMBiTxaQ9kYGzzhZRbK+xOo="),
@@ -146,7 +146,7 @@ TEST_F(WebServerTest, AClientThatReadsNothingIsDisconnectedAndDelaysNoOther) {
   }
 }
 
-TEST_F(WebServerTest, ARefusedClientHears503) {
+TEST_F(WebServerTest, ARefusedClientReceives503) {
   handler_.SetPlaces(1);
   WebClient client = Join();
   EXPECT_EQ(Connect().Upgrade(), 503);

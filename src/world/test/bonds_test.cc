@@ -12,7 +12,7 @@ namespace {
 
 class BondsTest : public WorkshopTest {};
 
-TEST_F(BondsTest, EachStagePutsTheGuestWhereItSays) {
+TEST_F(BondsTest, EachStagePutsTheGuestAtItsPose) {
   scene::ObjectSpec nut = Nut("nut", {0.2, 0.1, 0.055});
   nut.whole.X_PE = {RotationFromFixedAxes({0, 0, 30}), Vector3(0.2, 0.1, 0.055)};
   Start({nut, Screw("screw", {-0.5, 0, 0.5}, "nut_hole")});

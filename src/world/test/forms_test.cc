@@ -28,7 +28,7 @@ class FormsTest : public WorkshopTest {
   static scene::ObjectSpec Ball() { return ObjectAt("ball", scene::Sphere{0.04}, {-0.3, 0, 0.04}); }
 };
 
-TEST_F(FormsTest, AnOpenGateLetsABallPass) {
+TEST_F(FormsTest, ABallPassesAnOpenGate) {
   for (const char* opens : {"upwards", "away"}) {
     Start({ObjectAt("gate", GateThat(opens), {0, 0, 0.06}, /*mass=*/0), Ball()});
     RollABall();
@@ -57,7 +57,7 @@ TEST_F(FormsTest, AGateThatIsPartOfAHeavyObjectOpens) {
   EXPECT_LT((PositionOf("bridge") - Vector3(0, 0, 0.2)).norm(), 0.002) << "it still stands";
 }
 
-TEST_F(FormsTest, ASwitchIsFeltInItsPosition) {
+TEST_F(FormsTest, ASwitchCollidesInItsPosition) {
   scene::ToggleSwitch toggle{.size = {0.2, 0.1, 0.02}, .angle = DegreesToRadians(30)};
   Start({ObjectAt("switch", toggle, {0, 0, 0.1}, /*mass=*/0),
          ObjectAt("probe", scene::Sphere{0.005}, {0.5, 0, 0.5})});

@@ -198,7 +198,7 @@ TEST(Tabletop, RollingFrictionDeterminesHowFarABallRolls) {
   EXPECT_GT(rolls(), 1.05 * as_ever);
 }
 
-TEST(Tabletop, KnowsOnlyItsOwnObjects) {
+TEST(Tabletop, ContainsOnlyItsOwnObjects) {
   physics::World world;
   const Tabletop tabletop(&world, SceneWith({BlockAt("a", {0, 0, 1})}));
   EXPECT_EQ(tabletop.Find("a")->index, model::ObjectIndex(0));

@@ -75,7 +75,7 @@ TEST(Parse, ReportsNamespacesAndLeavesOutWhatIsForTools) {
             std::string(100, 'u'));
 }
 
-TEST(Parse, KnowsLinesBeyondSixtyFiveThousand) {
+TEST(Parse, CountsLinesBeyondSixtyFiveThousand) {
   EXPECT_EQ(MustParse("<a>" + std::string(99'999, '\n') + "<b\n\n/></a>").children[0].line,
             100'000);
   EXPECT_EQ(FaultOf("<a>" + std::string(99'999, '\n') + "</b>").substr(0, 35),

@@ -167,7 +167,7 @@ function PlayButtons({ id, timeline }: { id: string; timeline: Timeline }) {
   );
 }
 
-/** All that was ever done; one may go on also from what was undone. */
+/** All actions, including undone ones; a recording can continue from each of them. */
 function HistoryButton({ id, timeline }: { id: string; timeline: Timeline }) {
   const at = useSignal<{ x: number; y: number } | null>(null);
   const holder = useRef<HTMLSpanElement>(null);

@@ -36,7 +36,7 @@ export function Card(props: {
   );
 }
 
-/** What is said where there is nothing yet. */
+/** Text in place of content that does not exist yet. */
 export function Empty(props: { icon: IconName; text: string; children?: ComponentChildren }) {
   return (
     <div class="empty">

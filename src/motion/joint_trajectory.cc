@@ -83,14 +83,14 @@ std::vector<JointLimits> LimitsOf(const robot::RobotModel& model, std::span<cons
 std::vector<TrajectoryPoint> MoveStraight(std::span<const double> from, std::span<const double> to,
                                           std::span<const JointLimits> limits, double speed) {
   CheckMove(from, to, limits, speed);
-  // The path parameter s goes from 0 to 1; the joint with the longest way for its limits decides
-  // the rates [1/s, 1/s2].
+  // The path parameter s goes from 0 to 1; the joint with the longest distance for its limits
+  // decides the rates [1/s, 1/s2].
   double rate = std::numeric_limits<double>::infinity(), growth = rate;
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    const double way = std::abs(to[i] - from[i]);
-    if (way == 0) continue;
-    rate = std::min(rate, speed * limits[i].max_velocity / way);
-    growth = std::min(growth, limits[i].max_acceleration / way);
+    const double distance = std::abs(to[i] - from[i]);
+    if (distance == 0) continue;
+    rate = std::min(rate, speed * limits[i].max_velocity / distance);
+    growth = std::min(growth, limits[i].max_acceleration / distance);
   }
   const auto point = [&](double seconds, double s, double s_rate) {
     TrajectoryPoint made{.seconds = seconds};
@@ -103,11 +103,11 @@ std::vector<TrajectoryPoint> MoveStraight(std::span<const double> from, std::spa
   };
   if (!std::isfinite(rate)) return {point(0, 0, 0)};
 
-  // Trapezoidal velocity profile: accelerate, constant speed, decelerate. A short way is a triangle
-  // without the middle part.
+  // Trapezoidal velocity profile: accelerate, constant speed, decelerate. A short distance is a
+  // triangle without the middle part.
   const bool has_even_part = rate < std::sqrt(growth);
   const double top = has_even_part ? rate : std::sqrt(growth);
-  // A ramp takes top / growth seconds and covers half of top * ramp of the way.
+  // A ramp takes top / growth seconds and covers half of top * ramp of the distance.
   const double ramp = top / growth;
   const double even = has_even_part ? std::max(0.0, 1 / top - ramp) : 0.0;
   std::vector<TrajectoryPoint> points{point(0, 0, 0), point(ramp, top * ramp / 2, top)};

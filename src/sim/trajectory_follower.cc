@@ -22,7 +22,7 @@ namespace {
 constexpr double kGain = 20;
 /// A trajectory starts at once if all joints are this close to its start [rad or m].
 constexpr double kNear = 0.02, kNearOpening = 0.002;
-/// Fraction of full speed on the way to the start.
+/// Fraction of full speed on the approach to the start.
 constexpr double kSpeedToStart = 0.5;
 /// Tolerances of limits for measured trajectories: an arm recorded at full speed is sometimes
 /// slightly faster.
@@ -103,7 +103,7 @@ std::optional<Refusal> TrajectoryFollower::RefuseBeyondLimits(
   return "at " + NumberText(first.seconds) + " s, " + ToString(first);
 }
 
-motion::JointTrajectory TrajectoryFollower::WithWayToStart(
+motion::JointTrajectory TrajectoryFollower::WithApproachToStart(
     motion::JointTrajectory trajectory, std::span<const Following::Column> columns) const {
   const std::vector<double> q = robot_.positions();
   const motion::TrajectoryPoint& first = trajectory.points.front();
@@ -161,7 +161,7 @@ std::optional<Refusal> TrajectoryFollower::Follow(const motion::JointTrajectory&
   std::vector<Following::Column> columns;
   if (auto refusal = FindColumns(trajectory, &columns)) return refusal;
   if (auto refusal = RefuseBeyondLimits(trajectory, columns)) return refusal;
-  motion::JointTrajectory whole = WithWayToStart(trajectory, columns);
+  motion::JointTrajectory whole = WithApproachToStart(trajectory, columns);
   Start(std::move(whole), std::move(columns), tick);
   return std::nullopt;
 }

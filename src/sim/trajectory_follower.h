@@ -74,8 +74,8 @@ class TrajectoryFollower {
   std::optional<Refusal> RefuseBeyondLimits(const motion::JointTrajectory& trajectory,
                                             std::span<const Following::Column> columns) const;
   /// Returns the trajectory preceded by the motion to its start.
-  motion::JointTrajectory WithWayToStart(motion::JointTrajectory trajectory,
-                                         std::span<const Following::Column> columns) const;
+  motion::JointTrajectory WithApproachToStart(motion::JointTrajectory trajectory,
+                                              std::span<const Following::Column> columns) const;
   void Start(motion::JointTrajectory trajectory, std::vector<Following::Column> columns,
              std::uint64_t tick);
   void Drive(const Following& following, std::uint64_t tick);

@@ -28,7 +28,7 @@ class Assigner {
     // the row assigned there.
     const Eigen::Index columns = cost_.cols();
     std::vector<bool> is_done(static_cast<std::size_t>(columns), false);
-    Eigen::VectorXd way =
+    Eigen::VectorXd distance =
         Eigen::VectorXd::Constant(columns, std::numeric_limits<double>::infinity());
     std::vector<Eigen::Index> before(static_cast<std::size_t>(columns), kNone);
     Eigen::Index from = kNone, at_row = row;
@@ -41,20 +41,20 @@ class Assigner {
         if (is_done[static_cast<std::size_t>(column)]) continue;
         const double through =
             length + cost_(at_row, column) - price_of_row_(at_row) - price_of_column_(column);
-        if (through < way(column)) {
-          way(column) = through;
+        if (through < distance(column)) {
+          distance(column) = through;
           before[static_cast<std::size_t>(column)] = from;
         }
-        if (next == kNone || way(column) < way(next)) next = column;
+        if (next == kNone || distance(column) < distance(next)) next = column;
       }
       is_done[static_cast<std::size_t>(next)] = true;
-      length = way(next);
+      length = distance(next);
       from = next;
       at_row = row_of_[static_cast<std::size_t>(next)];
     } while (at_row != kNone);
     // The path ends at a free column. Prices change before the assignment does, since they refer to
     // the rows that are assigned now.
-    Reprice(row, is_done, way, length);
+    Reprice(row, is_done, distance, length);
     Swap(row, from, before);
   }
 
@@ -69,14 +69,14 @@ class Assigner {
  private:
   /// Updates the prices along the search tree so that the invariant holds: all edges of the
   /// shortest path get reduced cost 0, and no reduced cost becomes negative.
-  void Reprice(Eigen::Index row, const std::vector<bool>& is_done, const Eigen::VectorXd& way,
+  void Reprice(Eigen::Index row, const std::vector<bool>& is_done, const Eigen::VectorXd& distance,
                double length) {
     price_of_row_(row) += length;
     for (std::size_t column = 0; column < row_of_.size(); ++column) {
       const auto index = static_cast<Eigen::Index>(column);
-      if (!is_done[column] || way(index) >= length) continue;
-      price_of_row_(row_of_[column]) += length - way(index);
-      price_of_column_(index) -= length - way(index);
+      if (!is_done[column] || distance(index) >= length) continue;
+      price_of_row_(row_of_[column]) += length - distance(index);
+      price_of_column_(index) -= length - distance(index);
     }
   }
 

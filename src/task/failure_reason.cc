@@ -49,8 +49,8 @@ class FailureAnalysis {
   std::optional<FailureReason> NeverTaken() const {
     return OfFirst("never_taken", [this](const scene::ObjectSpec& object) -> std::string {
       const std::string& id = IdOf(object);
-      const double way = (end_.at(id).translation() - start_.at(id).translation()).norm();
-      return way < kWhereItBegan ? " is still at its start position" : "";
+      const double displacement = (end_.at(id).translation() - start_.at(id).translation()).norm();
+      return displacement < kWhereItBegan ? " is still at its start position" : "";
     });
   }
 

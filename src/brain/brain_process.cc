@@ -302,9 +302,9 @@ bool BrainProcess::Impl::TakeHello(const Message& hello) {
 OrError<Message> BrainProcess::Impl::Exchange(const std::vector<std::byte>& question,
                                               MessageType expected, Phase phase,
                                               const process::WaitLimit& limit,
+                                              double limit_seconds) {
   // Question and answer share one limit: a brain that does not read is as late as one that
   // computes.
-                                              double limit_seconds) {
   if (const auto fault = channel_->Send(question, limit)) {
     return ExplainFault(*fault, phase, limit_seconds);
   }

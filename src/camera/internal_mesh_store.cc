@@ -94,9 +94,9 @@ MeshStore::UploadedMesh MeshStore::Upload(const mesh::UnitMesh& unit_mesh) {
 MeshStore::UploadedMesh& MeshStore::MeshFor(const mesh::UnitMesh& unit_mesh) {
   const auto found = meshes_.find(unit_mesh);
   if (found != meshes_.end()) return found->second;
-  // Forgets everything that the present picture does not need; it is uploaded again when needed.
+  // Removes each mesh that the present picture does not need; it is uploaded again when needed.
   if (meshes_.size() >= kMaxMeshes) {
-    // Entries with waiting instances are in use by the picture in progress.
+    // Meshes with waiting instances are in use by the picture in progress.
     std::erase_if(meshes_, [](const auto& uploaded) { return uploaded.second.waiting.empty(); });
   }
   return meshes_.emplace(unit_mesh, Upload(unit_mesh)).first->second;

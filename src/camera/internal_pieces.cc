@@ -121,7 +121,7 @@ std::vector<Piece> PlacePieces(const scene::VisualModel& model, const scene::Vis
       throw std::invalid_argument("a visual's choice is " + std::to_string(visual.choice) +
                                   ", expected less than " + std::to_string(model.num_choices));
     }
-    // A visual with a choice is drawn only in its look: the states of a control, the face,
+    // A visual with a choice is drawn only in its variant: the states of a control, the face,
     // presence.
     if (visual.choice >= 0 && state.variants[visual.choice] != visual.variant) continue;
     if (!is_excluded[visual.frame]) pieces.push_back(Place(visual, poses[visual.frame]));

@@ -1,6 +1,6 @@
 // The classic view is written in step with the simulation and must be able to go back: after an
-// undo, Return() removes the files and lines after a mark. Therefore all state that later lines
-// depend on is in one struct, and files are append-only with known sizes.
+// undo, Return() removes the files and lines after a savepoint. Therefore all state that later
+// lines depend on is in one struct, and files are append-only with known sizes.
 
 #include "classic/classic_recorder.h"
 
@@ -261,11 +261,11 @@ bool ClassicRecorder::WriteMove(model::ObjectIndex i, const recording::TracePose
   return true;
 }
 
-// Deletes pictures and segments after the mark, then truncates the open text and the index to their
-// sizes at the mark.
+// Deletes pictures and segments after the savepoint, then truncates the open text and the index to
+// their sizes at the savepoint.
 void ClassicRecorder::Return(const Savepoint& savepoint) {
   for (std::uint64_t frame = savepoint.state.frame; frame < state_.frame; ++frame) {
-    // Frames after the mark may have pictures in the mark's own segment; later segments are removed
+    // Frames after the savepoint may have pictures in its own segment; later segments are removed
     // as a whole, below.
     std::filesystem::remove(recording::SegmentPictures(directory_, savepoint.state.segment) /
                             (std::to_string(frame) + ".png"));

@@ -153,7 +153,7 @@ Recorder::Savepoint Recorder::MakeSavepoint() const {
 std::optional<sim::Refusal> Recorder::Refuse(const sim::Simulation& simulation,
                                              const sim::Command& command) {
   const sim::ActionHistory& history = simulation.history();
-  // Only actions since the start of the recording have marks.
+  // Only actions since the start of the recording have savepoints.
   if (std::holds_alternative<sim::Undo>(command) &&
       action_savepoints_.Find(history.current().id) == nullptr) {
     return std::string("nothing to undo in this recording") +
@@ -191,7 +191,7 @@ void Recorder::OnTick(const sim::Simulation& simulation) {
 }
 
 void Recorder::OnMove(const sim::Simulation& simulation, sim::ActionId from, sim::ActionId to) {
-  // Refuse() allows the cursor to move only over actions with marks.
+  // Refuse() allows the cursor to move only over actions with savepoints.
   // Ids increase along the history: the later one is the action that is undone or redone.
   ActionSavepoints* savepoints = action_savepoints_.Find(std::max(from, to));
   SMILE_DEMAND(savepoints != nullptr);

@@ -9,7 +9,7 @@
 #include "base/wording.h"
 #include "mesh/import_pieces.h"
 
-// Shipped looks: meshes that are nicer than those of the description and replace none of its
+// Shipped appearances: meshes that are nicer than those of the description and replace none of its
 // collision shapes. A glTF file has one node per link; `mood` in a node's extras makes it visible
 // with one face expression only.
 

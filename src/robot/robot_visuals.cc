@@ -19,7 +19,7 @@ void AppendVisuals(const RobotModel& model, int first_frame, std::uint32_t objec
     throw std::invalid_argument("object_id is " + std::to_string(object_id) +
                                 ", expected the index of a named object");
   }
-  // One choice for the face: its looks are the face expressions. All other visuals are always
+  // One choice for the face: its variants are the face expressions. All other visuals are always
   // visible.
   const int choice = visual_model->num_choices++;
   for (const LinkVisual& visual : model.visuals) {

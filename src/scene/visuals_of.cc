@@ -51,7 +51,7 @@ class VisualCollector {
  private:
   void AppendAll(const std::vector<Part>& parts, const Visual& place) {
     for (const Part& child : parts) {
-      // Children inherit choice, look and part from the element around them.
+      // Children inherit choice, variant and part from the element around them.
       Visual there = place;
       there.X_FV = place.X_FV * child.X_PE;
       Append(child, there);

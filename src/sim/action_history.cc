@@ -98,7 +98,7 @@ void ActionHistory::Restart(std::uint64_t tick) {
   cursor_ = 0;
   num_state_bytes_ = 0;
   first_state_ = 1;
-  // Ids continue to count: marks of listeners must not match other actions.
+  // Ids continue to count: values of listeners must not match other actions.
   is_complete_ = false;
 }
 

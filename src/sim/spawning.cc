@@ -108,7 +108,7 @@ std::optional<Refusal> RefuseOverlap(const model::Model& grown, const world::Tab
   const model::SceneState& start = grown.initial_state();
   for (std::size_t i = tabletop.objects().size(); i < grown.objects().size(); ++i) {
     const model::ObjectIndex object(i);
-    // Only the solids of the visible looks: a control's other states are not there.
+    // Only the solids of the visible variants: a control's other states are not there.
     const std::vector<scene::Solid> solids = scene::SolidsWith(
         grown.VariantsOf(object, start.controls), scene::SolidsOf(grown.object(object).whole));
     const physics::Overlaps overlaps = world.OverlapsOf(solids, *start.X_WB[i], kTouching);

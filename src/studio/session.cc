@@ -151,7 +151,7 @@ std::vector<RequestRow> Session::Impl::RequestRows() {
 }
 
 const library::DisplayedState& Session::Impl::view() const {
-  // Made at most once per tick and request: the pose stream, new clients and looks all ask for it.
+  // Made at most once per tick and request: the pose stream, new clients and variants all use it.
   if (!view_) {
     view_ = states_.shown().view();
     view_->scene = scene_announcer_.number();
@@ -259,7 +259,7 @@ std::vector<Json> Session::Impl::Everything() const {
   // A new client needs a picture even if the view does not change.
   eye_preview_.Reset();
   const std::vector<int>& variants = view().state.variants;
-  // In the order in which a page can use them: the scene before its looks, and the state last.
+  // In the order in which a page can use them: the scene before its variants, and the state last.
   std::vector<Json> all = {scene_announcer_.Describe(states_.shown().model(), variants),
                            LooksMessage(variants)};
   if (auto lines = console_.Everything()) all.push_back(*std::move(lines));

@@ -53,6 +53,8 @@ HttpReply FileReply(const StaticFiles::File& file, const HttpRequest& request) {
   // Browsers revalidate each time and get 304 if nothing has changed: a new build is visible
   // immediately.
   reply.headers = {{"Content-Type", file.type}, {"ETag", file.tag}, {"Cache-Control", "no-cache"}};
+  // The body depends on what the browser can decompress, which caches on the way must know.
+  if (file.gzipped) reply.headers.emplace_back("Vary", "Accept-Encoding");
   if (request.Header("if-none-match") == file.tag) {
     reply.status = 304;
   } else if (file.gzipped &&

@@ -35,9 +35,9 @@ std::string MediaTypeOf(const fs::path& file) {
 std::string EntityTagOf(std::string_view bytes) {
   StateHash hash;
   hash.Add(bytes);
-  // Two quotes, 16 digits and the zero at the end.
-  char tag[19];
-  std::snprintf(tag, sizeof tag, "\"%016llx\"", static_cast<unsigned long long>(hash.value()));
+  // W/, two quotes, 16 digits and the zero at the end.
+  char tag[21];
+  std::snprintf(tag, sizeof tag, "W/\"%016llx\"", static_cast<unsigned long long>(hash.value()));
   return tag;
 }
 
@@ -58,7 +58,7 @@ StaticFiles::StaticFiles(const fs::path& folder) {
     File file{.type = MediaTypeOf(path), .bytes = read(path)};
     const fs::path gzipped = path.string() + ".gz";
     if (fs::is_regular_file(gzipped)) file.gzipped = read(gzipped);
-    // Of the original bytes also when the compressed ones are sent; both have the same content.
+    // Of the original bytes also when the compressed ones are sent: the tag is weak (RFC 9110, 8.8.1).
     file.tag = EntityTagOf(*file.bytes);
     files_["/" + fs::relative(path, folder).generic_string()] = std::move(file);
   }

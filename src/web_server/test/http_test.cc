@@ -35,9 +35,12 @@ TEST_F(WebServerTest, SendsFilesSmallAndOnlyWhenTheyChanged) {
             std::string::npos);
   const std::string whole = Connect().Get("/studio.js");
   EXPECT_NE(whole.find("\r\n\r\nstudio()"), std::string::npos);
+  EXPECT_NE(whole.find("\r\nVary: Accept-Encoding\r\n"), std::string::npos);
+  // Both bodies have this one tag, so it must be weak.
   const std::size_t tag = whole.find("ETag: ") + 6;
+  ASSERT_EQ(whole.substr(tag, 3), "W/\"");
   EXPECT_TRUE(IsStatus(
-      Connect().Get("/studio.js", "If-None-Match: " + whole.substr(tag, 18) + "\r\n"), 304));
+      Connect().Get("/studio.js", "If-None-Match: " + whole.substr(tag, 20) + "\r\n"), 304));
 }
 
 TEST_F(WebServerTest, GivesWhatItsOwnerHas) {

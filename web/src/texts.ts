@@ -56,7 +56,7 @@ export const texts = {
     snap: "Snap to",
     guides: "Show the resting place",
     snaps: { faces: "Faces", edges: "Edges", grid: "Grid", angles: "Right angles" },
-    snapHint: "First turn it by a ring: Right angles aligns it with nearby objects. Then Faces and Edges place it flush.",
+    snapHint: "Turn the held object with a ring: Right angles aligns it with nearby objects. Then Faces and Edges place it flush.",
     snapsWhy: {
       faces: "Drags end in contact with a neighbor of the same orientation",
       edges: "Drags end in line with sides and centers of neighbors of the same orientation",
@@ -275,7 +275,7 @@ export const texts = {
     further: (joint: string) => `Hold to turn ${joint} forward`,
     closeGripper: (arm: string) => `Hold to close the ${arm} gripper`,
     openGripper: (arm: string) => `Hold to open the ${arm} gripper`,
-    limits: (lower: string, upper: string) => `${lower} … ${upper}`,
+    limits: (lower: number, upper: number, digits: number) => `${lower.toFixed(digits)} to ${upper.toFixed(digits)}`.replaceAll("-", "−"),
     driving: "A brain controls the robot",
   },
 

@@ -4,6 +4,7 @@
 import { execFileSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
 import { buildLetters } from "./letters.mjs";
+import { Fingers, Person } from "./person.mjs";
 import { Browser } from "./workbench.mjs";
 
 const FOLDER = fileURLToPath(new URL("../../docs/images/", import.meta.url));
@@ -80,7 +81,7 @@ async function atTheTable() {
   await person.showPanel("Objects");
   await person.press("Reload");
   await person.showPanel("Brain");
-  await page.getByRole("combobox", { name: "Brain" }).selectOption("wave.py");
+  await page.getByRole("combobox", { name: "Brain", exact: true }).selectOption("wave.py");
   await person.press("Start");
   await page.getByRole("log", { name: "Console" }).getByText("left gripper").first().waitFor();
   await shoot(desk, "brain");
@@ -113,10 +114,9 @@ async function onAPhone() {
     likes: LIKES,
     page: { viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true },
   });
-  const { page, witness, person } = desk;
+  const { page, witness } = desk;
   await page.getByRole("button", { name: "Record" }).waitFor();
-  const { x, y } = await person.pointOf("GreenBlock");
-  await page.touchscreen.tap(x, y);
-  await witness.until(() => witness.isHeld("GreenBlock"), "the block is in a hand");
+  const person = new Person(page, witness, await Fingers.on(page));
+  await person.grasp("GreenBlock");
   await shoot(desk, "phone");
 }

@@ -76,7 +76,7 @@ function JointRow({ joint }: { joint: Joint }) {
           onInput={(value) => goTo(joint.name, value / scale)}
         />
         <div class="limits" aria-hidden="true">
-          {words.limits(lower.toFixed(digits), upper.toFixed(digits))}
+          {words.limits(lower, upper, digits)}
         </div>
       </div>
       <HoldButton
@@ -116,7 +116,7 @@ function GripperRow({ gripper, opening }: { gripper: RobotDescription["grippers"
           onInput={(value) => goTo(`${gripper.arm}_gripper`, value * meters)}
         />
         <div class="limits" aria-hidden="true">
-          {words.limits("0", gripper.stroke.toFixed(2))}
+          {words.limits(0, gripper.stroke, 2)}
         </div>
       </div>
       <HoldButton

@@ -39,6 +39,11 @@ export class StudioConnection {
     });
   }
 
+  /** Number of requests without an answer yet. */
+  get numWaiting(): number {
+    return this.waiting.size;
+  }
+
   /** The number of the last request: poses acknowledge it. */
   get lastSeq(): number {
     return this.seq;

@@ -147,6 +147,11 @@ export function command(wanted: Command): Promise<AnswerTo<"command"> | null> {
   return ask("command", { command: wanted });
 }
 
+/** Number of requests without an answer yet. */
+export function numWaiting(): number {
+  return connection?.numWaiting ?? 0;
+}
+
 export function lastSeq(): number {
   return connection?.lastSeq ?? 0;
 }

@@ -11,7 +11,7 @@ const browser = new Browser();
 before(() => browser.start());
 after(() => browser.close());
 
-test("nothing serious stands in anybody's way, in light and in dark", async (t) => {
+test("axe-core finds no serious barrier, in light and in dark", async (t) => {
   const { page, witness, person } = await browser.workplace(t, { studio: ["--no-pictures"] });
   await page.evaluate(AXE);
   await enabled("Record");

@@ -42,7 +42,7 @@ function brains(t, programs) {
   return folder;
 }
 
-test("a brain runs; its error names the line; an imitation shows its score", async (t) => {
+test("a brain runs; its error shows the line, and an imitation its score", async (t) => {
   const folder = brains(t, { stumbles: STUMBLES, rests: RESTS, trips: TRIPS });
   const { page, witness, person } = await browser.workplace(t, { studio: ["--brains", folder] });
   await person.showPanel("Brain");
@@ -115,7 +115,7 @@ test("the shipped learner is chosen, begins, and is recorded", async (t) => {
   assert.equal(await page.getByRole("combobox", { name: "Demonstration" }).inputValue(), id, "not the imitation itself");
 });
 
-test("the page does not wait for a brain that does not get ready", async (t) => {
+test("the studio does not wait for a brain that does not get ready", async (t) => {
   const folder = brains(t, { dawdles: DAWDLES });
   const { page, witness, person } = await browser.workplace(t, { studio: ["--brains", folder] });
   await person.showPanel("Brain");

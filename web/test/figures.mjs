@@ -12,24 +12,24 @@ const MOVE_MS = 1000 / 60;
 const WATCHERS = [0, 20];
 
 const browser = new Browser();
-await browser.start();
+await browser.start({ isComposedByGl: true });
 try {
-  reportSize();
-  await reportFirstPicture();
-  for (const numWatchers of WATCHERS) await reportDrag(numWatchers);
-  await reportScript();
+  printSize();
+  await printFirstPicture();
+  for (const numWatchers of WATCHERS) await printDrag(numWatchers);
+  await printScript();
 } finally {
   await browser.close();
 }
 
-function reportSize() {
+function printSize() {
   const packed = readdirSync(PAGE).filter((name) => name.endsWith(".gz"));
   const numBytes = packed.reduce((sum, name) => sum + statSync(PAGE + name).size, 0);
-  report("the page, packed", `${Math.round(numBytes / 1000)} kB`);
+  print("the page, packed", `${Math.round(numBytes / 1000)} kB`);
 }
 
 /** Each time in a browser that knows nothing yet. */
-async function reportFirstPicture() {
+async function printFirstPicture() {
   const times = [];
   await atWork({}, async ({ studio }) => {
     for (let k = 0; k < NUM_LOADS; ++k) {
@@ -38,21 +38,21 @@ async function reportFirstPicture() {
       await page.context().close();
     }
   });
-  report("first picture, from the call of the page on", figures(times, "ms"));
+  print("first picture, from the call of the page on", figures(times, "ms"));
 }
 
 /** While others watch. */
-async function reportDrag(numWatchers) {
+async function printDrag(numWatchers) {
   await atWork({}, async ({ studio, page, person }) => {
     for (let k = 0; k < numWatchers; ++k) await Witness.of(studio);
     await carryToAndFro(page, person);
     const [latencies, fps] = await page.evaluate(() => [window.smileStudio.lastLatencies(), window.smileStudio.fps()]);
-    report(`drag to pose, ${numWatchers} watchers`, `${figures(latencies, "ms")}, ${Math.round(fps)} pictures a second`);
+    print(`drag to pose, ${numWatchers} watchers`, `${figures(latencies, "ms")}, ${Math.round(fps)} pictures a second`);
   });
 }
 
 /** What a picture of all detail costs the page itself: the rest is the graphics card's. */
-async function reportScript() {
+async function printScript() {
   await atWork({ likes: { detail: "high" } }, async ({ page, person }) => {
     await page.evaluate(() => {
       window.scriptTimes = [];
@@ -65,7 +65,7 @@ async function reportScript() {
         });
     });
     await carryToAndFro(page, person);
-    report("script of a picture in high detail", figures(await page.evaluate(() => window.scriptTimes), "ms"));
+    print("script of a picture in high detail", figures(await page.evaluate(() => window.scriptTimes), "ms"));
   });
 }
 
@@ -94,6 +94,6 @@ function figures(values, unit) {
   return `${quantile(0.5)} ${unit}, p95 ${quantile(0.95)} ${unit}, of ${sorted.length}`;
 }
 
-function report(what, figure) {
+function print(what, figure) {
   console.log(`${what}: ${figure}`);
 }

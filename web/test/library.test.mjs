@@ -35,7 +35,7 @@ test("a recording is shown, played, edited, renamed, binned and taken back", asy
   await timeline.getByRole("slider", { name: "Moment" }).fill("1");
   await witness.until(() => witness.state.mode === "playback" && witness.state.playback.seconds === 1, "a moment of it");
   const pause = page.getByRole("button", { name: "Pause", exact: true });
-  assert.ok(await pause.isDisabled(), "the world waits anyway");
+  await page.waitForFunction((button) => button.disabled, await pause.elementHandle()); // the world waits anyway
   await person.press("Play", timeline);
   await witness.until(() => witness.state.playback.seconds > 1.2, "it plays");
   await person.press("Stop", timeline);

@@ -19,19 +19,22 @@ test("when the program dies, the page claims nothing that it cannot know", async
     rmSync(studio.folder, { recursive: true });
   });
   const page = await browser.open(studio);
+  await page.clock.install();
   const died = new Promise((resolve) => studio.child.once("exit", resolve));
   studio.child.kill("SIGKILL");
   await died;
   const alert = page.getByRole("alert").filter({ hasText: "Connection lost" });
   await alert.waitFor();
   assert.equal((await alert.textContent()).trim(), "Connection lost. Reconnecting…");
+  await page.clock.fastForward(10_000);
   const doubt = page.getByRole("alert").filter({ hasText: "The program does not respond" });
   await doubt.waitFor();
   assert.match(await doubt.textContent(), /A recording in progress may lack its last moments\.$/);
 });
 
-test("a full disk ends the recording, with one notice that stays until it is read", async (t) => {
-  const { studio, page, witness, person } = await browser.workplace(t, { studio: PLAIN, maxFileBytes: 60 * 1024 });
+test("a full disk ends the recording; one message stays until it is confirmed", async (t) => {
+  const { studio, page, witness, person } = await browser.workplace(t, { studio: PLAIN, maxFileBytes: 24 * 1024 });
+  await page.clock.install();
   await person.press("Record");
   await witness.until(() => witness.state.recording !== null, "a recording");
   const { id } = witness.state.recording;
@@ -47,8 +50,9 @@ test("a full disk ends the recording, with one notice that stays until it is rea
   await alert.waitFor({ state: "detached" });
 });
 
-test("a recording whose folder is removed is reported as lost, not as in the library", async (t) => {
+test("a recording whose folder is removed is reported as lost, not as being in the library", async (t) => {
   const { studio, page, witness, person } = await browser.workplace(t, { studio: PLAIN });
+  await page.clock.install();
   await person.press("Pause");
   await person.press("Record");
   await witness.until(() => witness.state.recording !== null, "a recording");
@@ -65,13 +69,13 @@ test("a recording whose folder is removed is reported as lost, not as in the lib
   assert.equal(witness.state.failure, null);
 });
 
-/** The one thing that the page says, long after it came. */
+/** The one message of the page, long after it came. The page's clock must be installed. */
 async function onlyAlert(page) {
   const alert = page.locator(".banner.error");
   await alert.waitFor();
-  await page.waitForTimeout(1000);
-  assert.deepEqual(await page.locator(".notice").allTextContents(), [], "no other notice");
-  await page.waitForTimeout(4000);
+  await page.clock.fastForward(1000);
+  assert.deepEqual(await page.locator(".notice").allTextContents(), [], "nothing else is said");
+  await page.clock.fastForward(60_000);
   assert.equal(await alert.count(), 1, "it stays");
   return alert;
 }

@@ -1,4 +1,4 @@
-// What a recording can become: gone on with from any moment, also from one that was left; trimmed and
+// What a recording can become: continued from any moment, also of an abandoned branch; trimmed and
 // cut; and looked at, while the table waits.
 
 import assert from "node:assert/strict";
@@ -16,7 +16,7 @@ after(() => browser.close());
 const PLAIN = { studio: ["--no-robot", "--no-pictures"] };
 const MILLIMETERS_PER_UNIT = 100;
 
-test("a recording continues from any moment, also from undone actions", async (t) => {
+test("a recording continues from any moment, also of an abandoned branch", async (t) => {
   const { studio, page, witness, person } = await browser.workplace(t, PLAIN);
   const { timeline } = person;
   const moment = timeline.getByRole("slider", { name: "Moment" });
@@ -30,7 +30,7 @@ test("a recording continues from any moment, also from undone actions", async (t
   await person.segments.nth(1).click();
   await witness.until(() => witness.state.mode === "playback", "the end of the first action");
   await goOn(() => person.press("Continue from here", timeline));
-  assert.ok(witness.isHeld("RedBlock"), "it is not let go of yet");
+  assert.ok(witness.isHeld("RedBlock"), "it is not released yet");
   await person.finish();
   assert.deepEqual(await undone(), [false, false, true]);
 
@@ -42,7 +42,7 @@ test("a recording continues from any moment, also from undone actions", async (t
   await person.finish();
   assert.deepEqual(await undone(), [false, false, true, false]);
 
-  // The first undone branch can still be continued, and everything before it is unchanged.
+  // What was left first is still there to go on from, and all before it as it was then.
   await goOn(() => chooseInHistory(2));
   await witness.until(() => isOnTable(witness, "RedBlock"), "it lies where it fell then");
   assert.ok(!witness.isHeld("RedBlock"), "and is not held");
@@ -85,7 +85,7 @@ test("a recording continues from any moment, also from undone actions", async (t
   }
 });
 
-test("the effects of an edit are previewed, and the edit has these effects", async (t) => {
+test("the effect of an edit is reported before it is written, and comes true", async (t) => {
   const { studio, page, witness, person } = await browser.workplace(t, PLAIN);
   const { timeline } = person;
   const dialog = page.getByRole("dialog");
@@ -105,7 +105,7 @@ test("the effects of an edit are previewed, and the edit has these effects", asy
   await choose(3, "Delete");
   const dropped = programSays(["edit", join(studio.recordings, id), "--drop", "3", "--dry-run"]);
   assert.equal(dropped.left_out.length, 1, JSON.stringify(dropped));
-  await expectReport(dropped, "GreenBlock");
+  await reports(dropped, "GreenBlock");
   await dialog.getByText("can no longer be carried out").waitFor();
   await person.press("Cancel", dialog);
   await dialog.waitFor({ state: "detached" });
@@ -118,7 +118,7 @@ test("the effects of an edit are previewed, and the edit has these effects", asy
   await person.slideTo(to, 0.1);
   const trim = `1:0-${await to.inputValue()}`;
   const trimmed = programSays(["edit", join(studio.recordings, id), "--trim", trim, "--dry-run"]);
-  await expectReport(trimmed, "RedBlock");
+  await reports(trimmed, "RedBlock");
   await person.press("Save as a new recording", dialog);
   await dialog.waitFor({ state: "detached" });
   const made = recordingsOf(studio).filter((name) => name !== id);
@@ -137,7 +137,7 @@ test("the effects of an edit are previewed, and the edit has these effects", asy
   }
 
   /** The dialog reports as many effects as the program does, and how far off the block ends. */
-  async function expectReport(report, block) {
+  async function reports(report, block) {
     const centimeters = (report.displaced.find((one) => one.id === block).distance_mm / 10).toFixed(0);
     await dialog.getByRole("status").getByText(`${block} ends ${centimeters} cm from its previous place`).waitFor();
     const effects = ["left_out", "gone", "there_again", "displaced", "controls", "host_points", "joints"];
@@ -173,11 +173,11 @@ test("an edit is canceled while it is written, or is seen at once, from its star
   await timeline.getByRole("slider", { name: "Moment" }).press("Home");
   await witness.until(() => witness.state.playback?.seconds === 0, "its start is shown");
   await heightIs("GreenBlock", 0, 0.6);
-  const start = await seenByRobot(page);
+  const start = await settledView(page);
   await person.segments.nth(3).click();
   await witness.until(() => witness.state.playback?.seconds > 0, "the segment's end is shown");
   await heightIs("GreenBlock", 2.4, 9);
-  assert.notEqual(await seenByRobot(page), start, "the robot sees it lifted");
+  await until(async () => (await seenByRobot(page)) !== start, "the robot sees it lifted");
   const dialog = page.getByRole("dialog");
   await tryDelete();
   await page.evaluate(() => {
@@ -207,7 +207,7 @@ test("an edit is canceled while it is written, or is seen at once, from its star
   assert.equal(witness.state.playback.seconds, 0);
   await timeline.getByText(/^0\.0 of /).waitFor();
   await heightIs("GreenBlock", 0, 0.6);
-  assert.equal(await seenByRobot(page), start, "the robot sees the start as well");
+  await until(async () => (await seenByRobot(page)) === start, "the robot sees the start as well");
   assert.equal((await recordings()).length, 2, "what was canceled is not there");
 
   async function tryDelete() {
@@ -228,7 +228,7 @@ test("an edit is canceled while it is written, or is seen at once, from its star
   }
 });
 
-test("who comes while a recording is shown finds its timeline", async (t) => {
+test("a client that connects during playback finds the timeline", async (t) => {
   const { studio, page, witness, person } = await browser.workplace(t, PLAIN);
   await recordFall(person, witness);
   await person.segments.nth(1).click();
@@ -297,9 +297,8 @@ test("a recording is scrubbed and played while the table waits as it was left", 
   }
 });
 
-/** The picture of the robot's eye, once it stays the same for a second: four a second are drawn. */
-async function seenByRobot(page) {
-  const eye = page.getByAltText("View of the robot’s eye");
+/** The picture of the robot's eye; null if it was replaced while it was read. */
+function seenByRobot(page) {
   const draw = async (image) => {
     await image.decode();
     const size = { width: image.naturalWidth, height: image.naturalHeight };
@@ -307,14 +306,26 @@ async function seenByRobot(page) {
     canvas.getContext("2d").drawImage(image, 0, 0);
     return canvas.toDataURL();
   };
+  return page.getByAltText("View of the robot’s eye").evaluate(draw).catch(() => null);
+}
+
+/** That picture, once it stays the same for a second: four a second are drawn. */
+async function settledView(page) {
   let [before, since] = [null, 0];
   while (before === null || Date.now() - since < 1000) {
-    // A picture may be replaced while it is looked at.
-    const now = await eye.evaluate(draw).catch(() => null);
+    const now = await seenByRobot(page);
     if (now !== before) [before, since] = [now, Date.now()];
     await page.waitForTimeout(50);
   }
   return before;
+}
+
+async function until(holds, what) {
+  for (const end = Date.now() + 20_000; Date.now() < end; ) {
+    if (await holds()) return;
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+  throw new Error(`this never came: ${what}`);
 }
 
 function recordingsOf(studio) {

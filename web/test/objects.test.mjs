@@ -66,6 +66,7 @@ test("the robot's rage leaves all as it was", async (t) => {
   await person.dragTo("RedBlock", [null, null, 2]);
   await witness.until(() => Math.abs(witness.positionOf("RedBlock")[2] - 2) < 0.05, "it hangs there");
   const left = await witness.settled(tableNow, "it hangs still", 500);
+  await page.getByRole("combobox", { name: "Simulation speed" }).selectOption("4");
   await person.press("Rage");
   await witness.until(() => witness.state.mode === "rage", "the rage");
   await page.getByText("The robot is clearing the table.").first().waitFor();

@@ -118,16 +118,20 @@ export class Person {
     await this.witness.until(isIt, `${id} is in ${hand ?? "a"} hand`);
   }
 
-  /** The menu of what is at a place of the world, by a right click. */
+  /** The menu of what is at a place of the world, by a right click, or another if that one went past it. */
   async menuAt(place) {
-    await this.look();
-    await this.click(await this.placeOnPage(place), { button: "right" });
-    return this.openMenu();
+    for (let k = 1; k < MAX_CLICKS; ++k) {
+      await this.look();
+      await this.click(await this.placeOnPage(place), { button: "right" });
+      const menu = await this.openMenu(CLICK_MS).catch(() => null);
+      if (menu !== null) return menu;
+    }
+    throw new Error(`there is no menu at ${place}`);
   }
 
-  async openMenu() {
+  async openMenu(timeout) {
     const menu = this.page.getByRole("menu", { name: /^Actions for/ });
-    await menu.waitFor();
+    await menu.waitFor({ timeout });
     return menu;
   }
 
@@ -148,7 +152,7 @@ export class Person {
    * which it moves: [x, y, z], null where it does not matter.
    */
   async dragTo(id, wanted) {
-    await this.liftPointer(await this.dragOn(id, wanted, null));
+    await this.liftIfPressed(await this.dragOn(id, wanted, null));
   }
 
   /** Continues from where the pointer is pressed, null if it is not yet; returns where it is pressed then. */
@@ -164,16 +168,15 @@ export class Person {
       before = place;
       const goal = wanted.map((value, axis) => value ?? place[axis]);
       if (Math.hypot(...goal.map((value, axis) => value - place[axis])) < CLOSE) return at;
-      const [from, to] = [await this.placeOnPage(place), await this.placeOnPage(goal)];
+      const [from, to] = await Promise.all([this.placeOnPage(place), this.placeOnPage(goal)]);
       at ??= await this.take(id);
       at = { x: at.x + to.x - from.x, y: at.y + to.y - from.y };
       await this.pointer.moveTo(at);
-      await this.look();
     }
     throw new Error(`${id} does not come to ${wanted}`);
   }
 
-  async liftPointer(pressed) {
+  async liftIfPressed(pressed) {
     if (pressed !== null) await this.pointer.lift();
   }
 
@@ -183,20 +186,31 @@ export class Person {
     for (let k = 0; k < 2; ++k) await this.page.evaluate(picture);
   }
 
-  /** Where the hand wants a held object, as soon as that stays the same for this time. */
-  restOf(id, milliseconds = 150) {
-    return this.witness.settled(() => this.witness.handOf(id)?.place, `${id} is held still`, milliseconds);
+  /** Waits until the program has done what was done at the page, and the witness has the state after it. */
+  async untilDone() {
+    await this.page.evaluate(async () => {
+      while (!window.smileStudio.isAnswered()) await new Promise((resolve) => setTimeout(resolve, 4));
+    });
+    await this.witness.catchUp();
+  }
+
+  /** Where the hand wants a held object, after all that was done at the page. */
+  async restOf(id) {
+    await this.untilDone();
+    const hand = this.witness.handOf(id);
+    if (hand === undefined) throw new Error(`${id} is not held`);
+    return hand.place;
   }
 
   /** Lifts a held object, then carries it level. */
   async carryAbove(id, place) {
-    await this.liftPointer(await this.carryOn(id, place));
+    await this.liftIfPressed(await this.carryOn(id, place));
   }
 
   /** Lifts, carries and lowers a held object, as people stack: in one drag. */
   async carryOnto(id, [x, y, z], clearance = CLEARANCE) {
     const pressed = await this.carryOn(id, [x, y, z + clearance]);
-    await this.liftPointer(await this.dragOn(id, [null, null, z], pressed));
+    await this.liftIfPressed(await this.dragOn(id, [null, null, z], pressed));
   }
 
   async carryOn(id, [x, y, z]) {

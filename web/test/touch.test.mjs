@@ -13,7 +13,7 @@ after(() => browser.close());
 const SKY = { x: 120, y: 240 };
 const PHONE = { viewport: { width: 400, height: 820 }, hasTouch: true, isMobile: true };
 
-test("fingers take, carry and let go, look around, and find the menu", async (t) => {
+test("fingers take, carry and release, turn the view, and open the menu", async (t) => {
   const { page, witness } = await browser.workplace(t, {
     studio: [sceneFile(t, "pair", SIDE_BY_SIDE), "--no-robot", "--no-pictures"],
     page: PHONE,
@@ -24,7 +24,7 @@ test("fingers take, carry and let go, look around, and find the menu", async (t)
   await person.grasp("Coming");
   await person.dragTo("Coming", [0.5, null, null]);
   await person.dragTo("Coming", [null, null, 2]);
-  const place = await person.restOf("Coming", 500);
+  const place = await person.restOf("Coming");
 
   // One finger beside it goes around; two come nearer and go sideways, also where one of them is on what is held.
   let seen = await look();
@@ -48,7 +48,7 @@ test("fingers take, carry and let go, look around, and find the menu", async (t)
   assert.ok(Math.abs(next.x - seen.x + 40) < 8, `it follows the fingers: ${next.x - seen.x}`);
   assert.ok(Math.abs(next.width / seen.width - 1) < 0.05, "from as near");
   await fingers.lift();
-  assert.deepEqual(await person.restOf("Coming", 500), place, "it was not carried along");
+  assert.deepEqual(await person.restOf("Coming"), place, "it was not carried along");
 
   await fingers.click(SKY);
   await witness.until(() => !witness.isHolding, "a tap elsewhere releases it");

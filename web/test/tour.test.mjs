@@ -24,8 +24,7 @@ test("the tour leads from nothing to a demonstration that a robot can use", asyn
   await page.mouse.move(sky.x + 0.6 * sky.width, sky.y + 90, { steps: 12 });
   await page.mouse.up();
   assert.equal(await page.evaluate(() => getSelection().toString()), "");
-  await page.waitForTimeout(1500);
-  await says("Look around");
+  await staysAt(page, "Look around");
   await page.mouse.move(sky.x + 40, sky.y + 90);
   await page.mouse.down();
   await page.mouse.move(sky.x + 130, sky.y + 80, { steps: 6 });
@@ -87,10 +86,17 @@ test("the tour takes no stack that was there before for the person's own", async
   await person.grasp("Free");
   await person.release();
   await witness.until(() => witness.state.still && !witness.isHeld("Free"), "it rests on the table");
-  await page.waitForTimeout(1500);
-  await says("Put it on another");
+  await person.untilDone();
+  await staysAt(page, "Put it on another");
   await person.grasp("Free");
   await person.carryOnto("Free", [4, 1, 2.55]);
   await person.release();
   await says("Undo");
 });
+
+/** A step that is done is praised at once, before the next one follows. */
+async function staysAt(page, title) {
+  await page.waitForTimeout(300);
+  assert.equal(await page.locator(".tour h2").textContent(), title);
+  assert.equal(await page.getByText("Well done!").count(), 0);
+}

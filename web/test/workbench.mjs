@@ -107,11 +107,12 @@ function firstLink(child) {
 
 /** The browser of a file of tests: each of them has a studio of its own in it. */
 export class Browser {
-  async start() {
+  /** @param isComposedByGl  as in people's browsers; without a graphics card each picture then takes twice the time */
+  async start({ isComposedByGl = false } = {}) {
     this.browser = await chromium.launch({
       executablePath: CHROMIUM,
       chromiumSandbox: process.getuid() !== 0,
-      args: BROWSER_OPTIONS,
+      args: isComposedByGl ? BROWSER_OPTIONS : [...BROWSER_OPTIONS, "--disable-gpu-compositing"],
     });
   }
 
@@ -257,6 +258,12 @@ export class Witness {
   /** Waits until a condition holds; else fails and reports what was awaited. */
   async until(holds, what = holds.toString()) {
     if (!(await this.within(PATIENCE_MS, holds))) throw new Error(`this never came: ${what}`);
+  }
+
+  /** Waits for the state after all that the program has answered so far: one of the next three frames ends with it. */
+  async catchUp() {
+    // Each request is refused, as a witness does not control, but not in the frame of the one before.
+    for (let k = 0; k < 3; ++k) await this.request("allowed", { requests: [] });
   }
 
   /** What is read, as soon as it is there and stays the same for this time. */

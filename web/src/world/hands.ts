@@ -56,6 +56,11 @@ export class Hands {
     return may("command") === true;
   }
 
+  /** Whether every command of a drag was sent and answered. */
+  get isIdle(): boolean {
+    return [this.moves, this.turns, this.planes].every((sender) => sender.isIdle);
+  }
+
   /** What dragging would do from here; null: nothing. */
   press(at: PointerAt, picked: Picked | null): Drag | null {
     if (!this.canAct) return null;

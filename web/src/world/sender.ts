@@ -26,8 +26,9 @@ export class Sender {
     this.sendWhenDue();
   }
 
-  forget(): void {
-    this.wish = null;
+  /** Whether every wish was sent and answered. */
+  get isIdle(): boolean {
+    return this.wish === null && this.unanswered === 0;
   }
 
   private sendWhenDue(): void {

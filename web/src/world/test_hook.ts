@@ -1,6 +1,7 @@
 import { Vector3, type Object3D } from "three";
 import { fps, isLowDetail } from "./signals";
-import type { Latency } from "./latency";
+import { numWaiting } from "../studio";
+import type { Hands } from "./hands";
 import { Models } from "./models";
 import type { Picker } from "./pick";
 import type { Axis, Rings } from "./rings";
@@ -18,6 +19,8 @@ export interface TestHook {
   placeOf(objectId: string): number[] | null;
   /** Where the ghost of the held object is drawn: x, y, z [units]; null where none is. */
   ghostPlace(): number[] | null;
+  /** Whether the program has answered everything that the page asked and commanded so far. */
+  isAnswered(): boolean;
   fps(): number;
   /** From commands to the poses they caused, the last ones, oldest first [ms]. */
   lastLatencies(): number[];
@@ -35,11 +38,11 @@ export interface WhatTestsRead {
   models: Models;
   picker: Picker;
   rings: Rings;
-  latency: Latency;
+  hands: Hands;
   ghost: Object3D;
 }
 
-export function provideTestHook({ stage, models, picker, rings, latency, ghost }: WhatTestsRead): void {
+export function provideTestHook({ stage, models, picker, rings, hands, ghost }: WhatTestsRead): void {
   window.smileStudio = {
     screenPointOf(objectId) {
       const ball = Models.ballAbout(models.piecesOf(objectId));
@@ -52,8 +55,9 @@ export function provideTestHook({ stage, models, picker, rings, latency, ghost }
     },
     placeOf: (objectId) => models.groupOf(objectId)?.position.toArray() ?? null,
     ghostPlace: () => (ghost.visible ? ghost.position.toArray() : null),
+    isAnswered: () => hands.isIdle && numWaiting() === 0,
     fps: () => fps.value,
-    lastLatencies: () => [...latency.recent],
+    lastLatencies: () => [...hands.latency.recent],
     stats: () => ({
       calls: stage.counts.calls,
       triangles: stage.counts.triangles,

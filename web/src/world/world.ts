@@ -91,7 +91,7 @@ class DrawnWorld implements World {
     this.listen();
     this.resized();
     const { stage, models, picker, rings, hands } = this;
-    provideTestHook({ stage, models, picker, rings, latency: hands.latency, ghost: this.dragGuides.ghostRoot });
+    provideTestHook({ stage, models, picker, rings, hands, ghost: this.dragGuides.ghostRoot });
   }
 
   showPreset(name: Preset): void {

@@ -17,18 +17,30 @@ smile_rooms_below(brain_client client_rooms)
 smile_rooms_below(motion motion_rooms)
 set(installed_rooms ${client_rooms} ${motion_rooms})
 list(REMOVE_DUPLICATES installed_rooms)
+set(installed_libraries)
+set(room_names)  # of rooms that a wing contains: brains go on linking to smile::ROOM
 foreach(room IN LISTS installed_rooms)
-  install(TARGETS smile_${room} EXPORT smile ARCHIVE DESTINATION lib COMPONENT brain_client)
+  get_target_property(wing smile_${room} ALIASED_TARGET)
+  if(wing)
+    list(APPEND installed_libraries ${wing})
+    get_target_property(name ${wing} EXPORT_NAME)
+    string(APPEND room_names "add_library(smile::${room} ALIAS smile::${name})\n")
+  else()
+    list(APPEND installed_libraries smile_${room})
+  endif()
   install(DIRECTORY src/${room} DESTINATION include/smile COMPONENT brain_client FILES_MATCHING PATTERN "*.h"
           PATTERN "internal_*" EXCLUDE PATTERN "test" EXCLUDE)
 endforeach()
+list(REMOVE_DUPLICATES installed_libraries)
+install(TARGETS ${installed_libraries} EXPORT smile ARCHIVE DESTINATION lib COMPONENT brain_client)
+file(WRITE ${CMAKE_BINARY_DIR}/smileRooms.cmake "${room_names}")
 # The header that older brains include.
 install(DIRECTORY cmake/earlier_names/agent DESTINATION include/smile COMPONENT brain_client)
 # The library that smilelink.cc links to when `mex` compiles it.
 install(TARGETS smile_brain_protocol ARCHIVE DESTINATION lib COMPONENT brain_client)
 install(EXPORT smile NAMESPACE smile:: FILE smileTargets.cmake DESTINATION lib/cmake/smile
         COMPONENT brain_client)
-install(FILES cmake/smileConfig.cmake DESTINATION lib/cmake/smile COMPONENT brain_client)
+install(FILES cmake/smileConfig.cmake ${CMAKE_BINARY_DIR}/smileRooms.cmake DESTINATION lib/cmake/smile COMPONENT brain_client)
 
 install(TARGETS smile smile_supervisor RUNTIME DESTINATION bin)
 install(DIRECTORY robots scenes examples matlab python learner DESTINATION share/smile

@@ -2,7 +2,8 @@
 #
 # With SMILE_WINGS, the rooms of a wing are one library and one compilation: the headers that they
 # share are read, and the templates instantiated, once. That makes the first build of a program
-# faster, and the next one after a change slower; it hides which room includes what.
+# faster, and the next one after a change slower; it hides which room includes what. The options of
+# the first room are those of the wing.
 function(smile_wing NAME)
   set_property(GLOBAL PROPERTY smile_wing_${NAME} ${ARGN})
   foreach(room IN LISTS ARGN)
@@ -10,15 +11,17 @@ function(smile_wing NAME)
   endforeach()
 endfunction()
 
-# smile_room(NAME [MAY_INCLUDE room...] [TESTS_MAY_INCLUDE room...] [PUBLIC lib...] [PRIVATE lib...])
+# smile_room(NAME [MAY_INCLUDE room...] [TESTS_MAY_INCLUDE room...] [PUBLIC lib...] [PRIVATE lib...]
+#            [DEFINES macro=value...] [NEEDS program...])
 #
 # One folder under src/ = one room = one target smile::NAME. Its sources are src/NAME/*.cc, its tests
 # src/NAME/test/*_test.cc. MAY_INCLUDE is the include table of docs/architecture.md; a test reads this
 # file's calls and compares them with the #include lines it finds. TESTS_MAY_INCLUDE lists further rooms
 # that only the unit tests include. Third-party libraries have one home:
 # PRIVATE keeps their headers there, PUBLIC is for the two that everybody speaks (Eigen, JSON).
+# NEEDS lists programs of ours that the room starts.
 function(smile_room NAME)
-  cmake_parse_arguments(ROOM "" "" "MAY_INCLUDE;TESTS_MAY_INCLUDE;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ROOM "" "" "MAY_INCLUDE;TESTS_MAY_INCLUDE;PUBLIC;PRIVATE;DEFINES;NEEDS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${NAME}/*.cc)
   set_property(GLOBAL PROPERTY smile_room_${NAME} ${ROOM_MAY_INCLUDE})
   list(TRANSFORM ROOM_MAY_INCLUDE PREPEND smile_)
@@ -35,11 +38,18 @@ function(smile_room NAME)
   endif()
   if(NOT TARGET ${library})
     add_library(${library} STATIC)
-    set_target_properties(${library} PROPERTIES LINKER_LANGUAGE CXX EXPORT_NAME ${NAME})
+    string(REPLACE "smile_" "" export_name ${library})
+    set_target_properties(${library} PROPERTIES LINKER_LANGUAGE CXX EXPORT_NAME ${export_name})
     target_compile_features(${library} PUBLIC cxx_std_20)
     target_include_directories(${library} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
                                                  $<INSTALL_INTERFACE:include/smile>)
     smile_warnings(${library})
+    if(NOT NAME IN_LIST smile_rooms_that_compute)
+      target_compile_options(${library} PRIVATE -O1)
+    endif()
+    if(NOT NAME IN_LIST smile_rooms_that_fuzzers_know)
+      smile_unknown_to_fuzzers(${library})
+    endif()
   endif()
   if(NOT library STREQUAL smile_${NAME})
     add_library(smile_${NAME} ALIAS ${library})
@@ -48,8 +58,9 @@ function(smile_room NAME)
   target_sources(${library} PRIVATE ${sources})
   target_link_libraries(${library} PUBLIC ${ROOM_MAY_INCLUDE} ${ROOM_PUBLIC}
                                    PRIVATE ${ROOM_PRIVATE})
-  if(NOT NAME IN_LIST smile_rooms_that_fuzzers_know)
-    smile_unknown_to_fuzzers(${library})
+  target_compile_definitions(${library} PRIVATE ${ROOM_DEFINES})
+  if(ROOM_NEEDS)
+    add_dependencies(${library} ${ROOM_NEEDS})
   endif()
 
   file(GLOB test_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${NAME}/test/*_test.cc)

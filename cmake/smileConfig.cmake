@@ -9,6 +9,7 @@ pkg_check_modules(LIBXML QUIET IMPORTED_TARGET libxml-2.0)
 pkg_check_modules(BULLET QUIET IMPORTED_TARGET bullet-float64)
 pkg_check_modules(URDF QUIET IMPORTED_TARGET urdfdom)
 include("${CMAKE_CURRENT_LIST_DIR}/smileTargets.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/smileRooms.cmake")
 # The earlier name.
 if(NOT TARGET smile::agent)
   add_library(smile::agent ALIAS smile::brain_client)

@@ -1,8 +1,10 @@
-// The scripts of examples/: each is recorded with its scene, ends as a demonstration should, and
-// replays to the last bit.
+// The scripts of examples/: each is recorded with its scene, ends as a demonstration should and
+// with the state hash that it has had since the first edition, and replays to the last bit.
 
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <map>
 #include <ostream>
 #include <vector>
 
@@ -187,10 +189,15 @@ const std::vector<Example>& AllExamples() {
       {"um", "", TheLettersStand},
       {"um", "--no-robot", TheLettersStand},
       {"row", "", TheRowIsSorted},
+      {"row", "--no-robot", TheRowIsSorted},
       {"bridge", "", TheBridgeStands},
+      {"bridge", "--no-robot", TheBridgeStands},
       {"box", "", TheBoxIsPacked},
+      {"box", "--no-robot", TheBoxIsPacked},
       {"hatch", "", TheBlocksHaveDroppedThroughTheHatch},
+      {"hatch", "--no-robot", TheBlocksHaveDroppedThroughTheHatch},
       {"drive", "", TheSpareIsInTheRack},
+      {"drive", "--no-robot", TheSpareIsInTheRack},
       {"robot_poses", "", TheRobotIsReadyAndHasTouchedNothing, "tower"},
       {"scenes/controls", "--no-robot", TheSignalIsGreen},
       {"scenes/dial", "--no-robot", TheDigitIsSeven},
@@ -206,6 +213,22 @@ const std::vector<Example>& AllExamples() {
   return kExamples;
 }
 
+/// Returns the state hash at the end of each example, by its name
+/// (tools/make_golden_recordings.sh).
+std::map<std::string, std::string> GoldenHashes() {
+  std::ifstream file(SMILE_SOURCE_DIR "/tests/golden/recordings/hashes.txt");
+  std::map<std::string, std::string> hashes;
+  for (std::string name, hash; file >> name >> hash;) hashes[name] = hash;
+  return hashes;
+}
+
+/// Returns whether the golden hash is of the example with these options: most are without robot.
+bool HasGoldenHash(const Example& example) {
+  const std::string script = example.script;
+  return script == "tower" || script == "robot_poses" ||
+         example.options == std::string("--no-robot");
+}
+
 class Examples : public ProgramTest, public ::testing::WithParamInterface<Example> {};
 
 TEST_P(Examples, EndAsTheyShouldAndReplayIdentically) {
@@ -218,6 +241,10 @@ TEST_P(Examples, EndAsTheyShouldAndReplayIdentically) {
                            "' --record demo --rate 0.5 --size 80x60 --json " + GetParam().options);
   ASSERT_EQ(run.exit_code, 0) << run.err;
   GetParam().claim(run.json());
+  if (HasGoldenHash(GetParam())) {
+    const std::string name = std::filesystem::path(script).filename();
+    EXPECT_EQ(run.json().at("hash"), GoldenHashes().at(name));
+  }
   const Answer replay = Smile("replay demo --verify");
   EXPECT_EQ(replay.exit_code, 0) << replay.out << replay.err;
 }
@@ -225,16 +252,21 @@ TEST_P(Examples, EndAsTheyShouldAndReplayIdentically) {
 INSTANTIATE_TEST_SUITE_P(All, Examples, ::testing::ValuesIn(AllExamples()),
                          [](const auto& parameter) { return NameOf(parameter.param); });
 
-TEST_F(ProgramTest, EveryExampleHasItsClaim) {
+TEST_F(ProgramTest, EveryExampleHasItsClaimAndItsGoldenHash) {
   const std::filesystem::path root = Shipped("examples");
+  std::size_t num_examples = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
     if (entry.path().extension() != ".jsonl") continue;
+    ++num_examples;
     const std::string script =
         entry.path().lexically_relative(root).replace_extension().generic_string();
     EXPECT_TRUE(std::ranges::any_of(AllExamples(), [&](const Example& example) {
-      return example.script == script;
+      return example.script == script && HasGoldenHash(example);
     })) << entry.path();
+    EXPECT_TRUE(GoldenHashes().contains(entry.path().stem()))
+        << entry.path() << ": run tools/make_golden_recordings.sh";
   }
+  EXPECT_EQ(num_examples, GoldenHashes().size());
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 // ever.
 
 #include <algorithm>
-#include <fstream>
-#include <map>
 #include <vector>
 
 #include "program.h"
@@ -26,14 +24,6 @@ std::vector<std::string> GoldenRecordings() {
   }
   std::ranges::sort(names);
   return names;
-}
-
-/// The state hash at the end of each example, as it has been since the first edition.
-std::map<std::string, std::string> GoldenHashes() {
-  std::ifstream file(GoldenFolder() / "hashes.txt");
-  std::map<std::string, std::string> hashes;
-  for (std::string name, hash; file >> name >> hash;) hashes[name] = hash;
-  return hashes;
 }
 
 class GoldenRecording : public ProgramTest, public ::testing::WithParamInterface<std::string> {
@@ -74,24 +64,6 @@ TEST(GoldenRecordings, AreAllThereAndSmall) {
     if (entry.is_regular_file()) num_bytes += entry.file_size();
   }
   EXPECT_LT(num_bytes, std::uintmax_t{3} << 20);
-}
-
-TEST_F(ProgramTest, EveryExampleEndsWithItsGoldenHash) {
-  const auto golden = GoldenHashes();
-  std::size_t num_examples = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(Shipped("examples"))) {
-    if (entry.path().extension() != ".jsonl") continue;
-    ++num_examples;
-    const std::string name = entry.path().stem();
-    ASSERT_TRUE(golden.contains(name)) << "run tools/make_golden_recordings.sh";
-    const bool has_robot = name == "tower" || name == "robot_poses";
-    const std::string scene = name == "robot_poses" ? "tower" : name;
-    const Answer run = Smile("run '" + Shipped("scenes/" + scene + ".xml") + "' --commands '" +
-                             entry.path().string() + "' --json" + (has_robot ? "" : " --no-robot"));
-    ASSERT_EQ(run.exit_code, 0) << run.err;
-    EXPECT_EQ(run.json().at("hash"), golden.at(name)) << name;
-  }
-  EXPECT_EQ(num_examples, golden.size());
 }
 
 }  // namespace

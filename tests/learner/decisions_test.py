@@ -64,13 +64,17 @@ def main(smile, source, *octave):
 
 
 def prepare(smile, source, k, task, layout):
-    """Records the demonstration and takes a picture of the scene. Returns their folder."""
+    """Records the demonstration of the task, unless an earlier case did, and takes a picture of the
+    scene. Returns the folder of both."""
     case = Path(f"case{k}")
     case.mkdir()
     scene = f"{source}/scenes/{task}_robot.xml"
-    shown = f"{source}/scenes/{task}.xml"
-    subprocess.run([smile, "run", shown, "--commands", f"{source}/examples/{task}.jsonl",
-                    "--record", case / "shown"], check=True, stdout=subprocess.DEVNULL)
+    shown = Path(f"shown_{task}")
+    if not shown.exists():
+        subprocess.run([smile, "run", f"{source}/scenes/{task}.xml", "--kinematic", "--commands",
+                        f"{source}/examples/{task}.jsonl", "--record", shown], check=True,
+                       stdout=subprocess.DEVNULL)
+    (case / "shown").symlink_to(shown.resolve())
     if layout:
         subprocess.run([smile, "layout", scene, *layout, "--out", case / "scene.xml"], check=True,
                        stdout=subprocess.DEVNULL)

@@ -163,7 +163,7 @@ TEST_F(BrainAsUsed, CrashesLoopsAndInvalidRepliesDoNoHarm) {
   EXPECT_EQ(Smile("replay crash --verify").exit_code, 0);
 
   WriteBrain("while true, end");
-  const Answer loop = Smile("run pair.xml --brain brain --seconds 1 --record loop");
+  const Answer loop = Smile("run pair.xml --brain brain --seconds 1 --timeout 1 --record loop");
   EXPECT_EQ(loop.exit_code, 1);
   EXPECT_NE(loop.err.find("myCallback.m:1"), std::string::npos) << loop.err;
 

@@ -116,12 +116,12 @@ TEST_F(Evaluate, ACrashedOrHungRunIsAFailureWithACause) {
   const Answer answer = EvaluateOf("stacked", arguments + "--scenes 3");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   Json runs = answer.json()["brains"][0]["runs"];
-  runs.push_back(EvaluateOf("stacked", arguments + "--seed 4 --scenes 1 --wall-seconds 2")
+  runs.push_back(EvaluateOf("stacked", arguments + "--seed 4 --scenes 1 --wall-seconds 1")
                      .json()["brains"][0]["runs"][0]);
   const std::pair<const char*, const char*> causes[] = {{"crashed", "signal 9"},
                                                         {"brain_failed", "exit code 3"},
                                                         {"never_taken", ""},
-                                                        {"hung", "no end after 2 s"}};
+                                                        {"hung", "no end after 1 s"}};
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(runs[i]["cause"]["word"], causes[i].first);
     EXPECT_NE(runs[i]["cause"]["text"].get<std::string>().find(causes[i].second), std::string::npos)

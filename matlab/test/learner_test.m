@@ -26,14 +26,20 @@ end
 
 function picture = pictureOf(blocks)
 % Renders blocks as the eye sees them, lower ones first: 480x640x3.
+  persistent planes;  % by height, where the pixels meet the horizontal plane
+  if isempty(planes), planes = containers.Map('KeyType', 'double', 'ValueType', 'any'); end
   [column, row] = meshgrid(1:640, 1:480);
   flat = repmat([0.6, 0.5, 0.4], 480 * 640, 1);
   for it = blocks
     % Rectangles below each other form the sides. The top is drawn last.
     for height = it.position(3) + it.size(3) * (-5:2:5) / 10
-      [x, y] = ontoPlane(row(:), column(:), robotEye(), height);
-      x = x - it.position(1);
-      y = y - it.position(2);
+      if ~isKey(planes, height)
+        [x, y] = ontoPlane(row(:), column(:), robotEye(), height);
+        planes(height) = [x, y];
+      end
+      points = planes(height);
+      x = points(:, 1) - it.position(1);
+      y = points(:, 2) - it.position(2);
       along = abs(x * cos(it.yaw) + y * sin(it.yaw));
       across = abs(y * cos(it.yaw) - x * sin(it.yaw));
       hit = along <= it.size(1) / 2 & across <= it.size(2) / 2;

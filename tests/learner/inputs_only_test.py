@@ -1,13 +1,15 @@
-"""A learner uses only information that a robot could have, nothing that only the simulator knows.
+"""A learner uses only information that a robot could have, nothing that only the simulator knows; and
+the joints may be measured inexactly.
 
     inputs_only_test.py SMILE SOURCE BRAIN COMMAND...
 
 SMILE is the program, SOURCE the folder of the project, BRAIN the learner, COMMAND runs its client.
 
-The learner rebuilds a tower while all messages between it and the simulator are recorded. Then this
-script alone repeats them to a new learner: the simulator has ended, scene and recordings are deleted,
-of the demonstration only pictures and symbols remain, and in each step everything is false except the
-pictures, the measured joints, and the time. The answers must be the same, byte by byte.
+The learner rebuilds a tower with noise in the joint sensors, while all messages between it and the
+simulator are recorded. Then this script alone repeats them to a new learner: the simulator has ended,
+scene and recordings are deleted, of the demonstration only pictures and symbols remain, and in each
+step everything is false except the pictures, the measured joints, and the time. The answers must be
+the same, byte by byte.
 """
 
 import contextlib
@@ -40,9 +42,11 @@ def main(smile, source, brain, *command):
         listener.chmod(0o755)
         subprocess.run([smile, "imitate", "shown", f"{source}/scenes/tower_robot.xml", "--seed", "3",
                         "--brain", "./listener", "--out", "built", "--no-pictures", "--timeout",
-                        "60"], check=True)
+                        "60", "--noise", "joints=0.001"], check=True)
         result = json.loads(Path("built/result.json").read_text())
         assert result["success"], "the tower was not rebuilt"
+        assert result["mean_error_mm"] < 5
+        subprocess.run([smile, "replay", "built/imitation", "--verify"], check=True)
 
         Path("demonstration").mkdir()
         for file in [Path("shown/demo.json"), *Path("shown").glob("[0-9]*")]:

@@ -18,6 +18,7 @@ TEST_F(Learner, RebuildsTheDemonstratedLetters) {
   EXPECT_TRUE(result["order"]["kept"]);
   EXPECT_EQ(result["brain"]["status"], "exited");
   EXPECT_NE(Read("um/report.html").find("LongPlank"), std::string::npos);
+  EXPECT_EQ(Smile("replay --verify um/imitation").exit_code, 0);
 }
 
 /// A shipped task, and the folder or file of the learner that imitates it. Two tasks have other

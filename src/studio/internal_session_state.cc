@@ -110,7 +110,7 @@ std::optional<std::string> PlaybackState::Unmet(Need need) const {
   // The world is hidden and waits; replacing it is allowed, and ends the playback.
   const bool is_of_world = need == Need::kCommands || need == Need::kTime;
   if (!is_of_world) return std::nullopt;
-  return "a recording is shown; return to the live world first";
+  return "a recording is shown; go back to the table first";
 }
 
 library::DisplayedState PlaybackState::view() const {

@@ -58,7 +58,7 @@ StaticFiles::StaticFiles(const fs::path& folder) {
     File file{.type = MediaTypeOf(path), .bytes = read(path)};
     const fs::path gzipped = path.string() + ".gz";
     if (fs::is_regular_file(gzipped)) file.gzipped = read(gzipped);
-    // Of the original bytes also when the compressed ones are sent: the tag is weak (RFC 9110, 8.8.1).
+    // Of the original bytes also when the compressed ones are sent, hence weak (RFC 9110, 8.8.1).
     file.tag = EntityTagOf(*file.bytes);
     files_["/" + fs::relative(path, folder).generic_string()] = std::move(file);
   }

@@ -33,13 +33,14 @@ void RecordDemonstration(const TaskExperimentPlan& plan, const std::filesystem::
   (void)Run(run, callbacks);
 }
 
-/// Films the demonstration and the imitation, from the usual view for people.
+/// Films the demonstration and the imitation, from the usual view for people. Small and at a low
+/// rate: without a graphics card, films take longer than the experiment itself.
 void FilmBoth(const std::filesystem::path& out, const Callbacks& callbacks) {
   for (const char* name : {"demonstration", "imitation"}) {
     if (callbacks.IsCancelled()) return;
     picture::Film(recording::OpenRecording(out / name), (out / name).string() + ".mp4",
-                  {.request = {.width_px = 854, .height_px = 480},
-                   .frames_per_second = 20,
+                  {.request = {.width_px = 640, .height_px = 360},
+                   .frames_per_second = 15,
                    .speed = kFilmSpeed},
                   callbacks.ProgressOf(std::string("filming the ") + name));
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace smile {
@@ -22,7 +24,13 @@ class ByteWriter {
   requires std::is_arithmetic_v<T> || std::is_enum_v<T>
   void Put(T value) { PutBytes({reinterpret_cast<const std::byte*>(&value), sizeof value}); }
   void PutBytes(std::span<const std::byte> bytes) {
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    if (bytes.empty()) return;
+    // Room for many values at once: a saved state is written eight bytes at a time.
+    if (size_ + bytes.size() > room_.size()) {
+      room_.resize(std::max(size_ + bytes.size(), 2 * room_.size()));
+    }
+    std::memcpy(room_.data() + size_, bytes.data(), bytes.size());
+    size_ += bytes.size();
   }
   /// Writes the length as u32, then the letters.
   void PutString(std::string_view text) {
@@ -30,12 +38,17 @@ class ByteWriter {
     PutBytes(std::as_bytes(std::span(text.data(), text.size())));
   }
 
-  std::size_t size() const { return bytes_.size(); }
-  const std::vector<std::byte>& bytes() const { return bytes_; }
-  std::vector<std::byte> Take() { return std::move(bytes_); }
+  std::size_t size() const { return size_; }
+  /// Valid until the next Put.
+  std::span<const std::byte> bytes() const { return std::span(room_).first(size_); }
+  std::vector<std::byte> Take() {
+    room_.resize(std::exchange(size_, 0));
+    return std::exchange(room_, {});
+  }
 
  private:
-  std::vector<std::byte> bytes_;
+  std::vector<std::byte> room_;
+  std::size_t size_ = 0;  ///< number of bytes written; the rest of the room is for more
 };
 
 /// Reader of the bytes of ByteWriter. Never reads past the end: from the first read that would,

@@ -52,7 +52,7 @@ std::string BytesOf(const mesh::TriangleMesh& mesh) {
   for (const auto& triangle : mesh.triangles) {
     for (const std::uint32_t corner : triangle) writer.Put(corner);
   }
-  const std::vector<std::byte>& bytes = writer.bytes();
+  const std::span<const std::byte> bytes = writer.bytes();
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 

@@ -29,7 +29,8 @@ TEST(ByteWriter, WritesLittleEndianWithoutPadding) {
   writer.Put(std::uint32_t{0x04030201});
   const std::vector<std::byte> expected{std::byte{1}, std::byte{1}, std::byte{2}, std::byte{3},
                                         std::byte{4}};
-  EXPECT_EQ(writer.bytes(), expected);
+  EXPECT_EQ(writer.Take(), expected);
+  EXPECT_EQ(writer.size(), 0u);
 }
 
 TEST(ByteReader, ReturnsZerosPastTheEndAndReportsIt) {

@@ -93,7 +93,7 @@ void LineOfTheTool(benchmark::State& state) {
 /// Measures the test of a configuration for contact between links.
 void SelfCollisionCheck(benchmark::State& state) {
   const robot::RobotModel model = Baxter();
-  physics::ArticulationProbe probe(robot::MakeArticulationSpec(model, {}));
+  motion::ArticulationProbe probe(robot::MakeArticulationSpec(model, {}));
   for (auto _ : state) benchmark::DoNotOptimize(probe.FirstOverlap(model.q_start));
 }
 

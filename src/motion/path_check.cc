@@ -28,9 +28,9 @@ std::vector<int> JointsOf(const robot::RobotModel& model, const JointTrajectory&
 }
 
 /// Returns a sentence that names the overlapping links.
-std::string Describe(const robot::RobotModel& model, const physics::LinkOverlap& overlap) {
+std::string Describe(const robot::RobotModel& model, const LinkOverlap& overlap) {
   const auto name = [&](int link) -> std::string {
-    if (link == physics::kEnvironment) return "an obstacle";
+    if (link == kEnvironment) return "an obstacle";
     return link < 0 ? "the base" : model.links[link].name;
   };
   return name(overlap.link) + " would touch " + name(overlap.other);
@@ -55,7 +55,7 @@ int NumChecks(const TrajectoryPoint& from, const TrajectoryPoint& to) {
 /// Returns the first moment up to `until` at which links touch.
 std::optional<InvalidMoment> FirstTouch(const robot::RobotModel& model,
                                         const JointTrajectory& trajectory, std::vector<double> q,
-                                        double until, physics::ArticulationProbe* probe) {
+                                        double until, ArticulationProbe* probe) {
   const std::vector<int> joints = JointsOf(model, trajectory);
   // Moves only the trajectory's joints in q; all others keep the positions of the caller.
   const auto check = [&](double seconds) -> std::optional<InvalidMoment> {
@@ -104,7 +104,7 @@ std::optional<InvalidMoment> FirstBreach(const JointTrajectory& trajectory,
 std::optional<InvalidMoment> FirstInvalid(const robot::RobotModel& model,
                                           const JointTrajectory& trajectory,
                                           std::span<const double> q_others,
-                                          physics::ArticulationProbe* probe) {
+                                          ArticulationProbe* probe) {
   if (q_others.size() != model.links.size()) {
     throw std::invalid_argument("q_others has " + std::to_string(q_others.size()) +
                                 " values, expected " + std::to_string(model.links.size()));

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
+#include "motion/articulation_probe.h"
 #include "motion/joint_trajectory.h"
-#include "physics/articulation_probe.h"
 #include "robot/robot_model.h"
 
 namespace smile::motion {
@@ -33,6 +33,6 @@ struct InvalidMoment {
 std::optional<InvalidMoment> FirstInvalid(const robot::RobotModel& model,
                                           const JointTrajectory& trajectory,
                                           std::span<const double> q_others,
-                                          physics::ArticulationProbe* probe);
+                                          ArticulationProbe* probe);
 
 }  // namespace smile::motion

@@ -180,7 +180,7 @@ std::optional<InvalidMoment> PlanningRobot::FirstInvalid(
   std::vector<scene::Solid> environment;
   if (table) environment.push_back(TableOf(table->first, table->second, meters_per_unit_));
   // A new probe per call, since it depends on the table.
-  physics::ArticulationProbe probe(robot::MakeArticulationSpec(model_, X_WBase_), environment);
+  ArticulationProbe probe(robot::MakeArticulationSpec(model_, X_WBase_), environment);
   return motion::FirstInvalid(model_, trajectory, q, &probe);
 }
 

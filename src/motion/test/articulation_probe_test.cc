@@ -1,4 +1,4 @@
-#include "physics/articulation_probe.h"
+#include "motion/articulation_probe.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ bool IsKnownToOverlap(const std::vector<double>& q, double depth) {
 }
 
 TEST(ArticulationProbe, AgreesWithBruteForceOnWhatTouches) {
-  physics::ArticulationProbe probe(MakeArticulationSpec(Baxter(), {}));
+  motion::ArticulationProbe probe(MakeArticulationSpec(Baxter(), {}));
   std::mt19937 random(7);
   int num_free = 0;
   for (int trial = 0; trial < 150; ++trial) {
@@ -51,7 +51,7 @@ TEST(ArticulationProbe, AgreesWithBruteForceOnWhatTouches) {
 }
 
 TEST(ArticulationProbe, FindsNamedPosesFreeUntilSomethingStandsInTheWay) {
-  physics::ArticulationProbe alone(MakeArticulationSpec(Baxter(), {}));
+  motion::ArticulationProbe alone(MakeArticulationSpec(Baxter(), {}));
   for (const NamedPose& pose : Baxter().poses) {
     EXPECT_FALSE(alone.FirstOverlap(pose.q)) << pose.name;
   }
@@ -60,10 +60,10 @@ TEST(ArticulationProbe, FindsNamedPosesFreeUntilSomethingStandsInTheWay) {
   const Arm& left = *FindArm(Baxter(), "left");
   const scene::Solid post{.shape = scene::Block{{0.1, 0.1, 0.5}},
                           .X_BS = FramePose(Baxter(), {}, q, left.tool)};
-  physics::ArticulationProbe beside(MakeArticulationSpec(Baxter(), {}), {post});
+  motion::ArticulationProbe beside(MakeArticulationSpec(Baxter(), {}), {post});
   const auto overlap = beside.FirstOverlap(q);
   ASSERT_TRUE(overlap);
-  EXPECT_EQ(overlap->other, physics::kEnvironment);
+  EXPECT_EQ(overlap->other, motion::kEnvironment);
   EXPECT_GE(overlap->link, left.joints.front());
   EXPECT_LE(overlap->link, left.gripper->right_finger);
   EXPECT_THROW(beside.FirstOverlap(std::vector<double>(3)), std::invalid_argument);

@@ -1,13 +1,14 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "physics/solid_probe.h"
 #include "scene/articulation_spec.h"
 
-namespace smile::physics {
+namespace smile::motion {
 
 /// Number that stands for the environment where links are numbered; -1 is the base.
 inline constexpr int kEnvironment = -2;
@@ -29,9 +30,6 @@ class ArticulationProbe {
   /// @param environment  static solids around it; Solid::X_BS is X_WS. The base may touch them.
   explicit ArticulationProbe(const scene::ArticulationSpec& spec,
                              const std::vector<scene::Solid>& environment = {});
-  ~ArticulationProbe();
-  ArticulationProbe(ArticulationProbe&&) noexcept;
-  ArticulationProbe& operator=(ArticulationProbe&&) noexcept;
 
   /// Returns the first two links, in their order, that overlap by more than `depth` and are not in
   /// `never_collide`; nullopt if there are none.
@@ -42,8 +40,17 @@ class ArticulationProbe {
   std::optional<LinkOverlap> FirstOverlap(std::span<const double> q, double depth = 0.0005);
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  /// A convex solid S, fixed to a link L.
+  struct Piece {
+    int link;
+    RigidTransform X_LS;
+  };
+
+  std::vector<scene::LinkSpec> links_;
+  RigidTransform X_WBase_;
+  std::vector<Piece> pieces_;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs_;  ///< indexes of pieces that may collide
+  physics::SolidProbe probe_;                               ///< of the pieces
 };
 
-}  // namespace smile::physics
+}  // namespace smile::motion

@@ -60,6 +60,7 @@ record electric tower "$scripts/electric.jsonl" --gripper electric
 # Recordings made of others: begun, undone and redone in the middle; continued from an earlier step; edited; imported.
 golden branches run scenes/tower.xml --commands "$scripts/branches.jsonl" --recordings "$scratch" --no-pictures --no-robot
 golden spawn run scenes/tower.xml --commands "$scripts/spawn.jsonl" --recordings "$scratch" --no-pictures --no-robot
+golden neighbors run scenes/tower.xml --commands "$scripts/neighbors.jsonl" --recordings "$scratch" --no-pictures --no-robot
 if [[ ! -e $golden/continued ]]; then
   cp -r "$golden/branches" "$scratch/continued"
   golden continued checkout "$scratch/continued" --at 1 --commands "$scripts/continued.jsonl"

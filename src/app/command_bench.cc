@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "app/bench_echo.h"
+#include "app/bench_growth.h"
 #include "app/bench_motion.h"
 #include "app/bench_recording.h"
 #include "app/commands.h"
@@ -193,6 +194,7 @@ void RegisterAll() {
         ->MeasureProcessCPUTime()
         ->Unit(kMillisecond);
   }
+  RegisterGrowthBenchmarks();
   RegisterRecordingBenchmarks();
   RegisterMotionBenchmarks();
   // A picture of 1 x 1 px stands for no picture. Real time, as the work is done in another process.

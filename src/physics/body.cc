@@ -52,6 +52,7 @@ void Body::SetVelocity(const Vector3& linear, const Vector3& angular) {
 }
 
 void Body::WakeUp() {
+  dynamics_->ReturnToWorld();
   if (is_static()) return;
   dynamics_->bullet().forceActivationState(is_carried() ? DISABLE_DEACTIVATION : ACTIVE_TAG);
   // The waiting time before sleep begins again.

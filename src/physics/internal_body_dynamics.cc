@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "physics/internal_collision_object.h"
+#include "physics/internal_dormant_islands.h"
 
 namespace smile::physics {
 namespace {
@@ -92,6 +92,10 @@ void Body::Dynamics::SetPose(const RigidTransform& X_WB) {
   physics::SetPose(X_WB * X_BcmB_.inverse(), &bullet_);
 }
 
+void Body::Dynamics::ReturnToWorld() {
+  if (dormant_islands_ != nullptr) dormant_islands_->Return(bullet_);
+}
+
 void Body::Dynamics::Save(ByteWriter* out) const {
   SaveObject(bullet_, out);
   WriteVector(bullet_.getLinearVelocity(), out);
@@ -107,20 +111,6 @@ void Body::Dynamics::Restore(ByteReader* in) {
   bullet_.clearForces();
   bullet_.updateInertiaTensor();
   is_carried_ = in->Get<bool>();
-}
-
-void Body::Dynamics::AddTo(StateHash* hash) const {
-  const auto add_vector = [hash](const btVector3& v) {
-    for (int i = 0; i < 3; ++i) hash->Add(static_cast<double>(v[i]));
-  };
-  // The pose that Bullet integrates, without conversion: equal hashes mean equal bits.
-  const btTransform& X_WBcm = bullet_.getWorldTransform();
-  for (int row = 0; row < 3; ++row) add_vector(X_WBcm.getBasis()[row]);
-  add_vector(X_WBcm.getOrigin());
-  add_vector(bullet_.getLinearVelocity());
-  add_vector(bullet_.getAngularVelocity());
-  hash->Add(static_cast<std::uint64_t>(bullet_.getActivationState()));
-  hash->Add(static_cast<double>(bullet_.getDeactivationTime()));
 }
 
 }  // namespace smile::physics

@@ -4,9 +4,12 @@
 #include "base/state_hash.h"
 #include "math/principal_inertia.h"
 #include "physics/body.h"
+#include "physics/internal_collision_object.h"
 #include "physics/internal_shapes.h"
 
 namespace smile::physics {
+
+class DormantIslands;
 
 /// Bullet's part of a Body: its state of motion, and what moves it. Bullet moves each body at its
 /// center of mass along its principal axes (frame Bcm).
@@ -42,7 +45,12 @@ class Body::Dynamics {
 
   void Save(ByteWriter* out) const;
   void Restore(ByteReader* in);
-  void AddTo(StateHash* hash) const;
+  void AddTo(StateHash* hash) const { AddMotion(bullet_, hash); }
+
+  /// Sets the islands among which that of the body may be.
+  void set_dormant_islands(DormantIslands* islands) { dormant_islands_ = islands; }
+  /// Returns the body's island to Bullet's world if it was left out.
+  void ReturnToWorld();
 
  private:
   Dynamics(BodyId id, const BodySpec& spec, const PrincipalInertia& inertia);
@@ -56,6 +64,7 @@ class Body::Dynamics {
   bool is_carried_ = false;
   bool is_kinematic_ = false;
   double load_mass_ = 0, load_moment_ = 0;  ///< set in each step
+  DormantIslands* dormant_islands_ = nullptr;
 };
 
 }  // namespace smile::physics

@@ -5,6 +5,8 @@
 
 #include <btBulletDynamicsCommon.h>
 
+#include <span>
+
 #include "math/rigid_transform.h"
 
 static_assert(sizeof(btScalar) == sizeof(double), "Bullet must be the double-precision build");
@@ -28,6 +30,16 @@ inline btTransform ToBullet(const RigidTransform& X) {
 }
 inline RigidTransform FromBullet(const btTransform& X) {
   return {FromBullet(X.getBasis()), FromBullet(X.getOrigin())};
+}
+
+inline btCollisionObject* ObjectOf(const btBroadphaseProxy* proxy) {
+  return static_cast<btCollisionObject*>(proxy->m_clientObject);
+}
+
+/// Returns the elements of Bullet's array.
+template <class Array>
+auto All(Array& array) {
+  return std::span(array.size() > 0 ? &array[0] : nullptr, static_cast<std::size_t>(array.size()));
 }
 
 /// Returns an object's place in the order of creation, which is stored as its user index. Pairs,

@@ -48,6 +48,9 @@ template <class IsOver>
 void CollisionExemptions::EndIgnoring(IsOver is_over) {
   std::erase_if(ignored_, [this, &is_over](const BodyPair& pair) {
     if (!is_over(pair)) return false;
+    // The two are a pair again, which only those in the world become.
+    objects_.body(pair.first).dynamics().ReturnToWorld();
+    objects_.body(pair.second).dynamics().ReturnToWorld();
     engine_.broadphase.filter().Include(static_cast<int>(pair.first.value),
                                         static_cast<int>(pair.second.value));
     return true;

@@ -70,4 +70,18 @@ void RestoreObject(ByteReader* in, btCollisionObject* object) {
   object->getBroadphaseHandle()->m_aabbMax = ReadVector(in);
 }
 
+void AddMotion(const btRigidBody& body, StateHash* hash) {
+  const auto add_vector = [hash](const btVector3& v) {
+    for (int i = 0; i < 3; ++i) hash->Add(static_cast<double>(v[i]));
+  };
+  // The pose that Bullet integrates, without conversion: equal hashes mean equal bits.
+  const btTransform& X_WBcm = body.getWorldTransform();
+  for (int row = 0; row < 3; ++row) add_vector(X_WBcm.getBasis()[row]);
+  add_vector(X_WBcm.getOrigin());
+  add_vector(body.getLinearVelocity());
+  add_vector(body.getAngularVelocity());
+  hash->Add(static_cast<std::uint64_t>(body.getActivationState()));
+  hash->Add(static_cast<double>(body.getDeactivationTime()));
+}
+
 }  // namespace smile::physics

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/bytes.h"
+#include "base/state_hash.h"
 #include "physics/internal_bullet.h"
 
 // Common parts of bodies and links: kinematic motion, and their part of a snapshot's state.
@@ -25,5 +26,8 @@ inline btVector3 ReadVector(ByteReader* in) {
 void SaveObject(const btCollisionObject& object, ByteWriter* out);
 /// Reads what SaveObject() wrote.
 void RestoreObject(ByteReader* in, btCollisionObject* object);
+
+/// Adds a body's pose, velocities and state of sleep.
+void AddMotion(const btRigidBody& body, StateHash* hash);
 
 }  // namespace smile::physics

@@ -30,29 +30,30 @@ btTransform PartPose(const btCollisionObjectWrapper* object, int part) {
          static_cast<const btCompoundShape*>(shape)->getChildTransform(part);
 }
 
-/// One part of an object, posed; Bullet's wrapper borrows the pose.
-struct Part {
-  Part(const btCollisionObjectWrapper* object, int number)
-      : X_WP(PartPose(object, number)),
-        wrapper(object, PartShape(object->getCollisionShape(), number),
-                object->getCollisionObject(), X_WP, -1, number) {}
-  Part(const Part&) = delete;
-  Part& operator=(const Part&) = delete;
-
-  bool BoxOverlaps(const Part& other) const {
-    btVector3 min, max, other_min, other_max;
-    wrapper.getCollisionShape()->getAabb(X_WP, min, max);
-    other.wrapper.getCollisionShape()->getAabb(other.X_WP, other_min, other_max);
-    // Contacts persist up to this distance, so parts are processed while their boxes are this
-    // close.
-    const btVector3 reach(gContactBreakingThreshold, gContactBreakingThreshold,
-                          gContactBreakingThreshold);
-    return TestAabbAgainstAabb2(min - reach, max + reach, other_min, other_max);
+/// Computes the poses and boxes of an object's parts.
+void PoseParts(const btCollisionObjectWrapper* object, std::vector<PosedPart>* parts) {
+  parts->resize(NumParts(object->getCollisionShape()));
+  for (int i = 0; i < static_cast<int>(parts->size()); ++i) {
+    PosedPart& part = (*parts)[i];
+    part.X_WP = PartPose(object, i);
+    PartShape(object->getCollisionShape(), i)->getAabb(part.X_WP, part.min, part.max);
   }
+}
 
-  btTransform X_WP;
-  btCollisionObjectWrapper wrapper;
-};
+/// Returns true if the boxes of two parts are so close that their contacts may persist.
+bool AreClose(const PosedPart& a, const PosedPart& b) {
+  const btVector3 reach(gContactBreakingThreshold, gContactBreakingThreshold,
+                        gContactBreakingThreshold);
+  return TestAabbAgainstAabb2(a.min - reach, a.max + reach, b.min, b.max);
+}
+
+/// Returns Bullet's description of a part, which borrows the pose.
+btCollisionObjectWrapper Wrap(const btCollisionObjectWrapper* object, int part,
+                              const btTransform& X_WP) {
+  return {
+      object, PartShape(object->getCollisionShape(), part), object->getCollisionObject(), X_WP, -1,
+      part};
+}
 
 }  // namespace
 
@@ -85,11 +86,12 @@ void CompoundPairAlgorithm::MakePartPairs(const btCollisionObjectWrapper* a,
                                           const btCollisionObjectWrapper* b) {
   for (int i = 0; i < NumParts(a->getCollisionShape()); ++i) {
     for (int j = 0; j < NumParts(b->getCollisionShape()); ++j) {
-      const Part part_a(a, i), part_b(b, j);
-      pairs_.push_back({i, j,
-                        m_dispatcher->findAlgorithm(&part_a.wrapper, &part_b.wrapper, nullptr,
-                                                    BT_CONTACT_POINT_ALGORITHMS),
-                        nullptr});
+      const btCollisionObjectWrapper part_a = Wrap(a, i, parts_a_[i].X_WP);
+      const btCollisionObjectWrapper part_b = Wrap(b, j, parts_b_[j].X_WP);
+      pairs_.push_back(
+          {i, j,
+           m_dispatcher->findAlgorithm(&part_a, &part_b, nullptr, BT_CONTACT_POINT_ALGORITHMS),
+           nullptr});
     }
   }
 }
@@ -98,6 +100,9 @@ void CompoundPairAlgorithm::processCollision(const btCollisionObjectWrapper* a,
                                              const btCollisionObjectWrapper* b,
                                              const btDispatcherInfo& info,
                                              btManifoldResult* result) {
+  // Once for each part, which is in many pairs.
+  PoseParts(a, &parts_a_);
+  PoseParts(b, &parts_b_);
   // Made once for both bodies: their parts never change while they are in the world.
   if (pairs_.empty()) MakePartPairs(a, b);
   for (PartPair& pair : pairs_) Collide(pair, a, b, info, result);
@@ -106,16 +111,20 @@ void CompoundPairAlgorithm::processCollision(const btCollisionObjectWrapper* a,
 void CompoundPairAlgorithm::Collide(PartPair& pair, const btCollisionObjectWrapper* a,
                                     const btCollisionObjectWrapper* b, const btDispatcherInfo& info,
                                     btManifoldResult* result) {
-  const Part part_a(a, pair.part_a), part_b(b, pair.part_b);
+  const PosedPart &posed_a = parts_a_[pair.part_a], &posed_b = parts_b_[pair.part_b];
+  const bool are_close = AllPartPairsScope::is_active() || AreClose(posed_a, posed_b);
+  if (!are_close && (pair.manifold == nullptr || pair.manifold->getNumContacts() == 0)) return;
+  const btCollisionObjectWrapper part_a = Wrap(a, pair.part_a, posed_a.X_WP);
+  const btCollisionObjectWrapper part_b = Wrap(b, pair.part_b, posed_b.X_WP);
   const btCollisionObjectWrapper* whole_a = result->getBody0Wrap();
   const btCollisionObjectWrapper* whole_b = result->getBody1Wrap();
   // Bullet's result takes the poses and part numbers of contact points from these.
-  result->setBody0Wrap(&part_a.wrapper);
-  result->setBody1Wrap(&part_b.wrapper);
+  result->setBody0Wrap(&part_a);
+  result->setBody1Wrap(&part_b);
   result->setShapeIdentifiersA(-1, pair.part_a);
   result->setShapeIdentifiersB(-1, pair.part_b);
-  if (AllPartPairsScope::is_active() || part_a.BoxOverlaps(part_b)) {
-    pair.algorithm->processCollision(&part_a.wrapper, &part_b.wrapper, info, result);
+  if (are_close) {
+    pair.algorithm->processCollision(&part_a, &part_b, info, result);
     if (pair.manifold == nullptr) {
       btManifoldArray manifolds;
       pair.algorithm->getAllContactManifolds(manifolds);
@@ -126,7 +135,7 @@ void CompoundPairAlgorithm::Collide(PartPair& pair, const btCollisionObjectWrapp
         pair.manifold->m_companionIdA = 1 + pair.part_a * kMaxParts + pair.part_b;
       }
     }
-  } else if (pair.manifold != nullptr && pair.manifold->getNumContacts() > 0) {
+  } else {
     // The parts moved apart: let the points of earlier steps expire.
     result->setPersistentManifold(pair.manifold);
     result->refreshContactPoints();
@@ -136,9 +145,8 @@ void CompoundPairAlgorithm::Collide(PartPair& pair, const btCollisionObjectWrapp
 }
 
 void CompoundPairAlgorithm::getAllContactManifolds(btManifoldArray& manifolds) {
-  for (const PartPair& pair : pairs_) {
-    if (pair.manifold != nullptr) manifolds.push_back(pair.manifold);
-  }
+  // Some algorithms have a manifold before their first call, which PartPair does not know.
+  for (const PartPair& pair : pairs_) pair.algorithm->getAllContactManifolds(manifolds);
 }
 
 }  // namespace smile::physics

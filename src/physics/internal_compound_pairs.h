@@ -6,6 +6,12 @@
 
 namespace smile::physics {
 
+/// Where a part P of an object is in a step.
+struct PosedPart {
+  btTransform X_WP;
+  btVector3 min, max;  ///< corners of its bounding box in the world
+};
+
 /// Collision algorithm for two shapes of which at least one is made of parts, with one contact
 /// manifold per pair of parts. The manifold contains the pair of part numbers (PartPairOf), so that
 /// a saved contact finds its manifold again; the manifolds of Bullet's own compound algorithms
@@ -56,6 +62,7 @@ class CompoundPairAlgorithm : public btCollisionAlgorithm {
   void Collide(PartPair& pair, const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
                const btDispatcherInfo& info, btManifoldResult* result);
 
+  std::vector<PosedPart> parts_a_, parts_b_;  ///< of the present step
   std::vector<PartPair> pairs_;
 };
 

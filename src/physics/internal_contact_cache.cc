@@ -1,5 +1,6 @@
 #include "physics/internal_contact_cache.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <stdexcept>
@@ -119,15 +120,11 @@ void MakeManifolds(ExactWorld& world, StatelessBroadphase& broadphase,
 
 }  // namespace
 
-void SaveContacts(ExactWorld& world, ByteWriter* out) {
+void SaveContacts(const DormantIslands& islands, ByteWriter* out) {
+  std::vector<btPersistentManifold*> touching = islands.AllManifolds();
+  std::erase_if(touching, [](const auto* manifold) { return manifold->getNumContacts() == 0; });
   // The bytes must not depend on the order in which contacts arose.
-  world.SortManifolds();
-  btDispatcher* dispatcher = world.getDispatcher();
-  std::vector<btPersistentManifold*> touching;
-  for (int i = 0; i < dispatcher->getNumManifolds(); ++i) {
-    btPersistentManifold* manifold = dispatcher->getManifoldByIndexInternal(i);
-    if (manifold->getNumContacts() > 0) touching.push_back(manifold);
-  }
+  std::ranges::sort(touching, {}, KeyOf);
   out->Put(static_cast<std::uint32_t>(touching.size()));
   for (btPersistentManifold* manifold : touching) {
     const auto [a, b, parts] = KeyOf(manifold);

@@ -1,13 +1,14 @@
 #pragma once
 
 #include "base/bytes.h"
+#include "physics/internal_dormant_islands.h"
 #include "physics/internal_exact_world.h"
 #include "physics/internal_stateless_broadphase.h"
 
 namespace smile::physics {
 
 /// Writes all contact points, with the impulses that the next solve starts from.
-void SaveContacts(ExactWorld& world, ByteWriter* out);
+void SaveContacts(const DormantIslands& islands, ByteWriter* out);
 
 /// Restores saved contact points. The world must contain the saved objects in their saved poses;
 /// its present contacts are dropped.

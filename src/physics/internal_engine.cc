@@ -4,7 +4,10 @@ namespace smile::physics {
 
 Engine::Engine(const WorldConfig& config)
     : dispatcher(&collision_configuration),
-      world(&dispatcher, &broadphase, &solver, &collision_configuration) {
+      broadphase(config.has_close_bounds),
+      world(&dispatcher, &broadphase, &solver, &collision_configuration),
+      dormant_islands(world, dispatcher, broadphase) {
+  world.SetDormantIslands(&dormant_islands);
   compound_pairs.RegisterWith(&dispatcher);
   world.setGravity(btVector3(0, 0, -config.gravity));
   world.getDispatchInfo().m_deterministicOverlappingPairs = true;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "physics/internal_compound_pairs.h"
+#include "physics/internal_dormant_islands.h"
 #include "physics/internal_exact_world.h"
 #include "physics/internal_joint_solver.h"
 #include "physics/internal_overlap_probe.h"
@@ -15,10 +16,11 @@ struct Engine {
 
   btDefaultCollisionConfiguration collision_configuration;
   CompoundPairAlgorithm::CreateFunc compound_pairs;
-  btCollisionDispatcher dispatcher;
+  Dispatcher dispatcher;
   StatelessBroadphase broadphase;
   JointSolver solver;
   ExactWorld world;
+  DormantIslands dormant_islands;
   OverlapProbe overlap_probe;
 };
 

@@ -7,7 +7,9 @@
 #include <tuple>
 
 #include "physics/internal_compound_pairs.h"
+#include "physics/internal_dormant_islands.h"
 #include "physics/internal_joint_drive.h"
+#include "physics/internal_stateless_broadphase.h"
 
 // Bullet's world with everything sorted that depends on history, so that the same state always
 // gives the same next state. Objects, manifolds and islands have the order of creation of their
@@ -53,36 +55,40 @@ void Replace(btAlignedObjectArray<Constraint*>& constraints, Constraint* constra
 }  // namespace
 
 void ExactWorld::SortObjects() {
-  const auto by_order = [](const btCollisionObject* a, const btCollisionObject* b) {
-    return OrderOf(a) < OrderOf(b);
-  };
-  const auto sort = [&by_order](auto& objects) {
-    if (objects.size() == 0) return false;
-    auto* begin = &objects[0];
-    if (std::is_sorted(begin, begin + objects.size(), by_order)) return false;
-    std::sort(begin, begin + objects.size(), by_order);
+  const auto sort = [](auto& objects) {
+    if (std::ranges::is_sorted(All(objects), {}, OrderOf)) return false;
+    std::ranges::sort(All(objects), {}, OrderOf);
     return true;
   };
-  auto& objects = getCollisionObjectArray();
-  if (sort(objects)) {
-    // Bullet finds objects in its array by this index.
-    for (int i = 0; i < objects.size(); ++i) objects[i]->setWorldArrayIndex(i);
-  }
+  if (sort(m_collisionObjects)) NumberObjects();
   sort(m_nonStaticRigidBodies);
 }
 
+void ExactWorld::PutObject(btRigidBody* body) {
+  body->setWorldArrayIndex(m_collisionObjects.size());
+  m_collisionObjects.push_back(body);
+  m_nonStaticRigidBodies.push_back(body);
+}
+
+/// Tells the objects their places: Bullet finds them in its array by these.
+void ExactWorld::NumberObjects() {
+  for (int i = 0; i < m_collisionObjects.size(); ++i) m_collisionObjects[i]->setWorldArrayIndex(i);
+}
+
+std::span<btPersistentManifold*> ExactWorld::manifolds() {
+  return {getDispatcher()->getInternalManifoldPointer(),
+          static_cast<std::size_t>(getDispatcher()->getNumManifolds())};
+}
+
 void ExactWorld::SortManifolds() {
-  const int count = getDispatcher()->getNumManifolds();
-  if (count == 0) return;
   const auto key = [](const btPersistentManifold* manifold) {
     return std::tuple(OrderOf(manifold->getBody0()), OrderOf(manifold->getBody1()),
                       PartPairOf(manifold));
   };
-  btPersistentManifold** manifolds = getDispatcher()->getInternalManifoldPointer();
-  std::sort(manifolds, manifolds + count,
-            [&key](const auto* a, const auto* b) { return key(a) < key(b); });
+  std::ranges::sort(manifolds(), {}, key);
   // Bullet removes a manifold by its stored index.
-  for (int i = 0; i < count; ++i) manifolds[i]->m_index1a = i;
+  int index = 0;
+  for (btPersistentManifold* manifold : manifolds()) manifold->m_index1a = index++;
 }
 
 void ExactWorld::RemoveConstraintInOrder(btMultiBodyConstraint* constraint) {
@@ -96,6 +102,14 @@ void ExactWorld::ReplaceConstraint(btMultiBodyConstraint* constraint, btMultiBod
 }
 void ExactWorld::ReplaceConstraint(btTypedConstraint* constraint, btTypedConstraint* with) {
   Replace(m_constraints, constraint, with);
+}
+
+void ExactWorld::updateAabbs() {
+  for (btCollisionObject* object : All(m_collisionObjects)) {
+    StatelessBroadphase::UpdateBounds(*object);
+  }
+  // Before pairs are found, which Bullet does next.
+  dormant_islands_->ReturnReached();
 }
 
 void ExactWorld::integrateTransforms(btScalar seconds) {
@@ -129,8 +143,7 @@ void ExactWorld::EaseCloseFits() {
   const auto id_of = [](const btCollisionObject* object) {
     return BodyId{static_cast<std::uint32_t>(OrderOf(object))};
   };
-  for (int i = 0; i < getDispatcher()->getNumManifolds(); ++i) {
-    btPersistentManifold* manifold = getDispatcher()->getManifoldByIndexInternal(i);
+  for (btPersistentManifold* manifold : manifolds()) {
     const std::pair<BodyId, BodyId> pair =
         std::minmax(id_of(manifold->getBody0()), id_of(manifold->getBody1()));
     if (!std::ranges::binary_search(close_fits_, pair)) continue;
@@ -147,8 +160,7 @@ void ExactWorld::EaseCloseFits() {
 /// under an opening gate, is pushed out slowly: Bullet corrects a fifth of the depth per step, at
 /// any speed.
 void ExactWorld::LimitDepths() {
-  for (int i = 0; i < getDispatcher()->getNumManifolds(); ++i) {
-    btPersistentManifold* manifold = getDispatcher()->getManifoldByIndexInternal(i);
+  for (btPersistentManifold* manifold : manifolds()) {
     if (!IsLoose(manifold->getBody0()) && !IsLoose(manifold->getBody1())) continue;
     for (int k = 0; k < manifold->getNumContacts(); ++k) {
       btManifoldPoint& point = manifold->getContactPoint(k);

@@ -5,10 +5,34 @@
 #include <utility>
 #include <vector>
 
-#include "physics/body.h"
+#include "physics/ids.h"
 #include "physics/internal_bullet.h"
 
 namespace smile::physics {
+
+class DormantIslands;
+
+/// Bullet's dispatcher, which can leave out contact manifolds for a while.
+class Dispatcher : public btCollisionDispatcher {
+ public:
+  using btCollisionDispatcher::btCollisionDispatcher;
+
+  /// Leaves out the manifolds for which `is_taken` is true. They must be put back before their
+  /// pairs end.
+  template <class Predicate>
+  void TakeManifolds(Predicate is_taken) {
+    btManifoldArray all = m_manifoldsPtr;
+    m_manifoldsPtr.resize(0);
+    for (btPersistentManifold* manifold : All(all)) {
+      if (!is_taken(*manifold)) PutManifold(manifold);
+    }
+  }
+  void PutManifold(btPersistentManifold* manifold) {
+    // Bullet removes a manifold by its stored index.
+    manifold->m_index1a = m_manifoldsPtr.size();
+    m_manifoldsPtr.push_back(manifold);
+  }
+};
 
 /// Bullet's multibody world in a canonical order: its arrays, islands and contact manifolds are
 /// sorted by the objects' order of creation. The order of work in a step, and with it all rounding,
@@ -26,6 +50,13 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   /// after the usual addition at the end.
   void SortObjects();
   void SortManifolds();
+  /// Leaves out the objects for which `is_taken` is true, without the traces of a removal.
+  template <class Predicate>
+  void TakeObjects(Predicate is_taken);
+  /// Puts a body back that was left out. Call SortObjects() afterwards.
+  void PutObject(btRigidBody* body);
+  /// Sets the islands that are returned when something reaches them.
+  void SetDormantIslands(DormantIslands* islands) { dormant_islands_ = islands; }
   /// Removes a constraint and keeps the order; Bullet's own removal fills the gap with the last
   /// one.
   void RemoveConstraintInOrder(btMultiBodyConstraint* constraint);
@@ -35,6 +66,9 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   void ReplaceConstraint(btTypedConstraint* constraint, btTypedConstraint* with);
 
  protected:
+  /// Computes bounding boxes by StatelessBroadphase::UpdateBounds(), and returns islands that they
+  /// reach.
+  void updateAabbs() override;
   /// Does nothing: kinematic objects are given their velocities, which Bullet would derive from
   /// poses.
   void saveKinematicState(btScalar) override {}
@@ -45,11 +79,28 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   void calculateSimulationIslands() override;
 
  private:
+  std::span<btPersistentManifold*> manifolds();
+  void NumberObjects();
   void EaseCloseFits();
   void LimitDepths();
 
+  DormantIslands* dormant_islands_ = nullptr;
   std::vector<std::pair<BodyId, BodyId>> close_fits_;
   std::vector<int> smallest_in_island_;
 };
+
+template <class Predicate>
+void ExactWorld::TakeObjects(Predicate is_taken) {
+  const auto keep_others = [&is_taken](auto* objects) {
+    auto all = *objects;
+    objects->resize(0);
+    for (auto* object : All(all)) {
+      if (!is_taken(object)) objects->push_back(object);
+    }
+  };
+  keep_others(&m_collisionObjects);
+  keep_others(&m_nonStaticRigidBodies);
+  NumberObjects();
+}
 
 }  // namespace smile::physics

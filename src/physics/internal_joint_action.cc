@@ -52,35 +52,40 @@ std::vector<double> InverseMassesOf(const JointGroups& rigid, const WorldObjects
   return masses;
 }
 
-}  // namespace
-
-void LoadCarriedBodies(const WorldObjects& objects, const JointSet& joints) {
+/// Loads each carried body with all bodies of its group, whatever joints lie between them.
+void LoadByJoints(const WorldObjects& objects, const JointSet& joints) {
   const auto& bodies = objects.bodies();
-  const bool is_any_carried =
-      std::any_of(bodies.begin(), bodies.end(), [](const auto& one) { return one->is_carried(); });
+  const JointGroups groups(bodies, joints.joints(), /*only_fixed=*/false);
+  std::vector<std::vector<std::size_t>> carried_in(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i]->is_carried()) carried_in[groups.group_of(bodies[i]->id())].push_back(i);
+  }
   std::vector<std::pair<double, double>> loads(bodies.size());  // mass, moment
-  if (is_any_carried && joints.has_constraints()) {
-    // A carried body bears all bodies of its group, whatever joints lie between them.
-    const JointGroups groups(bodies, joints.joints(), /*only_fixed=*/false);
-    std::vector<std::vector<std::size_t>> carried_in(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      if (bodies[i]->is_carried()) carried_in[groups.group_of(bodies[i]->id())].push_back(i);
-    }
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      Body& one = *bodies[i];
-      if (one.is_static()) continue;
-      for (std::size_t carried : carried_in[groups.group_of(one.id())]) {
-        // What hangs on a carried body must follow it, even if it is asleep.
-        one.WakeUp();
-        if (carried == i) continue;
-        loads[carried].first += one.spec().mass.mass;
-        loads[carried].second += MomentAbout(*bodies[carried], one);
-      }
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    Body& one = *bodies[i];
+    if (one.is_static()) continue;
+    for (std::size_t carried : carried_in[groups.group_of(one.id())]) {
+      // What hangs on a carried body must follow it, even if it is asleep.
+      one.WakeUp();
+      if (carried == i) continue;
+      loads[carried].first += one.spec().mass.mass;
+      loads[carried].second += MomentAbout(*bodies[carried], one);
     }
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (!bodies[i]->is_static()) bodies[i]->dynamics().Load(loads[i].first, loads[i].second);
   }
+}
+
+}  // namespace
+
+void LoadCarriedBodies(const WorldObjects& objects, const JointSet& joints) {
+  bool is_any_carried = false;
+  objects.ForEachPresent(
+      [&is_any_carried](const Body& one) { is_any_carried = is_any_carried || one.is_carried(); });
+  if (is_any_carried && joints.has_constraints()) return LoadByJoints(objects, joints);
+  // Bodies of dormant islands lost their load when they were released.
+  objects.ForEachPresent([](Body& one) { one.dynamics().Load(0, 0); });
 }
 
 void DampSliders(const WorldObjects& objects, const JointSet& joints, double step_seconds) {

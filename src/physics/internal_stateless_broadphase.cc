@@ -9,10 +9,6 @@
 namespace smile::physics {
 namespace {
 
-const btCollisionObject* ObjectOf(const btBroadphaseProxy* proxy) {
-  return static_cast<const btCollisionObject*>(proxy->m_clientObject);
-}
-
 /// Returns true if two bounding boxes overlap.
 bool Overlap(const btBroadphaseProxy* a, const btBroadphaseProxy* b) {
   return TestAabbAgainstAabb2(a->m_aabbMin, a->m_aabbMax, b->m_aabbMin, b->m_aabbMax);
@@ -48,7 +44,34 @@ bool PairFilter::IsExcluded(int order_a, int order_b) const {
   return !excluded_.empty() && excluded_.contains(Ordered(order_a, order_b));
 }
 
-StatelessBroadphase::StatelessBroadphase() { pairs_.setOverlapFilterCallback(&filter_); }
+StatelessBroadphase::StatelessBroadphase(bool has_close_bounds)
+    : has_close_bounds_(has_close_bounds) {
+  pairs_.setOverlapFilterCallback(&filter_);
+}
+
+void StatelessBroadphase::UpdateBounds(btCollisionObject& object) {
+  /// Diagonal of the box of a body whose motion has no meaning any more, squared [m2].
+  constexpr btScalar kAstray = 1e12;
+  auto* proxy = static_cast<Proxy*>(object.getBroadphaseHandle());
+  const btCollisionShape& shape = *object.getCollisionShape();
+  btVector3 min, max;
+  shape.getAabb(object.getWorldTransform(), min, max);
+  // Links have no predicted pose.
+  if (btRigidBody::upcast(&object) != nullptr && !object.isStaticOrKinematicObject()) {
+    btVector3 next_min, next_max;
+    shape.getAabb(object.getInterpolationWorldTransform(), next_min, next_max);
+    min.setMin(next_min);
+    max.setMax(next_max);
+  }
+  // Also true for NaN, which must not come between numbers that are sorted.
+  if (!object.isStaticObject() && !((max - min).length2() < kAstray)) {
+    object.setActivationState(DISABLE_SIMULATION);
+    return;
+  }
+  const btVector3 reach(proxy->reach, proxy->reach, proxy->reach);
+  proxy->m_aabbMin = min - reach;
+  proxy->m_aabbMax = max + reach;
+}
 
 void StatelessBroadphase::Exclude(const btCollisionObject& a, const btCollisionObject& b,
                                   btDispatcher* dispatcher) {
@@ -66,15 +89,23 @@ void StatelessBroadphase::DropPairsOf(const btCollisionObject& object, btDispatc
 btBroadphaseProxy* StatelessBroadphase::createProxy(const btVector3& aabb_min,
                                                     const btVector3& aabb_max, int, void* object,
                                                     int group, int mask, btDispatcher*) {
-  auto proxy = std::make_unique<btBroadphaseProxy>(aabb_min, aabb_max, object, group, mask);
+  auto proxy = std::make_unique<Proxy>(aabb_min, aabb_max, object, group, mask);
+  // Two objects touch up to the smaller of the distances that Bullet derives from their sizes.
+  proxy->reach = gContactBreakingThreshold;
+  if (has_close_bounds_) {
+    const btCollisionShape& shape = *ObjectOf(proxy.get())->getCollisionShape();
+    proxy->reach = std::min(proxy->reach, shape.getContactBreakingThreshold(proxy->reach));
+  }
   // Bullet sorts pairs by the unique id, so it must not depend on history.
   proxy->m_uniqueId = OrderOf(ObjectOf(proxy.get()));
+  swept_.push_back(proxy.get());
   proxies_.push_back(std::move(proxy));
   return proxies_.back().get();
 }
 
 void StatelessBroadphase::destroyProxy(btBroadphaseProxy* proxy, btDispatcher* dispatcher) {
   pairs_.removeOverlappingPairsContainingProxy(proxy, dispatcher);
+  std::erase(swept_, proxy);
   std::erase_if(proxies_, [proxy](const auto& owned) { return owned.get() == proxy; });
 }
 
@@ -116,17 +147,15 @@ void StatelessBroadphase::calculateOverlappingPairs(btDispatcher* dispatcher) {
 
   // Sweep: after sorting by lower x, the partners of a box follow it up to its upper x. Ties are
   // broken by creation order, so the order of new pairs is reproducible.
-  sorted_.clear();
-  for (const auto& proxy : proxies_) sorted_.push_back(proxy.get());
-  std::sort(sorted_.begin(), sorted_.end(), [](const auto* a, const auto* b) {
+  std::sort(swept_.begin(), swept_.end(), [](const auto* a, const auto* b) {
     return a->m_aabbMin.x() != b->m_aabbMin.x() ? a->m_aabbMin.x() < b->m_aabbMin.x()
                                                 : a->m_uniqueId < b->m_uniqueId;
   });
-  for (std::size_t i = 0; i < sorted_.size(); ++i) {
-    const btScalar end = sorted_[i]->m_aabbMax.x();
-    for (std::size_t j = i + 1; j < sorted_.size() && sorted_[j]->m_aabbMin.x() <= end; ++j) {
+  for (std::size_t i = 0; i < swept_.size(); ++i) {
+    const btScalar end = swept_[i]->m_aabbMax.x();
+    for (std::size_t j = i + 1; j < swept_.size() && swept_[j]->m_aabbMin.x() <= end; ++j) {
       // The cache applies the filter and keeps each pair once.
-      if (Overlap(sorted_[i], sorted_[j])) pairs_.addOverlappingPair(sorted_[i], sorted_[j]);
+      if (Overlap(swept_[i], swept_[j])) pairs_.addOverlappingPair(swept_[i], swept_[j]);
     }
   }
 }

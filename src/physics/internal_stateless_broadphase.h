@@ -30,11 +30,24 @@ class PairFilter : public btOverlapFilterCallback {
 /// world would differ from the original.
 class StatelessBroadphase : public btBroadphaseInterface {
  public:
-  StatelessBroadphase();
+  /// @param has_close_bounds  see WorldConfig
+  explicit StatelessBroadphase(bool has_close_bounds);
 
   PairFilter& filter() { return filter_; }
+  btBroadphasePairArray& pairs() { return pairs_.getOverlappingPairArray(); }
   /// Excludes two objects of this broadphase and drops their contacts.
   void Exclude(const btCollisionObject& a, const btCollisionObject& b, btDispatcher* dispatcher);
+
+  /// Computes the bounding box of an object: everything that it may touch before the next step has
+  /// a box that overlaps it.
+  static void UpdateBounds(btCollisionObject& object);
+
+  /// Leaves out the proxies for which `is_taken` is true: no new pairs are found for them.
+  template <class Predicate>
+  void TakeProxies(Predicate is_taken) {
+    std::erase_if(swept_, is_taken);
+  }
+  void PutProxy(btBroadphaseProxy* proxy) { swept_.push_back(proxy); }
 
   /// Drops all contacts of an object, for a change in what it may collide with; the next step finds
   /// its pairs again.
@@ -58,10 +71,16 @@ class StatelessBroadphase : public btBroadphaseInterface {
   void printStats() override {}
 
  private:
+  struct Proxy : btBroadphaseProxy {
+    using btBroadphaseProxy::btBroadphaseProxy;
+    btScalar reach = 0;  ///< the box exceeds the object by this much on each side [m]
+  };
+
+  bool has_close_bounds_;
   PairFilter filter_;
   btHashedOverlappingPairCache pairs_;
-  std::vector<std::unique_ptr<btBroadphaseProxy>> proxies_;
-  std::vector<btBroadphaseProxy*> sorted_;  ///< along x; kept to reuse its memory
+  std::vector<std::unique_ptr<Proxy>> proxies_;
+  std::vector<btBroadphaseProxy*> swept_;  ///< those for which pairs are found
 };
 
 }  // namespace smile::physics

@@ -47,6 +47,7 @@ WorldObjects::WorldObjects(const WorldConfig& config, Engine& engine)
 
 WorldObjects::~WorldObjects() {
   // Bullet's world does not own its objects; they must leave it before they are destroyed.
+  engine_.dormant_islands.ReturnAll();
   while (!bodies_.empty()) Erase(*bodies_.back());
   for (const auto& articulation : articulations_) {
     for (const auto& link : articulation->links().links) {
@@ -96,6 +97,7 @@ ArticulationId WorldObjects::AddArticulation(const scene::ArticulationSpec& spec
 void WorldObjects::Insert(std::unique_ptr<Body> fresh) {
   Body& body = InsertById(bodies_, std::move(fresh));
   btRigidBody& bullet = body.dynamics().bullet();
+  body.dynamics().set_dormant_islands(&engine_.dormant_islands);
   bullet.setSleepingThresholds(config_.sleep_linear_speed, config_.sleep_angular_speed);
   bullet.setDamping(config_.damping, body.spec().angular_damping.value_or(config_.damping));
   engine_.world.addRigidBody(&bullet);
@@ -176,8 +178,7 @@ void WorldObjects::WakeNear(const Body& body) {
 }
 
 bool WorldObjects::is_at_rest() const {
-  return std::none_of(bodies_.begin(), bodies_.end(),
-                      [](const auto& b) { return b->is_awake(); }) &&
+  return engine_.dormant_islands.AllSleep() &&
          std::all_of(articulations_.begin(), articulations_.end(),
                      [](const auto& a) { return a->is_at_rest(); });
 }
@@ -204,9 +205,13 @@ void WorldObjects::RestoreState(ByteReader* in) {
 }
 
 void WorldObjects::AddTo(StateHash* hash) const {
-  for (const auto& body : bodies_) {
-    hash->Add(std::uint64_t{body->id().value});
-    body->dynamics().AddTo(hash);
+  if (config_.sums_hashes) {
+    hash->Add(engine_.dormant_islands.HashOfBodies());
+  } else {
+    for (const auto& body : bodies_) {
+      hash->Add(std::uint64_t{body->id().value});
+      body->dynamics().AddTo(hash);
+    }
   }
   for (const auto& articulation : articulations_) {
     hash->Add(std::uint64_t{articulation->id().value});

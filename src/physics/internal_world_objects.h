@@ -31,12 +31,11 @@ class WorldObjects {
   /// body.
   template <class Visit>
   void ForEachManifoldOf(const btCollisionObject* object, Visit visit) const {
-    for (int i = 0; i < engine_.dispatcher.getNumManifolds(); ++i) {
-      const auto& manifold = *engine_.dispatcher.getManifoldByIndexInternal(i);
-      const bool is_a = manifold.getBody0() == object;
-      if (!is_a && manifold.getBody1() != object) continue;
-      const int order = OrderOf(is_a ? manifold.getBody1() : manifold.getBody0());
-      if (Body* other = Find(BodyId{static_cast<std::uint32_t>(order)})) visit(manifold, *other);
+    for (const btPersistentManifold* manifold : engine_.dormant_islands.AllManifolds()) {
+      const bool is_a = manifold->getBody0() == object;
+      if (!is_a && manifold->getBody1() != object) continue;
+      const int order = OrderOf(is_a ? manifold->getBody1() : manifold->getBody0());
+      if (Body* other = Find(BodyId{static_cast<std::uint32_t>(order)})) visit(*manifold, *other);
     }
   }
 
@@ -48,6 +47,14 @@ class WorldObjects {
   /// Replaces the body by one of another form in its place; its Bullet object is replaced too.
   void ChangeForm(BodyId id, const std::vector<scene::Solid>& solids,
                   const scene::MassProperties& mass);
+
+  /// Calls visit(Body&) for each body that is not static, by id, except those of dormant islands.
+  template <class Visit>
+  void ForEachPresent(Visit visit) const {
+    for (const btRigidBody* present : All(engine_.world.getNonStaticRigidBodies())) {
+      visit(body(BodyId{static_cast<std::uint32_t>(OrderOf(present))}));
+    }
+  }
 
   bool is_at_rest() const;
   void WakeAll();

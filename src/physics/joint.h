@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/overloaded.h"
 #include "math/rigid_transform.h"
 #include "physics/ids.h"
 
@@ -71,6 +72,11 @@ struct Joint {
 };
 
 /// Returns true if the joint holds this body.
-bool Joins(const JointSpec& spec, BodyId body);
+inline bool Joins(const JointSpec& spec, BodyId body) {
+  return std::visit(
+      Overloaded{[body](const WeldSpec& weld) { return weld.body == body; },
+                 [body](const auto& pair) { return pair.a == body || pair.b == body; }},
+      spec);
+}
 
 }  // namespace smile::physics

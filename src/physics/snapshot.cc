@@ -3,8 +3,6 @@
 #include <array>
 #include <string>
 
-#include "base/bytes.h"
-#include "physics/internal_joint_bytes.h"
 #include "scene/field_archive.h"
 
 // Snapshots as bytes. Specs are written field by field by Walk(), one function for writing and

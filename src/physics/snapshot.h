@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/bytes.h"
 #include "physics/articulation.h"
 #include "physics/body.h"
 #include "physics/joint.h"
@@ -38,6 +39,9 @@ struct Snapshot {
   std::vector<std::pair<BodyId, BodyId>> passing, close_fits;
   std::vector<std::byte> state;
 };
+
+/// Writes a joint as Serialize() does.
+void PutJoint(const Joint& joint, ByteWriter* out);
 
 /// Returns a self-contained byte string, for a file or another process of the same build.
 std::vector<std::byte> Serialize(const Snapshot& snapshot);

@@ -23,8 +23,6 @@ SolidProbe::SolidProbe(const std::vector<scene::Solid>& solids)
 }
 
 SolidProbe::~SolidProbe() = default;
-SolidProbe::SolidProbe(SolidProbe&&) noexcept = default;
-SolidProbe& SolidProbe::operator=(SolidProbe&&) noexcept = default;
 
 void SolidProbe::SetPose(std::size_t solid, const RigidTransform& X_WS) {
   parts_->X_WS[solid] = ToBullet(X_WS);

@@ -15,8 +15,8 @@ class SolidProbe {
   /// @param solids  at their poses Solid::X_BS in the world.
   explicit SolidProbe(const std::vector<scene::Solid>& solids);
   ~SolidProbe();
-  SolidProbe(SolidProbe&&) noexcept;
-  SolidProbe& operator=(SolidProbe&&) noexcept;
+  SolidProbe(const SolidProbe&) = delete;
+  SolidProbe& operator=(const SolidProbe&) = delete;
 
   void SetPose(std::size_t solid, const RigidTransform& X_WS);
   /// Returns the depth of the overlap of two solids [m]; 0 if there is none.

@@ -32,28 +32,36 @@ World::World(const WorldConfig& config)
 
 World::~World() = default;
 
-BodyId World::AddBody(const BodySpec& spec) { return objects_->AddBody(spec); }
+/// Returns a part of the world for a call that changes what there is, or what may collide: all
+/// islands are then in Bullet's world.
+template <class Part>
+Part& World::Changing(const std::unique_ptr<Part>& part) {
+  engine_->dormant_islands.ReturnAll();
+  return *part;
+}
+
+BodyId World::AddBody(const BodySpec& spec) { return Changing(objects_).AddBody(spec); }
 
 /// Joints and exemptions refer to the body, so they end first.
 void World::RemoveBody(BodyId id) {
-  joints_->RemoveAllOf(id);
+  Changing(joints_).RemoveAllOf(id);
   exemptions_->EndAllOf(id);
   objects_->RemoveBody(id);
 }
 
 ArticulationId World::AddArticulation(const scene::ArticulationSpec& spec) {
-  return objects_->AddArticulation(spec);
+  return Changing(objects_).AddArticulation(spec);
 }
 
 void World::ChangeForm(BodyId id, const std::vector<scene::Solid>& solids,
                        const scene::MassProperties& mass) {
-  objects_->ChangeForm(id, solids, mass);
+  Changing(objects_).ChangeForm(id, solids, mass);
   // Bullet's object of the body is another one now.
   joints_->Rejoin(id);
 }
 
-JointId World::AddJoint(const JointSpec& spec) { return joints_->Add(spec); }
-void World::RemoveJoint(JointId id) { joints_->Remove(id); }
+JointId World::AddJoint(const JointSpec& spec) { return Changing(joints_).Add(spec); }
+void World::RemoveJoint(JointId id) { Changing(joints_).Remove(id); }
 const std::vector<Joint>& World::joints() const { return joints_->joints(); }
 
 std::vector<BodyId> World::Assembly(BodyId id, JointId without) const {
@@ -73,7 +81,7 @@ void World::MoveAssembly(BodyId id, const RigidTransform& X_WB) {
 }
 
 void World::IgnoreCollisionUntilSeparated(BodyId a, BodyId b) {
-  exemptions_->IgnoreUntilSeparated(a, b);
+  Changing(exemptions_).IgnoreUntilSeparated(a, b);
 }
 
 Overlaps World::OverlapsAt(BodyId id, const RigidTransform& X_WB, double depth) const {
@@ -103,8 +111,17 @@ std::vector<BodyId> World::BodiesTouching(BodyId id) const {
   return FindTouchingBodies(body(id), *objects_);
 }
 
+std::vector<BodyId> World::awake_bodies() const {
+  std::vector<BodyId> awake;
+  if (engine_->dormant_islands.AllSleep()) return awake;
+  objects_->ForEachPresent([&awake](const Body& body) {
+    if (body.is_awake()) awake.push_back(body.id());
+  });
+  return awake;
+}
+
 bool World::is_at_rest() const { return objects_->is_at_rest(); }
-void World::WakeAll() { objects_->WakeAll(); }
+void World::WakeAll() { Changing(objects_).WakeAll(); }
 
 void World::Step() {
   // The condition depends on saved state only, so a replay skips the same steps.
@@ -123,16 +140,16 @@ void World::Step() {
   engine_->world.stepSimulation(config_.step_seconds, /*maxSubSteps=*/0);
   for (const auto& articulation : objects_->articulations()) articulation->AfterStep();
   held_bodies_->MoveKinematicBodies();
+  engine_->dormant_islands.LeaveOut();
 }
 
 void World::ApplyGravity() {
-  for (const auto& body : objects_->bodies()) {
-    if (body->is_static()) continue;
+  objects_->ForEachPresent([this](Body& body) {
     // A body without solids would never stop falling.
-    const bool floats = body->is_carried() || body->spec().solids.empty();
+    const bool floats = body.is_carried() || body.spec().solids.empty();
     const double gravity = floats ? 0.0 : -config_.gravity;
-    body->dynamics().bullet().setGravity(btVector3(0, 0, gravity));
-  }
+    body.dynamics().bullet().setGravity(btVector3(0, 0, gravity));
+  });
   held_bodies_->ApplyExcessWeight();
 }
 
@@ -152,7 +169,7 @@ Snapshot World::Save() const {
   exemptions_->Save(&snapshot);
   // State of the solver's random numbers.
   state.Put(static_cast<std::uint64_t>(engine_->solver.getRandSeed()));
-  SaveContacts(engine_->world, &state);
+  SaveContacts(engine_->dormant_islands, &state);
   snapshot.state = state.Take();
   return snapshot;
 }
@@ -163,7 +180,7 @@ void World::Restore(const Snapshot& snapshot) {
   WorldObjects::Replacement replacement = objects_->ReplacementFor(snapshot);
   // From here on nothing fails until states are read. Joints are made again from their specs; their
   // states are read below.
-  joints_->RemoveAll();
+  Changing(joints_).RemoveAll();
   exemptions_->EndAll();
   objects_->Apply(std::move(replacement));
   joints_->Restore(snapshot);

@@ -88,6 +88,8 @@ class World {
   /// apart, and those that bounced off it in the last step.
   std::vector<BodyId> BodiesTouching(BodyId id) const;
 
+  /// Returns the bodies that are awake, by id. Takes a time that does not depend on the others.
+  std::vector<BodyId> awake_bodies() const;
   /// Returns true if all bodies sleep and no articulation moves: a step would change nothing.
   bool is_at_rest() const;
 
@@ -112,6 +114,8 @@ class World {
 
  private:
   void ApplyGravity();
+  template <class Part>
+  Part& Changing(const std::unique_ptr<Part>& part);
 
   WorldConfig config_;
   std::unique_ptr<Engine> engine_;  ///< Bullet's objects; outlives the members below

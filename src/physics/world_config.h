@@ -15,6 +15,12 @@ struct WorldConfig {
   double damping = 0.2;              ///< fraction of a velocity lost per second
   /// False for physics version 1, in which a body that comes free in a hole of its own size jams.
   bool eases_close_fits = true;
+  /// False for physics versions 1 and 2, in which every bounding box is 2 cm larger on all sides: a
+  /// body that moves keeps those within 4 cm awake.
+  bool has_close_bounds = true;
+  /// False for physics versions 1 and 2, in which the hash of a state goes through all bodies in
+  /// order. Otherwise it contains the sum of their hashes, of which those of sleepers are known.
+  bool sums_hashes = true;
   MotorConfig motor;
 
   bool operator==(const WorldConfig&) const = default;

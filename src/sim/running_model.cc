@@ -14,13 +14,22 @@
 // is decided at compile time, by the overloads of SimulatedRobot::Execute().
 
 namespace smile::sim {
+namespace {
+
+/// Returns the rules of a version of the physics. Rules that came later apply only to scenes of
+/// their version: recordings keep the version with which they were made, and replay exactly.
+physics::WorldConfig RulesOf(int physics_version) {
+  return {.eases_close_fits = physics_version >= 2,
+          .has_close_bounds = physics_version >= 3,
+          .sums_hashes = physics_version >= 3};
+}
+
+}  // namespace
 
 RunningModel::RunningModel(std::shared_ptr<const model::Model> model)
     : start_model_(std::move(model)),
       model_(start_model_),
-      // Rules of physics that came later apply only to scenes of their version: recordings keep the
-      // version with which they were made, and replay exactly.
-      physics_(physics::WorldConfig{.eases_close_fits = model_->scene().physics_version >= 2}),
+      physics_(RulesOf(model_->scene().physics_version)),
       tabletop_(&physics_, model_),
       demonstrator_(&physics_, &tabletop_) {
   if (model_->robot() != nullptr) robot_.emplace(&physics_, model_);
@@ -151,11 +160,10 @@ std::vector<std::vector<physics::BodyId>> RunningModel::HeldByGrippers() const {
 bool RunningModel::is_still() const {
   // [m/s, rad/s]
   constexpr double kSpeed = 0.002, kAngularSpeed = 0.02;
-  for (const world::Object& object : tabletop_.objects()) {
-    if (!tabletop_.IsPresent(object)) continue;
-    const physics::Body& body = physics_.body(object.body);
+  for (const physics::BodyId id : physics_.awake_bodies()) {
+    const physics::Body& body = physics_.body(id);
     // Held objects may move: the question is whether the rest has come to rest.
-    if (body.is_carried() || !body.is_awake()) continue;
+    if (body.is_carried()) continue;
     if (body.linear_velocity().norm() > kSpeed || body.angular_velocity().norm() > kAngularSpeed) {
       return false;
     }

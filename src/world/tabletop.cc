@@ -103,11 +103,10 @@ const Object* Tabletop::Find(std::string_view id) const {
 }
 
 const Object* Tabletop::Find(physics::BodyId body) const {
-  for (const Object& object : objects_) {
-    // Removed bodies keep their ids, so an id never means another object.
-    if (object.body == body) return IsPresent(object) ? &object : nullptr;
-  }
-  return nullptr;
+  // Bodies are added in the order of the objects, and ids count up; removed bodies keep theirs.
+  const auto found = std::ranges::lower_bound(objects_, body, {}, &Object::body);
+  const bool is_of_object = found != objects_.end() && found->body == body;
+  return is_of_object && IsPresent(*found) ? &*found : nullptr;
 }
 
 const Object* Tabletop::FindPointable(std::string_view id) const {
@@ -151,7 +150,7 @@ void Tabletop::FollowControls(const std::vector<ControlState>& before) {
       continue;
     }
     const std::vector<scene::Solid> solids = SolidsNow(object);
-    // Lights variant different but have the same form.
+    // The variants of lights differ in color but have the same form.
     if (solids == world_->body(object.body).spec().solids) continue;
     // The body stays the same for joints and snapshots, with another shape and mass.
     world_->ChangeForm(
@@ -239,7 +238,12 @@ void Tabletop::AddToHash(StateHash* hash) const {
     hash->Add(std::uint64_t{bond.is_locked});
     hash->Add(std::uint64_t{bond.joint.value});
   }
-  for (const ObjectState& object : object_states_) {
+  // In physics versions 1 and 2 also the many to which nothing has happened.
+  const bool adds_all = model_->scene().physics_version < 3;
+  for (std::size_t i = 0; i < object_states_.size(); ++i) {
+    const ObjectState& object = object_states_[i];
+    if (!adds_all && object == ObjectState()) continue;
+    if (!adds_all) hash->Add(std::uint64_t{i});
     hash->Add(std::uint64_t{object.was_raised});
     hash->Add(std::uint64_t{object.has_fallen});
   }

@@ -51,19 +51,25 @@ std::optional<Refusal> Tabletop::RefuseToPoint(std::string_view id) const {
 }
 
 std::vector<const Object*> Tabletop::NoticeFallen() {
-  // Asked in each physics step: a bounce may last less than a tick.
-  const std::vector<physics::BodyId> on_floor = world_->BodiesTouching(floor_);
-  std::vector<const Object*> fallen;
-  for (const Object& object : objects_) {
-    ObjectState& state = object_states_[object.index];
-    if (!IsPresent(object) || state.has_fallen) continue;
-    const physics::Body& body = world_->body(object.body);
+  std::vector<const Object*> candidates;
+  // An object that sleeps was looked at while it was awake.
+  for (const physics::BodyId id : world_->awake_bodies()) {
+    const Object* object = Find(id);
+    if (object == nullptr) continue;
+    ObjectState& state = object_states_[object->index];
+    if (state.has_fallen) continue;
+    const physics::Body& body = world_->body(id);
     // An object that starts on the floor has not fallen; after it was raised it can fall.
     if (body.is_carried() && body.pose_in_world().translation().z() > 0) state.was_raised = true;
-    if (!std::ranges::binary_search(on_floor, object.body)) continue;
-    if (!HasComeDown(object) || IsHeld(object)) continue;
-    state.has_fallen = true;
-    fallen.push_back(&object);
+    if (HasComeDown(*object) && !IsHeld(*object)) candidates.push_back(object);
+  }
+  if (candidates.empty()) return {};
+  const std::vector<physics::BodyId> on_floor = world_->BodiesTouching(floor_);
+  std::vector<const Object*> fallen;
+  for (const Object* object : candidates) {
+    if (!std::ranges::binary_search(on_floor, object->body)) continue;
+    object_states_[object->index].has_fallen = true;
+    fallen.push_back(object);
   }
   return fallen;
 }

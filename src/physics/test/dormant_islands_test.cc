@@ -1,0 +1,150 @@
+// Sleeping islands are left out of a step, and nobody can tell.
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "physics_fixture.h"
+
+namespace smile::physics {
+namespace {
+
+/// Stacks and a pile at rest beside a robot, and random things that happen to them.
+class EventfulWorld : public PhysicsWorldBuilder {
+ public:
+  EventfulWorld(unsigned seed, bool has_robot) : random_(seed) {
+    AddTable();
+    if (has_robot) AddRobot();
+    for (int i = 0; i < 5; ++i) {
+      for (BodyId id : AddStack({-0.6 + 0.3 * i, 0.35, 0}, 1 + i % 3)) bodies_.push_back(id);
+    }
+    for (BodyId id : AddPile(6, seed)) bodies_.push_back(id);
+    StepSeconds(4);
+  }
+
+  /// Does something to some of the bodies; the same in each world of the same seed.
+  void LetSomethingHappen() {
+    world_.body(carried_ ? carried_ : AnyBody()).SetCarried(false);
+    carried_ = {};
+    Body& body = world_.body(AnyBody());
+    const RigidTransform above(body.pose_in_world().translation() + Vector3(0, 0, 0.4));
+    switch (random_() % 9) {
+      case 0:
+        return body.SetVelocity({Uniform(), Uniform(), 1}, {0, 0, Uniform()});
+      case 1:
+        return body.SetPose(above);
+      case 2:
+        bodies_.push_back(AddCube(above.translation(), 0.1));
+        return;
+      case 3:
+        if (bodies_.size() > 10) world_.RemoveBody(Take(body.id()));
+        return;
+      case 4:
+        return world_.ChangeForm(body.id(), {{scene::Block{{0.1, 0.14, 0.1}}, {}, Color{}, ""}},
+                                 body.spec().mass);
+      case 5:
+        if (const BodyId other = AnyBody(); other != body.id()) {
+          const RigidTransform X_AB =
+              body.pose_in_world().inverse() * world_.body(other).pose_in_world();
+          joint_ = world_.AddJoint(FixedJointSpec{.a = body.id(), .b = other, .X_AB = X_AB});
+        }
+        return;
+      case 6:
+        if (const BodyId other = AnyBody(); other != body.id()) {
+          world_.IgnoreCollisionUntilSeparated(body.id(), other);
+        }
+        return;
+      case 7:
+        if (robot_) SwingRobot(Uniform());
+        return;
+      default:
+        // Carried through everything at the height of the blocks.
+        carried_ = body.id();
+        body.SetCarried(true);
+        body.SetVelocity({0.8 * Uniform(), 0.8 * Uniform(), 0.05}, Vector3::Zero());
+    }
+  }
+
+  /// Ends what keeps a world awake.
+  void LetAllRest() {
+    if (carried_) world_.body(carried_).SetCarried(false);
+    carried_ = {};
+    for (int i = 0; robot_ && i < world_.articulation(robot_).num_joints(); ++i) {
+      world_.articulation(robot_).SetVelocityTarget(i, 0);
+    }
+  }
+
+  const std::vector<BodyId>& bodies() const { return bodies_; }
+
+ private:
+  double Uniform() { return random_() / 2147483648.0 - 1; }
+  BodyId AnyBody() { return bodies_[random_() % bodies_.size()]; }
+  BodyId Take(BodyId id) {
+    std::erase(bodies_, id);
+    return id;
+  }
+
+  std::mt19937 random_;
+  std::vector<BodyId> bodies_;
+  BodyId carried_;
+  JointId joint_;
+};
+
+class DormantIslandsProperty : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(DormantIslandsProperty, LeavingOutSleepersChangesNoBit) {
+  constexpr int kRounds = 25, kSteps = 150, kStepsToRest = 1000;
+  EventfulWorld usual(GetParam(), GetParam() % 2 == 0), complete(GetParam(), GetParam() % 2 == 0);
+  for (int round = 0; round < kRounds; ++round) {
+    usual.LetSomethingHappen();
+    complete.LetSomethingHappen();
+    const bool rests = round % 5 == 4;
+    if (rests) usual.LetAllRest(), complete.LetAllRest();
+    for (int i = 0; i < (rests ? kStepsToRest : kSteps); ++i) {
+      usual.world_.Step();
+      // A world that was restored just now contains everything, asleep or not.
+      if (!complete.world_.is_at_rest()) complete.world_.Restore(complete.world_.Save());
+      complete.world_.Step();
+      ASSERT_EQ(usual.world_.state_hash(), complete.world_.state_hash())
+          << "round " << round << ", step " << i;
+    }
+    ASSERT_EQ(usual.world_.Save().state, complete.world_.Save().state) << "round " << round;
+    for (BodyId id : usual.bodies()) {
+      EXPECT_EQ(usual.world_.BodiesTouching(id), complete.world_.BodiesTouching(id));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, DormantIslandsProperty, ::testing::Range(1u, 7u));
+
+class NeighborsTest : public ::testing::Test {
+ protected:
+  /// Returns the number of blocks that are awake while the first of five in a row is lifted.
+  static int NumAwakeWhenOneIsLifted(const WorldConfig& config, double gap) {
+    World world(config);
+    PhysicsWorldBuilder builder;
+    world.AddBody(builder.BlockSpec({2, 1.2, 0.4}, RigidTransform(Vector3(0, 0, -0.2)), 0));
+    std::vector<BodyId> row;
+    for (int i = 0; i < 5; ++i) {
+      row.push_back(world.AddBody(builder.CubeSpec({i * (0.1 + gap), 0, 0.05}, 0.1)));
+    }
+    for (int i = 0; i < 1000; ++i) world.Step();
+    world.body(row[0]).SetCarried(true);
+    world.body(row[0]).SetVelocity({0, 0, 0.1}, Vector3::Zero());
+    for (int i = 0; i < 10; ++i) world.Step();
+    return static_cast<int>(
+        std::ranges::count_if(row, [&world](BodyId id) { return world.body(id).is_awake(); }));
+  }
+};
+
+TEST_F(NeighborsTest, StayAsleepBesideABlockThatIsLifted) {
+  EXPECT_EQ(NumAwakeWhenOneIsLifted({}, 0.005), 1);
+}
+
+TEST_F(NeighborsTest, AreOneIslandUpToFourCentimetersInRecordingsOfTheFirstTwoPhysicsVersions) {
+  EXPECT_EQ(NumAwakeWhenOneIsLifted({.has_close_bounds = false}, 0.035), 5);
+  EXPECT_EQ(NumAwakeWhenOneIsLifted({.has_close_bounds = false}, 0.045), 1);
+}
+
+}  // namespace
+}  // namespace smile::physics

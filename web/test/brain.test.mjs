@@ -97,8 +97,9 @@ test("the shipped learner is chosen, begins, and is recorded", async (t) => {
       await witness.until(() => isAt(place), "it is where it was asked to be");
     }
     await person.release();
-    // A block that still falls when the recording ends would be taken for one in a container.
+    // A block that still falls in the last picture of the recording would be taken for one in a container.
     await witness.until(() => witness.positionOf("RedBlock")[2] < 0.51, "it lies on the table");
+    await witness.settled(() => (witness.state.still ? witness.positionOf("RedBlock") : null), "it rests", 300);
   });
   await person.showPanel("Brain");
   const imitator = page.getByRole("combobox", { name: "Imitating brain" });

@@ -50,12 +50,12 @@ std::unique_ptr<sim::Simulation> Rested(const benchmark::State& state) {
 /// Carries the first cube to and fro above the others, after it was lifted for a second.
 void CarryOn(sim::Simulation* simulation, std::uint64_t since) {
   const std::uint64_t ticks = simulation->tick() - since;
-  if (ticks % 60 != 0) return;
+  if (ticks % sim::kTicksPerSecond != 0) return;
   Vector3 p_WH = simulation->scene().objects.front().pose_in_world().translation();
   if (ticks == 0) {
     simulation->Apply(sim::Grasp{.object = "cube0"});
   } else {
-    p_WH.x() += ticks / 60 % 2 == 0 ? 0.0 : 0.4;
+    p_WH.x() += ticks / sim::kTicksPerSecond % 2 == 0 ? 0.0 : 0.4;
   }
   p_WH.z() = 0.4;
   simulation->Apply(sim::MoveTo{.p_WH = p_WH, .speed = 0.4});

@@ -45,7 +45,6 @@ class Body::Dynamics {
 
   void Save(ByteWriter* out) const;
   void Restore(ByteReader* in);
-  void AddTo(StateHash* hash) const { AddMotion(bullet_, hash); }
 
   /// Sets the islands among which that of the body may be.
   void set_dormant_islands(DormantIslands* islands) { dormant_islands_ = islands; }

@@ -197,6 +197,8 @@ void DormantIslands::ReturnReached() {
 }
 
 void DormantIslands::Return(const btRigidBody& body) {
+  // Any of them may have had contact with a static body, or have it now.
+  if (body.isStaticObject()) return ReturnAll();
   NoteChange();
   if (!IsLeftOut(&body)) return;
   Put(islands_.find(KeyOf(body)));

@@ -39,7 +39,8 @@ class DormantIslands {
   /// Call when all bounding boxes are known: returns the islands that the box of an object in the
   /// world overlaps, unless the two never collide.
   void ReturnReached();
-  /// Returns the island of a body; nothing changes if it is in the world.
+  /// Returns the island of a body that is about to change, or all islands for a static body;
+  /// nothing changes if it is in the world.
   void Return(const btRigidBody& body);
   /// Returns all islands, for changes of what there is or of what may collide.
   void ReturnAll();

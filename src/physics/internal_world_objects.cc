@@ -210,7 +210,7 @@ void WorldObjects::AddTo(StateHash* hash) const {
   } else {
     for (const auto& body : bodies_) {
       hash->Add(std::uint64_t{body->id().value});
-      body->dynamics().AddTo(hash);
+      AddMotion(body->dynamics().bullet(), hash);
     }
   }
   for (const auto& articulation : articulations_) {

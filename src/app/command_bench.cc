@@ -96,7 +96,7 @@ void SnapshotSave(benchmark::State& state) {
   const auto simulation = MakeUm({});
   for (auto _ : state) benchmark::DoNotOptimize(simulation->Save());
   state.counters["bytes"] =
-      static_cast<double>(physics::Serialize(simulation->Save().physics).size());
+      static_cast<double>(mechanics::Serialize(simulation->Save().physics).size());
 }
 
 void SnapshotRestore(benchmark::State& state) {

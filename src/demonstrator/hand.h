@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "math/rigid_transform.h"
-#include "physics/ids.h"
+#include "physics/definitions.h"
 
 namespace smile::demonstrator {
 

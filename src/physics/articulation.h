@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/ids.h"
+#include "physics/definitions.h"
 #include "scene/articulation_spec.h"
 
 class btCollisionObject;

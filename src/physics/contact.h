@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "math/rigid_transform.h"
-#include "physics/ids.h"
+#include "physics/definitions.h"
 
 namespace smile::physics {
 

@@ -27,8 +27,10 @@ Engine::Engine(const WorldConfig& config)
   // Without SOLVER_RANDMIZE_ORDER, which would shuffle rows.
   solving.m_solverMode = SOLVER_SIMD | SOLVER_USE_WARMSTARTING;
 
-  // Bullet has one such value per process.
-  gDeactivationTime = config.sleep_after_seconds;
+  // Bullet has one such value per process. Not written again, since other threads may read it.
+  if (gDeactivationTime != config.sleep_after_seconds) {
+    gDeactivationTime = config.sleep_after_seconds;
+  }
 }
 
 }  // namespace smile::physics

@@ -5,8 +5,8 @@
 #include <map>
 #include <memory>
 
+#include "physics/definitions.h"
 #include "physics/internal_world_objects.h"
-#include "physics/joint.h"
 
 namespace smile::physics {
 

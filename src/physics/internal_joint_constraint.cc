@@ -48,15 +48,6 @@ void PutVector(const btVector3& v, int row, int rowskip, btScalar* to) {
 
 }  // namespace
 
-std::optional<std::pair<BodyId, BodyId>> BodyPairOf(const JointSpec& spec) {
-  return std::visit(
-      Overloaded{[](const WeldSpec&) -> std::optional<std::pair<BodyId, BodyId>> { return {}; },
-                 [](const auto& pair) -> std::optional<std::pair<BodyId, BodyId>> {
-                   return std::pair(pair.a, pair.b);
-                 }},
-      spec);
-}
-
 bool DoCollide(const JointSpec& spec) {
   const auto* slider = std::get_if<SliderJointSpec>(&spec);
   return slider != nullptr && slider->do_collide;

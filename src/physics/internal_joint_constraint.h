@@ -1,18 +1,12 @@
 #pragma once
 
 #include <array>
-#include <optional>
-#include <utility>
 
 #include "base/bytes.h"
+#include "physics/definitions.h"
 #include "physics/internal_bullet.h"
-#include "physics/joint.h"
 
 namespace smile::physics {
-
-/// Returns the two bodies that a joint holds together; nothing for a weld, which holds one body on
-/// a link.
-std::optional<std::pair<BodyId, BodyId>> BodyPairOf(const JointSpec& spec);
 
 /// Returns false if the bodies of the joint pass through each other while it exists.
 bool DoCollide(const JointSpec& spec);

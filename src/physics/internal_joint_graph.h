@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "physics/body.h"
-#include "physics/joint.h"
+#include "physics/definitions.h"
 
 // Connected bodies: around one of them, and for all of them.
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/state_hash.h"
+#include "mechanics/checks.h"
 #include "physics/internal_body_dynamics.h"
-#include "physics/internal_checks.h"
 #include "physics/internal_joint_graph.h"
 
 // All joints of a world, in the order in which they were made. Welds are forwarded to HeldBodies;

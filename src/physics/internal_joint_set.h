@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
+#include "physics/definitions.h"
 #include "physics/internal_held_bodies.h"
 #include "physics/internal_joint_constraint.h"
 #include "physics/internal_world_objects.h"
-#include "physics/joint.h"
 
 namespace smile::physics {
 

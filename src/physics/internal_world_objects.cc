@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "base/state_hash.h"
+#include "mechanics/checks.h"
 #include "physics/internal_articulation_links.h"
 #include "physics/internal_body_dynamics.h"
-#include "physics/internal_checks.h"
 
 // Bodies and articulations of a world, sorted by id, and their lives in Bullet's world. Ids count
 // up and are never used again; they determine the order of all work (OrderOf). Specs are immutable

@@ -5,8 +5,8 @@
 
 #include "physics/articulation.h"
 #include "physics/body.h"
+#include "physics/definitions.h"
 #include "physics/internal_engine.h"
-#include "physics/snapshot.h"
 
 namespace smile::physics {
 

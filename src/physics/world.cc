@@ -5,8 +5,8 @@
 
 #include "base/bytes.h"
 #include "base/state_hash.h"
+#include "mechanics/checks.h"
 #include "physics/internal_body_dynamics.h"
-#include "physics/internal_checks.h"
 #include "physics/internal_collision_exemptions.h"
 #include "physics/internal_contact_cache.h"
 #include "physics/internal_engine.h"

@@ -7,8 +7,7 @@
 #include "physics/articulation.h"
 #include "physics/body.h"
 #include "physics/contact.h"
-#include "physics/joint.h"
-#include "physics/snapshot.h"
+#include "physics/definitions.h"
 #include "physics/world_config.h"
 
 namespace smile::physics {

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "demonstrator/demonstrator.h"
-#include "physics/snapshot.h"
+#include "mechanics/snapshot.h"
 #include "sim/simulated_robot.h"
 #include "world/tabletop.h"
 
@@ -15,7 +15,7 @@ struct SimulationState {
   std::uint64_t tick = 0;
   /// Model at the beginning and at present: they outlive the simulation.
   std::shared_ptr<const model::Model> start_model, model;
-  physics::Snapshot physics;
+  mechanics::Snapshot physics;
   world::TabletopState tabletop;
   demonstrator::DemonstratorState demonstrator;
   SimulatedRobotState robot;

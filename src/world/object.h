@@ -3,7 +3,7 @@
 #include <string>
 
 #include "model/model.h"
-#include "physics/ids.h"
+#include "physics/definitions.h"
 
 namespace smile::world {
 

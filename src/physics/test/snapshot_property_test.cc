@@ -115,7 +115,7 @@ TEST_P(SnapshotProperty, ContinuesExactlyInAnotherProcess) {
     // A separate process uses only the file, nothing of this process's worlds.
     const std::string text = ReadFile(file, 1 << 26);
     World world;
-    world.Restore(ParseSnapshot(std::as_bytes(std::span(text.data(), text.size()))));
+    world.Restore(mechanics::ParseSnapshot(std::as_bytes(std::span(text.data(), text.size()))));
     const std::uint64_t hash = RunOn(world, builder_.robot_, pile_[1], pile_[0]);
     _exit(write(result[1], &hash, sizeof hash) == sizeof hash ? 0 : 1);
   }
@@ -279,7 +279,7 @@ TEST_P(JointedSnapshotProperty, ContinuesExactlyInPlaceInAFreshWorldFromBytesAnd
   EXPECT_EQ(JointedWorld::RunOn(made.world_, made), hash) << "in place";
   const auto run_on_fresh = [&](std::uint64_t* fresh_hash) {
     World fresh;
-    fresh.Restore(ParseSnapshot(Serialize(saved)));
+    fresh.Restore(mechanics::ParseSnapshot(Serialize(saved)));
     *fresh_hash = JointedWorld::RunOn(fresh, made);
   };
   std::uint64_t hashes[2] = {};
@@ -420,9 +420,10 @@ TEST(Snapshot, RefusesBytesThatAreNotAWholeSnapshot) {
   builder.StepSeconds(0.2);
   const std::vector<std::byte> whole = Serialize(builder.world_.Save());
   for (std::size_t size = 0; size < whole.size(); size += 97) {
-    EXPECT_THROW(ParseSnapshot(std::span(whole).first(size)), std::runtime_error) << size;
+    EXPECT_THROW(mechanics::ParseSnapshot(std::span(whole).first(size)), std::runtime_error)
+        << size;
   }
-  EXPECT_EQ(Serialize(ParseSnapshot(whole)), whole);
+  EXPECT_EQ(Serialize(mechanics::ParseSnapshot(whole)), whole);
 }
 
 }  // namespace

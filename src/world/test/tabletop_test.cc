@@ -39,7 +39,7 @@ TEST(Tabletop, AppendsObjectsAndRemovesThemAgain) {
   const auto small = std::make_shared<const model::Model>(SceneWith({BlockAt("a", {0, 0, 0.3})}));
   Tabletop tabletop(&world, small);
   for (int i = 0; i < 30; ++i) world.Step();
-  const physics::Snapshot before = world.Save();
+  const mechanics::Snapshot before = world.Save();
   const TabletopState state = tabletop.state();
   const physics::BodyId a = tabletop.Find("a")->body;
   const Vector3 velocity = world.body(a).linear_velocity();

@@ -1,17 +1,16 @@
 // Two kinds of input are checked here: definitions from callers, and whole snapshots, which may
 // come from files that are not trusted.
 
-#include "physics/internal_checks.h"
+#include "mechanics/checks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
-#include "physics/internal_joint_constraint.h"
-
-namespace smile::physics {
+namespace smile::mechanics {
 namespace {
 
 bool IsFinite(const RigidTransform& X) {
@@ -197,4 +196,4 @@ void CheckSnapshot(const Snapshot& snapshot) {
   DemandOfSnapshot(std::ranges::is_sorted(snapshot.close_fits), "its close fits are not sorted");
 }
 
-}  // namespace smile::physics
+}  // namespace smile::mechanics

@@ -1,14 +1,16 @@
 #pragma once
 
 #include <limits>
+#include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "base/overloaded.h"
 #include "math/rigid_transform.h"
-#include "physics/ids.h"
+#include "mechanics/ids.h"
 
-namespace smile::physics {
+namespace smile::mechanics {
 
 /// Weld: holds a body in a fixed place on a link of an articulation, as a gripper holds a block.
 /// The body is carried (weightless) and does not collide with the listed links. A body on a
@@ -71,6 +73,16 @@ struct Joint {
   bool operator==(const Joint&) const = default;
 };
 
+/// Returns the two bodies that a joint holds together; nothing for a weld, which holds one body on
+/// a link.
+inline std::optional<std::pair<BodyId, BodyId>> BodyPairOf(const JointSpec& spec) {
+  using Pair = std::optional<std::pair<BodyId, BodyId>>;
+  return std::visit(
+      Overloaded{[](const WeldSpec&) -> Pair { return {}; },
+                 [](const auto& joint) -> Pair { return std::pair(joint.a, joint.b); }},
+      spec);
+}
+
 /// Returns true if the joint holds this body.
 inline bool Joins(const JointSpec& spec, BodyId body) {
   return std::visit(
@@ -79,4 +91,4 @@ inline bool Joins(const JointSpec& spec, BodyId body) {
       spec);
 }
 
-}  // namespace smile::physics
+}  // namespace smile::mechanics

@@ -1,4 +1,4 @@
-#include "physics/snapshot.h"
+#include "mechanics/snapshot.h"
 
 #include <array>
 #include <string>
@@ -9,7 +9,7 @@
 // reading; the changing state is a block of bytes that the parts of the world write and read
 // themselves, in the order of World::Save().
 
-namespace smile::physics {
+namespace smile::mechanics {
 namespace {
 
 constexpr std::array kMagic = {'S', 'M', 'I', 'L', 'E', 'S', 'N', 'P'};
@@ -149,4 +149,4 @@ Snapshot ParseSnapshot(std::span<const std::byte> bytes) {
   return snapshot;
 }
 
-}  // namespace smile::physics
+}  // namespace smile::mechanics

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "base/bytes.h"
-#include "physics/articulation.h"
-#include "physics/body.h"
-#include "physics/joint.h"
+#include "mechanics/body_spec.h"
+#include "mechanics/joint.h"
+#include "scene/articulation_spec.h"
 
-namespace smile::physics {
+namespace smile::mechanics {
 
 /// Complete state of a World: restored into the same world, a fresh one, or one in another process,
 /// the next steps give the same bits.
@@ -50,4 +50,4 @@ std::vector<std::byte> Serialize(const Snapshot& snapshot);
 /// @throws std::runtime_error if the bytes are not a whole snapshot of this format version.
 Snapshot ParseSnapshot(std::span<const std::byte> bytes);
 
-}  // namespace smile::physics
+}  // namespace smile::mechanics

@@ -2,13 +2,13 @@
 
 #include <functional>
 
-#include "physics/body.h"
-#include "physics/joint.h"
-#include "physics/snapshot.h"
+#include "mechanics/body_spec.h"
+#include "mechanics/joint.h"
+#include "mechanics/snapshot.h"
 
 // Checks of what becomes part of a World. All throw std::invalid_argument with what was found.
 
-namespace smile::physics {
+namespace smile::mechanics {
 
 /// Checks a body's definition.
 /// @throws std::invalid_argument if a number is not finite or out of range.
@@ -25,4 +25,4 @@ void CheckJoint(const JointSpec& spec, const std::function<bool(BodyId)>& is_sta
 /// @throws std::invalid_argument if not.
 void CheckSnapshot(const Snapshot& snapshot);
 
-}  // namespace smile::physics
+}  // namespace smile::mechanics

@@ -12,7 +12,7 @@
 #include "physics/internal_articulation_links.h"
 #include "physics/internal_collision_object.h"
 
-// A robot as Bullet's multibody (Featherstone, reduced coordinates), with drives of our own. In
+// A robot as Bullet's multibodies (Featherstone, reduced coordinates), with drives of our own. In
 // kinematic articulations the same links are kinematic rigid bodies, placed by forward kinematics:
 // they push and cannot be pushed.
 
@@ -31,7 +31,7 @@ btQuaternion QuaternionOf(const Matrix3& R) {
 
 }  // namespace
 
-/// Builds the multibody in three steps: links with joints, then colliders, then motors.
+/// Builds the multibodies in four steps: trees, links with joints, then colliders, then motors.
 Articulation::Articulation(ArticulationId id, std::shared_ptr<const scene::ArticulationSpec> spec,
                            const MotorConfig& config)
     : id_(id), spec_(std::move(spec)), config_(config), links_(std::make_unique<Links>()) {
@@ -39,36 +39,58 @@ Articulation::Articulation(ArticulationId id, std::shared_ptr<const scene::Artic
   velocity_targets_.assign(count, 0.0);
   position_references_.assign(count, 0.0);
   is_overloaded_.assign(count, false);
-  // The base is fixed, so its mass and inertia have no effect.
-  bullet_ = std::make_unique<btMultiBody>(count, /*mass=*/1.0, btVector3(1, 1, 1),
-                                          /*fixedBase=*/true, /*canSleep=*/false);
   links_->links.resize(count);
-
+  MakeTrees();
   for (int i = 0; i < count; ++i) AddBulletLink(i);
-  bullet_->finalizeMultiDof();
-  bullet_->setBaseWorldTransform(ToBullet(spec_->X_WBase));
-  bullet_->setHasSelfCollision(true);
-  bullet_->setUseGyroTerm(true);
-  // Damping would change the speed that a motor commands; motors hold the joints instead.
-  bullet_->setLinearDamping(0);
-  bullet_->setAngularDamping(0);
+  for (const auto& tree : links_->trees) tree->finalizeMultiDof();
   MakeColliders();
   for (int i = 0; i < count && !spec_->is_kinematic; ++i) {
-    links_->links[i].drive = std::make_unique<JointDrive>(bullet_.get(), i);
+    Links::Link& link = links_->links[i];
+    link.drive = std::make_unique<JointDrive>(link.tree, link.index);
   }
   std::vector<int> joints(count);
   std::iota(joints.begin(), joints.end(), 0);
   SetPositions(joints, std::vector<double>(count, 0.0));
 }
 
-/// Adds a link to Bullet's multibody. Bullet wants each link in the frame of its center of mass and
+/// Makes a multibody for each link at the base, and assigns the links to them.
+void Articulation::MakeTrees() {
+  std::vector<int> sizes;
+  std::vector<int> tree_of(num_joints());
+  for (int i = 0; i < num_joints(); ++i) {
+    const int parent = spec_->links[i].parent;
+    tree_of[i] = parent < 0 ? static_cast<int>(sizes.size()) : tree_of[parent];
+    if (parent < 0) sizes.push_back(0);
+    links_->links[i].index = sizes[tree_of[i]]++;
+  }
+  // The base needs one in any case.
+  if (sizes.empty()) sizes.push_back(0);
+  for (const int size : sizes) {
+    // The base is fixed, so its mass and inertia have no effect.
+    auto tree = std::make_unique<btMultiBody>(size, /*mass=*/1.0, btVector3(1, 1, 1),
+                                              /*fixedBase=*/true, /*canSleep=*/false);
+    tree->setBaseWorldTransform(ToBullet(spec_->X_WBase));
+    tree->setHasSelfCollision(true);
+    tree->setUseGyroTerm(true);
+    // Damping would change the speed that a motor commands; motors hold the joints instead.
+    tree->setLinearDamping(0);
+    tree->setAngularDamping(0);
+    // Marks trees of the same articulation: see ExactWorld.
+    tree->setUserIndex(static_cast<int>(id_.value));
+    links_->trees.push_back(std::move(tree));
+  }
+  for (int i = 0; i < num_joints(); ++i) links_->links[i].tree = links_->trees[tree_of[i]].get();
+}
+
+/// Adds a link to its multibody. Bullet wants each link in the frame of its center of mass and
 /// principal axes (Lcm), relative to that of its parent (Pcm).
 void Articulation::AddBulletLink(int number) {
   const scene::LinkSpec& link = spec_->links[number];
+  Links::Link& own = links_->links[number];
   // Bullet takes only the diagonal of an inertia, so the frame is rotated to the principal axes.
   const PrincipalInertia inertia = PrincipalInertiaOf(link.inertia);
-  RigidTransform& X_LLcm = links_->links[number].X_LLcm;
-  X_LLcm = RigidTransform(inertia.axes, link.p_LLcm);
+  const RigidTransform X_LLcm(inertia.axes, link.p_LLcm);
+  own.X_LLcm = X_LLcm;
   const RigidTransform X_PPcm =
       link.parent < 0 ? RigidTransform() : links_->links[link.parent].X_LLcm;
 
@@ -79,14 +101,14 @@ void Articulation::AddBulletLink(int number) {
   const Vector3 p_PcmJ_Pcm = X_PPcm.inverse() * link.X_PJ.translation();
   const Vector3 p_LLcm_Lcm = X_LLcm.rotation().transpose() * link.p_LLcm;
   const auto set_up = [&](auto method) {
-    (bullet_.get()->*method)(number, link.mass, ToBullet(inertia.moments), link.parent,
-                             QuaternionOf(R_LcmPcm), ToBullet(axis_in_Lcm), ToBullet(p_PcmJ_Pcm),
-                             ToBullet(p_LLcm_Lcm),
-                             /*disableParentCollision=*/true);
+    const int parent = link.parent < 0 ? -1 : links_->links[link.parent].index;
+    (own.tree->*method)(own.index, link.mass, ToBullet(inertia.moments), parent,
+                        QuaternionOf(R_LcmPcm), ToBullet(axis_in_Lcm), ToBullet(p_PcmJ_Pcm),
+                        ToBullet(p_LLcm_Lcm), /*disableParentCollision=*/true);
   };
   link.joint_type == scene::JointType::kRevolute ? set_up(&btMultiBody::setupRevolute)
                                                  : set_up(&btMultiBody::setupPrismatic);
-  btMultibodyLink& bullet = bullet_->getLink(number);
+  btMultibodyLink& bullet = own.tree->getLink(own.index);
   bullet.m_jointLowerLimit = link.lower;
   bullet.m_jointUpperLimit = link.upper;
   bullet.m_jointMaxVelocity = link.max_velocity;
@@ -117,12 +139,14 @@ std::unique_ptr<btCollisionObject> Articulation::MakeCollider(int link) {
     if (!is_base) MakeKinematic(kinematic.get());
     collider = std::move(kinematic);
   } else {
-    auto of_multibody = std::make_unique<btMultiBodyLinkCollider>(bullet_.get(), link);
+    btMultiBody& tree = is_base ? *links_->trees.front() : *links_->links[link].tree;
+    const int index = is_base ? -1 : links_->links[link].index;
+    auto of_multibody = std::make_unique<btMultiBodyLinkCollider>(&tree, index);
     of_multibody->setCollisionShape(shape);
     if (is_base) {
-      bullet_->setBaseCollider(of_multibody.get());
+      tree.setBaseCollider(of_multibody.get());
     } else {
-      bullet_->getLink(link).m_collider = of_multibody.get();
+      tree.getLink(index).m_collider = of_multibody.get();
     }
     collider = std::move(of_multibody);
   }
@@ -136,13 +160,13 @@ Articulation::~Articulation() = default;
 
 std::vector<double> Articulation::positions() const {
   std::vector<double> q(num_joints());
-  for (int i = 0; i < num_joints(); ++i) q[i] = bullet_->getJointPos(i);
+  for (int i = 0; i < num_joints(); ++i) q[i] = links_->links[i].position();
   return q;
 }
 
 std::vector<double> Articulation::velocities() const {
   std::vector<double> v(num_joints());
-  for (int i = 0; i < num_joints(); ++i) v[i] = bullet_->getJointVel(i);
+  for (int i = 0; i < num_joints(); ++i) v[i] = links_->links[i].velocity();
   return v;
 }
 
@@ -170,7 +194,7 @@ void Articulation::SetVelocityTarget(int joint, double velocity) {
   }
   const double target = std::clamp(velocity, -link.max_velocity, link.max_velocity);
   // A lead above half its bound means that the joint is blocked; ordinary lag is smaller.
-  const double lead = position_references_[joint] - bullet_->getJointPos(joint);
+  const double lead = position_references_[joint] - links_->links[joint].position();
   const bool is_blocked = std::abs(lead) > MaxLead(joint) / 2;
   // Drops the lead when a blocked joint is commanded to stop or reverse: it would continue to push
   // until the reference had come back.
@@ -181,7 +205,7 @@ void Articulation::SetVelocityTarget(int joint, double velocity) {
 void Articulation::HoldStill(int joint) {
   CheckJoint(joint);
   velocity_targets_[joint] = 0;
-  position_references_[joint] = bullet_->getJointPos(joint);
+  position_references_[joint] = links_->links[joint].position();
 }
 
 /// Moves references along with the joints: otherwise motors would pull them back.
@@ -199,8 +223,8 @@ void Articulation::SetPositions(std::span<const int> joints, std::span<const dou
     }
     const double q = std::clamp(positions[i], link.lower, link.upper);
     position_references_[joints[i]] = q;
-    bullet_->setJointPos(joints[i], q);
-    bullet_->setJointVel(joints[i], 0);
+    links_->links[joints[i]].SetPosition(q);
+    links_->links[joints[i]].SetVelocity(0);
   }
   UpdateLinkTransforms();
 }
@@ -216,14 +240,16 @@ void Articulation::UpdateLinkTransforms() {
   }
   btAlignedObjectArray<btQuaternion> rotations;
   btAlignedObjectArray<btVector3> origins;
-  bullet_->forwardKinematics(rotations, origins);
-  bullet_->updateCollisionObjectWorldTransforms(rotations, origins);
+  for (const auto& tree : links_->trees) {
+    tree->forwardKinematics(rotations, origins);
+    tree->updateCollisionObjectWorldTransforms(rotations, origins);
+  }
 }
 
 bool Articulation::is_at_rest() const {
   for (int i = 0; i < num_joints(); ++i) {
-    if (velocity_targets_[i] != 0 || std::abs(bullet_->getJointVel(i)) > kRest ||
-        std::abs(bullet_->getJointPos(i) - position_references_[i]) > kRest) {
+    if (velocity_targets_[i] != 0 || std::abs(links_->links[i].velocity()) > kRest ||
+        std::abs(links_->links[i].position() - position_references_[i]) > kRest) {
       return false;
     }
   }
@@ -232,8 +258,8 @@ bool Articulation::is_at_rest() const {
 
 void Articulation::Save(ByteWriter* out) const {
   for (int i = 0; i < num_joints(); ++i) {
-    out->Put(static_cast<double>(bullet_->getJointPos(i)));
-    out->Put(static_cast<double>(bullet_->getJointVel(i)));
+    out->Put(static_cast<double>(links_->links[i].position()));
+    out->Put(static_cast<double>(links_->links[i].velocity()));
     out->Put(velocity_targets_[i]);
     out->Put(position_references_[i]);
   }
@@ -245,8 +271,8 @@ void Articulation::Save(ByteWriter* out) const {
 
 void Articulation::Restore(ByteReader* in) {
   for (int i = 0; i < num_joints(); ++i) {
-    bullet_->setJointPos(i, in->Get<double>());
-    bullet_->setJointVel(i, in->Get<double>());
+    links_->links[i].SetPosition(in->Get<double>());
+    links_->links[i].SetVelocity(in->Get<double>());
     velocity_targets_[i] = in->Get<double>();
     position_references_[i] = in->Get<double>();
   }
@@ -274,7 +300,7 @@ void Articulation::BeforeStep(double step_seconds, double gravity) {
 
 void Articulation::AfterStep() {
   if (!spec_->is_kinematic) return;
-  for (int i = 0; i < num_joints(); ++i) bullet_->setJointPos(i, position_references_[i]);
+  for (int i = 0; i < num_joints(); ++i) links_->links[i].SetPosition(position_references_[i]);
   UpdateLinkTransforms();
 }
 
@@ -286,10 +312,10 @@ void Articulation::NoteOverload(int link) {
 void Articulation::DriveKinematicLinks(double step_seconds) {
   for (int i = 0; i < num_joints(); ++i) {
     const scene::LinkSpec& link = spec_->links[i];
-    const double q = bullet_->getJointPos(i);
+    const double q = links_->links[i].position();
     position_references_[i] =
         std::clamp(q + velocity_targets_[i] * step_seconds, link.lower, link.upper);
-    bullet_->setJointVel(i, (position_references_[i] - q) / step_seconds);
+    links_->links[i].SetVelocity((position_references_[i] - q) / step_seconds);
   }
   // Velocities for Bullet: contacts see links that move, although the links are placed by
   // AfterStep().
@@ -317,7 +343,8 @@ std::vector<RigidTransform> Articulation::next_link_poses() const {
 void Articulation::DriveMotors(double step_seconds, double gravity) {
   for (int i = 0; i < num_joints(); ++i) {
     const scene::LinkSpec& link = spec_->links[i];
-    const double q = bullet_->getJointPos(i);
+    const Links::Link& own = links_->links[i];
+    const double q = own.position();
     const double max_lead = MaxLead(i);
     // The reference advances with the commanded speed, but leads the joint by a bounded amount
     // only, and stays within the limits.
@@ -333,9 +360,9 @@ void Articulation::DriveMotors(double step_seconds, double gravity) {
     // effort.
     const double return_speed = config_.position_gain * (reference - q) / step_seconds;
     const double effort = link.max_effort * (is_overloaded_[i] ? 1.0 : config_.effort_scale);
-    links_->links[i].drive->SetTarget(speed + return_speed, effort * step_seconds);
+    own.drive->SetTarget(speed + return_speed, effort * step_seconds);
     // Gravity compensation.
-    bullet_->addLinkForce(i, btVector3(0, 0, gravity * link.mass));
+    own.tree->addLinkForce(own.index, btVector3(0, 0, gravity * link.mass));
   }
   // Noted again before each step, as long as a weld bears too much.
   is_overloaded_.assign(is_overloaded_.size(), false);

@@ -77,7 +77,6 @@ class Articulation {
   /// Bullet's side of the articulation, for this room; see internal_articulation_links.h.
   struct Links;
   const Links& links() const { return *links_; }
-  btMultiBody& bullet() const { return *bullet_; }
 
  private:
   friend class HeldBodies;
@@ -85,6 +84,7 @@ class Articulation {
   friend class WorldObjects;
   void CheckJoint(int joint) const;
   double MaxLead(int joint) const;
+  void MakeTrees();
   void AddBulletLink(int link);
   void MakeColliders();
   /// Makes the collision object of a link, or of the base (-1).
@@ -116,7 +116,6 @@ class Articulation {
   std::vector<double> position_references_;
   std::vector<bool> is_overloaded_;  ///< for one step
   std::unique_ptr<Links> links_;
-  std::unique_ptr<btMultiBody> bullet_;
 };
 
 }  // namespace smile::physics

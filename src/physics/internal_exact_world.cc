@@ -119,9 +119,10 @@ void ExactWorld::integrateTransforms(btScalar seconds) {
 
 void ExactWorld::calculateSimulationIslands() {
   btMultiBodyDynamicsWorld::calculateSimulationIslands();
+  btUnionFind& islands = getSimulationIslandManager()->getUnionFind();
+  UniteTrees(&islands);
   // The representative of an island depends on the order of merging; use its smallest member
   // instead.
-  btUnionFind& islands = getSimulationIslandManager()->getUnionFind();
   const int count = islands.getNumElements();
   smallest_in_island_.assign(count, std::numeric_limits<int>::max());
   // All roots first: find() would follow changed ids.
@@ -135,6 +136,17 @@ void ExactWorld::calculateSimulationIslands() {
   SortManifolds();
   if (!close_fits_.empty()) EaseCloseFits();
   LimitDepths();
+}
+
+/// Unites the trees of each articulation, which are one island also while nothing connects them.
+void ExactWorld::UniteTrees(btUnionFind* islands) {
+  const auto tag_of = [](const btMultiBody& tree) {
+    return tree.getLinkCollider(0)->getIslandTag();
+  };
+  for (int i = 1; i < m_multiBodies.size(); ++i) {
+    const btMultiBody &tree = *m_multiBodies[i], &last = *m_multiBodies[i - 1];
+    if (tree.getUserIndex() == last.getUserIndex()) islands->unite(tag_of(last), tag_of(tree));
+  }
 }
 
 /// Adds the play of close fits to the distances of their contacts. Distances are computed from the

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "physics/ids.h"
+#include "physics/definitions.h"
 #include "physics/internal_bullet.h"
 
 namespace smile::physics {
@@ -81,6 +81,7 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
  private:
   std::span<btPersistentManifold*> manifolds();
   void NumberObjects();
+  void UniteTrees(btUnionFind* islands);
   void EaseCloseFits();
   void LimitDepths();
 

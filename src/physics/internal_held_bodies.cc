@@ -91,11 +91,11 @@ std::unique_ptr<btMultiBodyFixedConstraint> HeldBodies::MakeConstraint(const Wel
   const Articulation& holder = objects_.articulation(weld.articulation);
   Body::Dynamics& held = objects_.body(weld.body).dynamics();
   // Bullet's constraint is between the frames of the centers of mass.
-  const RigidTransform X_LcmBcm =
-      holder.links().links[weld.link].X_LLcm.inverse() * weld.X_LB * held.X_BcmB().inverse();
+  const Articulation::Links::Link& link = holder.links().links[weld.link];
+  const RigidTransform X_LcmBcm = link.X_LLcm.inverse() * weld.X_LB * held.X_BcmB().inverse();
   auto constraint = std::make_unique<btMultiBodyFixedConstraint>(
-      &holder.bullet(), weld.link, &held.bullet(), ToBullet(X_LcmBcm.translation()),
-      btVector3(0, 0, 0), ToBullet(X_LcmBcm.rotation()), btMatrix3x3::getIdentity());
+      link.tree, link.index, &held.bullet(), ToBullet(X_LcmBcm.translation()), btVector3(0, 0, 0),
+      ToBullet(X_LcmBcm.rotation()), btMatrix3x3::getIdentity());
   constraint->setMaxAppliedImpulse(kWeldEffort * config_.step_seconds);
   return constraint;
 }

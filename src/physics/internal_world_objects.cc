@@ -56,7 +56,8 @@ WorldObjects::~WorldObjects() {
       engine_.world.removeCollisionObject(link.collider.get());
     }
     if (auto* base = articulation->links().collider(-1)) engine_.world.removeCollisionObject(base);
-    if (!articulation->spec().is_kinematic) engine_.world.removeMultiBody(&articulation->bullet());
+    if (articulation->spec().is_kinematic) continue;
+    for (const auto& tree : articulation->links().trees) engine_.world.removeMultiBody(tree.get());
   }
 }
 
@@ -113,7 +114,14 @@ void WorldObjects::Insert(std::unique_ptr<Articulation> fresh) {
   for (const auto& [a, b] : articulation.spec().never_collide) {
     engine_.broadphase.filter().Exclude(base_order + 1 + a, base_order + 1 + b);
   }
-  if (!articulation.spec().is_kinematic) world.addMultiBody(&articulation.bullet());
+  // A link does not collide with its parent. Bullet knows that within a tree only.
+  for (std::size_t i = 0; i < links.links.size(); ++i) {
+    if (articulation.spec().links[i].parent >= 0) continue;
+    engine_.broadphase.filter().Exclude(base_order, base_order + 1 + static_cast<int>(i));
+  }
+  if (!articulation.spec().is_kinematic) {
+    for (const auto& tree : links.trees) world.addMultiBody(tree.get());
+  }
   if (auto* base = links.collider(-1)) world.addCollisionObject(base);
   for (const auto& link : links.links) {
     world.addCollisionObject(link.collider.get());

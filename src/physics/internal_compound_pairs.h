@@ -2,15 +2,9 @@
 
 #include <vector>
 
-#include "physics/internal_bullet.h"
+#include "physics/internal_shapes.h"
 
 namespace smile::physics {
-
-/// Where a part P of an object is in a step.
-struct PosedPart {
-  btTransform X_WP;
-  btVector3 min, max;  ///< corners of its bounding box in the world
-};
 
 /// Collision algorithm for two shapes of which at least one is made of parts, with one contact
 /// manifold per pair of parts. The manifold contains the pair of part numbers (PartPairOf), so that
@@ -58,11 +52,13 @@ class CompoundPairAlgorithm : public btCollisionAlgorithm {
     btPersistentManifold* manifold;
   };
 
-  void MakePartPairs(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b);
-  void Collide(PartPair& pair, const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
+  /// An object with its parts.
+  struct Parts;
+  static btCollisionObjectWrapper Wrap(const Parts& parts, int part);
+  void MakePartPairs(const Parts& a, const Parts& b);
+  void Collide(PartPair& pair, const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b,
                const btDispatcherInfo& info, btManifoldResult* result);
 
-  std::vector<PosedPart> parts_a_, parts_b_;  ///< of the present step
   std::vector<PartPair> pairs_;
 };
 

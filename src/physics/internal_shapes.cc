@@ -1,6 +1,8 @@
 #include "physics/internal_shapes.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 #include "base/overloaded.h"
 #include "scene/shrunk_hull.h"
@@ -14,6 +16,18 @@ constexpr double kCylinderMargin = 0.0005;
 
 /// Distance by which hulls are shrunk; Bullet adds it again as margin [m].
 constexpr double kHullMargin = 0.0005;
+
+/// Returns true for poses that give the same results to the last bit. 0 and -0 are equal and do
+/// not.
+bool HaveEqualBits(const btTransform& a, const btTransform& b) {
+  const auto equal = [](const btVector3& v, const btVector3& w) {
+    return std::ranges::equal(std::span(&v[0], 3), std::span(&w[0], 3), {},
+                              std::bit_cast<std::uint64_t, btScalar>,
+                              std::bit_cast<std::uint64_t, btScalar>);
+  };
+  return equal(a.getOrigin(), b.getOrigin()) && equal(a.getBasis()[0], b.getBasis()[0]) &&
+         equal(a.getBasis()[1], b.getBasis()[1]) && equal(a.getBasis()[2], b.getBasis()[2]);
+}
 
 /// Makes a hull whose faces, with Bullet's margin, are those of the polyhedron.
 std::unique_ptr<btCollisionShape> MakeHull(const scene::Polyhedron& polyhedron) {
@@ -49,6 +63,17 @@ std::unique_ptr<btCollisionShape> MakePart(const scene::SolidShape& solid) {
 
 }  // namespace
 
+std::span<const PosedPart> PosedCompound::PartsAt(const btTransform& X_WA) const {
+  if (!parts_.empty() && HaveEqualBits(X_WA, X_WA_)) return parts_;
+  X_WA_ = X_WA;
+  parts_.resize(getNumChildShapes());
+  for (int i = 0; i < getNumChildShapes(); ++i) {
+    parts_[i].X_WP = X_WA * getChildTransform(i);
+    getChildShape(i)->getAabb(parts_[i].X_WP, parts_[i].min, parts_[i].max);
+  }
+  return parts_;
+}
+
 CollisionShape MakeCollisionShape(const std::vector<scene::Solid>& solids,
                                   const RigidTransform& X_AB) {
   CollisionShape result;
@@ -56,8 +81,7 @@ CollisionShape MakeCollisionShape(const std::vector<scene::Solid>& solids,
   // A single part in the origin needs no compound.
   if (solids.size() == 1 && X_AB * solids.front().X_BS == RigidTransform()) return result;
 
-  // Without Bullet's tree of parts: CompoundPairAlgorithm visits all pairs itself.
-  result.compound = std::make_unique<btCompoundShape>(/*enableDynamicAabbTree=*/false);
+  result.compound = std::make_unique<PosedCompound>();
   for (std::size_t i = 0; i < solids.size(); ++i) {
     result.compound->addChildShape(ToBullet(X_AB * solids[i].X_BS), result.parts[i].get());
   }

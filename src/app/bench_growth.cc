@@ -1,14 +1,16 @@
-// How the cost of a tick, of a hash and of a saved state grows with the number of objects of which
-// none, one or all move.
+// How the cost of what a program does in each tick grows with the number of objects of which none,
+// one or all move.
 
 #include "app/bench_growth.h"
 
 #include <benchmark/benchmark.h>
 
-#include <cmath>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
+#include "app/bench_scenes.h"
 #include "sim/simulation.h"
 
 namespace smile::app {
@@ -17,33 +19,24 @@ namespace {
 /// Edge of each cube [m].
 constexpr double kEdge = 0.05;
 
-/// Returns stacks of cubes on a square grid that the table just holds.
-/// @param gap  between neighboring stacks [m]
-scene::SceneSpec Stacks(int num_cubes, int cubes_a_stack, double gap) {
-  const int num_stacks = (num_cubes + cubes_a_stack - 1) / cubes_a_stack;
-  const int num_columns = static_cast<int>(std::ceil(std::sqrt(num_stacks)));
-  const double spacing = kEdge + gap, span = num_columns * spacing + 0.2;
-  scene::SceneSpec scene{.name = "stacks", .table = {.x_span = span, .y_span = span}};
-  for (int i = 0; i < num_cubes; ++i) {
-    const int stack = i / cubes_a_stack, level = i % cubes_a_stack;
-    const int row = stack / num_columns, column = stack % num_columns;
-    const double x = (column - 0.5 * (num_columns - 1)) * spacing;
-    const double y = (row - 0.5 * (num_columns - 1)) * spacing;
-    scene::ObjectSpec cube;
-    cube.whole = {.id = "cube" + std::to_string(i),
-                  .X_PE = RigidTransform(Vector3(x, y, (level + 0.5) * kEdge)),
-                  .shape = scene::Block{{kEdge, kEdge, kEdge}}};
-    scene.objects.push_back(std::move(cube));
-  }
-  return scene;
+scene::SceneSpec CubesOf(const benchmark::State& state, int cubes_a_stack) {
+  return Stacks(static_cast<int>(state.range(0)), cubes_a_stack, kEdge,
+                0.001 * static_cast<double>(state.range(1)));
 }
 
 /// Returns a simulation of cubes that have had three seconds to come to rest.
 std::unique_ptr<sim::Simulation> Rested(const benchmark::State& state) {
-  const double gap = 0.001 * static_cast<double>(state.range(1));
-  auto simulation =
-      std::make_unique<sim::Simulation>(Stacks(static_cast<int>(state.range(0)), 1, gap));
-  for (int i = 0; i < 3 * sim::kTicksPerSecond; ++i) simulation->Tick();
+  // A thousand cubes take seconds to come to rest, and the library runs each benchmark several
+  // times.
+  static std::map<std::pair<int64_t, int64_t>, sim::SimulationState> rested;
+  auto simulation = std::make_unique<sim::Simulation>(CubesOf(state, 1));
+  const std::pair key(state.range(0), state.range(1));
+  if (const auto found = rested.find(key); found != rested.end()) {
+    simulation->Restore(found->second);
+  } else {
+    for (int i = 0; i < 3 * sim::kTicksPerSecond; ++i) simulation->Tick();
+    rested.emplace(key, simulation->Save());
+  }
   return simulation;
 }
 
@@ -61,9 +54,12 @@ void CarryOn(sim::Simulation* simulation, std::uint64_t since) {
   simulation->Apply(sim::MoveTo{.p_WH = p_WH, .speed = 0.4});
 }
 
-/// Measures a tick while a hand carries one cube, with the hash of the state as in a recording or
-/// without it.
-void CarryOne(benchmark::State& state, bool with_hash) {
+/// What a program asks after each tick.
+enum class Questions { kNone, kHash, kRestAndView };
+
+/// Measures a tick while a hand carries one cube: alone, with the hash of the state as in a
+/// recording, or with the questions of a view.
+void CarryOne(benchmark::State& state, Questions questions) {
   const auto simulation = Rested(state);
   const std::uint64_t since = simulation->tick();
   // First those that it disturbed come to rest again.
@@ -74,7 +70,11 @@ void CarryOne(benchmark::State& state, bool with_hash) {
   for (auto _ : state) {
     CarryOn(simulation.get(), since);
     simulation->Tick();
-    if (with_hash) benchmark::DoNotOptimize(simulation->state_hash());
+    if (questions == Questions::kHash) benchmark::DoNotOptimize(simulation->state_hash());
+    if (questions == Questions::kRestAndView) {
+      benchmark::DoNotOptimize(simulation->is_still());
+      benchmark::DoNotOptimize(simulation->visual_state());
+    }
   }
   state.counters["awake"] = static_cast<double>(simulation->physics().awake_bodies().size());
 }
@@ -89,39 +89,61 @@ void Hash(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(simulation->state_hash());
 }
 
+void IsStill(benchmark::State& state) {
+  const auto simulation = Rested(state);
+  for (auto _ : state) benchmark::DoNotOptimize(simulation->is_still());
+}
+
+void VisualState(benchmark::State& state) {
+  const auto simulation = Rested(state);
+  for (auto _ : state) benchmark::DoNotOptimize(simulation->visual_state());
+}
+
 void Save(benchmark::State& state) {
   const auto simulation = Rested(state);
   for (auto _ : state) benchmark::DoNotOptimize(simulation->Save());
 }
 
-/// Measures a physics step of stacks of five that never sleep.
-void StacksAwake(benchmark::State& state) {
-  physics::World world({.sleep_linear_speed = 0, .sleep_angular_speed = 0});
-  const double gap = 0.001 * static_cast<double>(state.range(1));
-  const world::Tabletop tabletop(&world, Stacks(static_cast<int>(state.range(0)), 5, gap));
-  for (int i = 0; i < 480; ++i) world.Step();
-  for (auto _ : state) world.Step();
+void Restore(benchmark::State& state) {
+  const auto simulation = Rested(state);
+  const sim::SimulationState saved = simulation->Save();
+  for (auto _ : state) simulation->Restore(saved);
+}
+
+/// Measures a physics step of stacks that never sleep.
+void StacksAwake(benchmark::State& state, int cubes_a_stack) {
+  AwakeWorld awake(CubesOf(state, cubes_a_stack));
+  awake.StepSeconds(1);
+  for (auto _ : state) awake.world.Step();
+  ReportRealTime(state, awake.world.config().step_seconds);
 }
 
 }  // namespace
 
 void RegisterGrowthBenchmarks() {
-  const auto cubes_and_gaps = [](benchmark::internal::Benchmark* row) {
+  using benchmark::RegisterBenchmark;
+  const auto cubes = [](benchmark::internal::Benchmark* row) {
     row->ArgNames({"cubes", "gap_mm"})
-        ->ArgsProduct({{12, 100, 1000}, {70, 30}})
+        ->ArgsProduct({{12, 50, 100, 200, 1000}, {30}})
         ->Unit(benchmark::kMicrosecond);
   };
-  using benchmark::RegisterBenchmark;
-  for (const bool with_hash : {false, true}) {
-    RegisterBenchmark(with_hash ? "growth: one cube carried, the others asleep, per tick and hash"
-                                : "growth: one cube carried, the others asleep, per tick",
-                      &CarryOne, with_hash)
-        ->Apply(cubes_and_gaps);
-  }
-  RegisterBenchmark("growth: all asleep, per tick", &TickAsleep)->Apply(cubes_and_gaps);
-  RegisterBenchmark("growth: hash, all asleep", &Hash)->Apply(cubes_and_gaps);
-  RegisterBenchmark("growth: save, all asleep", &Save)->Apply(cubes_and_gaps);
-  RegisterBenchmark("growth: stacks of five awake, per step", &StacksAwake)->Apply(cubes_and_gaps);
+  RegisterBenchmark("growth: one cube carried, the others asleep, per tick", &CarryOne,
+                    Questions::kNone)
+      ->Apply(cubes);
+  RegisterBenchmark("growth: one cube carried, the others asleep, per tick and hash", &CarryOne,
+                    Questions::kHash)
+      ->Apply(cubes);
+  RegisterBenchmark("growth: one cube carried, the others asleep, per tick, rest test and view",
+                    &CarryOne, Questions::kRestAndView)
+      ->Apply(cubes);
+  RegisterBenchmark("growth: all asleep, per tick", &TickAsleep)->Apply(cubes);
+  RegisterBenchmark("growth: hash, all asleep", &Hash)->Apply(cubes);
+  RegisterBenchmark("growth: rest test, all asleep", &IsStill)->Apply(cubes);
+  RegisterBenchmark("growth: view, all asleep", &VisualState)->Apply(cubes);
+  RegisterBenchmark("growth: save, all asleep", &Save)->Apply(cubes);
+  RegisterBenchmark("growth: restore, all asleep", &Restore)->Apply(cubes);
+  RegisterBenchmark("growth: single cubes awake, per step", &StacksAwake, 1)->Apply(cubes);
+  RegisterBenchmark("growth: stacks of five awake, per step", &StacksAwake, 5)->Apply(cubes);
 }
 
 }  // namespace smile::app

@@ -1,18 +1,18 @@
 #include "app/bench_recording.h"
 
 #include <benchmark/benchmark.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 
+#include "app/bench_scenes.h"
+#include "app/bench_scratch.h"
 #include "app/options.h"
 #include "base/files.h"
 #include "recorder/recorder.h"
 #include "replay/replay.h"
-#include "scene_xml/scene_reader.h"
 #include "sim/script.h"
 #include "sim/simulation.h"
 
@@ -20,29 +20,6 @@ namespace smile::app {
 namespace {
 
 using sim::HandName;
-
-/// Temporary folder, removed with its benchmark.
-class ScratchFolder {
- public:
-  ScratchFolder()
-      : path_(std::filesystem::temp_directory_path() /
-              ("smile_bench_" + std::to_string(getpid()) + "_" + std::to_string(num_made_++))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~ScratchFolder() {
-    std::error_code error;
-    std::filesystem::remove_all(path_, error);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  inline static int num_made_ = 0;
-  std::filesystem::path path_;
-};
-
-scene::SceneSpec LettersScene() { return scene_xml::LoadScene(DataFile("scenes/um.xml")); }
 
 /// Moves a block to and fro with a hand; all others are at rest.
 void CarryOn(sim::Simulation* simulation) {
@@ -58,7 +35,7 @@ void CarryOn(sim::Simulation* simulation) {
 /// Measures a tick while a hand moves a block, with or without the recording of it.
 void TickOfAHandAtWork(benchmark::State& state, bool is_recorded) {
   const ScratchFolder folder;
-  sim::Simulation simulation(LettersScene());
+  sim::Simulation simulation(UmScene());
   std::optional<recorder::Recorder> recorder;
   if (is_recorded) {
     recorder.emplace(folder.path() / "demo", recorder::RecorderOptions(), nullptr, simulation);
@@ -105,7 +82,7 @@ void UndoAmongFiftyBlocks(benchmark::State& state) {
 void ReplayUm(benchmark::State& state, bool with_robot) {
   const ScratchFolder folder;
   const auto demo = folder.path() / "demo";
-  sim::Simulation simulation(LettersScene(), PlaceRobot({.no_robot = !with_robot}));
+  sim::Simulation simulation(UmScene(), PlaceRobot({.no_robot = !with_robot}));
   {
     recorder::Recorder recorder(demo, {}, nullptr, simulation);
     simulation.AddListener(&recorder);

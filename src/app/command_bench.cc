@@ -3,15 +3,17 @@
 #include <benchmark/benchmark.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <csignal>
 #include <memory>
 #include <stdexcept>
 
+#include "app/bench_awake.h"
 #include "app/bench_echo.h"
 #include "app/bench_growth.h"
 #include "app/bench_motion.h"
+#include "app/bench_parallel.h"
 #include "app/bench_recording.h"
+#include "app/bench_scenes.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/options.h"
@@ -19,55 +21,22 @@
 #include "brain/brain_driver.h"
 #include "brain/brain_messages.h"
 #include "picture/rendered_eye.h"
-#include "scene_xml/scene_reader.h"
 #include "sim/simulation.h"
 
 namespace smile::app {
 namespace {
 
-scene::SceneSpec UmScene() { return scene_xml::LoadScene(DataFile("scenes/um.xml")); }
-
-/// Returns a simulation of the scene `um`, three simulated seconds after its start.
-std::unique_ptr<sim::Simulation> MakeUm(const RobotOptions& robot) {
-  auto simulation = std::make_unique<sim::Simulation>(UmScene(), PlaceRobot(robot));
-  for (int i = 0; i < 3 * sim::kTicksPerSecond; ++i)
-    simulation->Tick();  // so that all bodies fall asleep
-  return simulation;
-}
-
-/// Returns a world of blocks at rest that never fall asleep.
-std::unique_ptr<physics::World> MakeAwakeBlocks() {
-  auto world = std::make_unique<physics::World>(
-      physics::WorldConfig{.sleep_linear_speed = 0, .sleep_angular_speed = 0});
-  const world::Tabletop tabletop(world.get(), UmScene());
-  for (int i = 0; i < 480; ++i) world->Step();
-  return world;
-}
-
-/// Moves both arms to and fro.
-void Swing(sim::Simulation* simulation) {
-  const double speed = simulation->tick() / 30 % 2 == 0 ? 0.3 : -0.3;
-  if (simulation->tick() % 30 != 0) return;
-  const std::vector<double> velocities(7, speed);
-  simulation->Apply(sim::JointVelocities{.left = velocities, .right = velocities});
-}
-
-/// Reports simulated seconds per second of CPU time.
-void ReportRealTime(benchmark::State& state, double seconds_per_iteration) {
-  state.counters["x_real_time"] = benchmark::Counter(
-      seconds_per_iteration * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
-}
-
 /// Measures a physics step in which no body sleeps, without the rest of a tick.
 void TwelveBlocksAwake(benchmark::State& state) {
-  const auto world = MakeAwakeBlocks();
-  for (auto _ : state) world->Step();
-  ReportRealTime(state, world->config().step_seconds);
+  AwakeWorld awake(UmScene());
+  awake.StepSeconds(1);
+  for (auto _ : state) awake.world.Step();
+  ReportRealTime(state, awake.world.config().step_seconds);
 }
 
 /// Measures a tick in which nothing happens, including the hash of the state.
 void TwelveBlocksAsleep(benchmark::State& state) {
-  const auto simulation = MakeUm({.no_robot = true});
+  const auto simulation = MakeUm(/*with_robot=*/false);
   for (auto _ : state) {
     simulation->Tick();
     benchmark::DoNotOptimize(simulation->state_hash());
@@ -76,7 +45,7 @@ void TwelveBlocksAsleep(benchmark::State& state) {
 }
 
 void TwelveBlocksAndAMovingRobot(benchmark::State& state, bool is_kinematic) {
-  const auto simulation = MakeUm({.body = {.is_kinematic = is_kinematic}});
+  const auto simulation = MakeUm(/*with_robot=*/true, is_kinematic);
   for (auto _ : state) {
     Swing(simulation.get());
     simulation->Tick();
@@ -86,28 +55,28 @@ void TwelveBlocksAndAMovingRobot(benchmark::State& state, bool is_kinematic) {
 
 /// Measures a tick in which the robot gets no commands.
 void TwelveBlocksAndARestingRobot(benchmark::State& state) {
-  const auto simulation = MakeUm({});
+  const auto simulation = MakeUm(/*with_robot=*/true);
   for (auto _ : state) simulation->Tick();
   ReportRealTime(state, 1.0 / sim::kTicksPerSecond);
 }
 
 /// Measures the copy of a state; reports the bytes of its physics.
 void SnapshotSave(benchmark::State& state) {
-  const auto simulation = MakeUm({});
+  const auto simulation = MakeUm(/*with_robot=*/true);
   for (auto _ : state) benchmark::DoNotOptimize(simulation->Save());
   state.counters["bytes"] =
       static_cast<double>(mechanics::Serialize(simulation->Save().physics).size());
 }
 
 void SnapshotRestore(benchmark::State& state) {
-  const auto simulation = MakeUm({});
+  const auto simulation = MakeUm(/*with_robot=*/true);
   const sim::SimulationState saved = simulation->Save();
   for (auto _ : state) simulation->Restore(saved);
 }
 
 /// Measures color, depth and ids in one pass.
 void EyePicture(benchmark::State& state, bool with_robot) {
-  const auto simulation = MakeUm({.no_robot = !with_robot});
+  const auto simulation = MakeUm(with_robot);
   const sim::ViewSample sample =
       sim::ViewSampleOf(*simulation, {.width_px = static_cast<int>(state.range(0)),
                                       .height_px = static_cast<int>(state.range(1))});
@@ -141,7 +110,7 @@ std::vector<MeasuredBrain> MeasuredBrains() {
 /// Returns the sensor values of a step, with a picture of the size of the benchmark unless that is
 /// one pixel.
 brain::Sensor SensorOf(const benchmark::State& state) {
-  const auto simulation = MakeUm({});
+  const auto simulation = MakeUm(/*with_robot=*/true);
   picture::RenderedEye eye({.width_px = static_cast<int>(state.range(0)),
                             .height_px = static_cast<int>(state.range(1))});
   brain::Sensor sensor;
@@ -194,7 +163,9 @@ void RegisterAll() {
         ->MeasureProcessCPUTime()
         ->Unit(kMillisecond);
   }
+  RegisterAwakeBenchmarks();
   RegisterGrowthBenchmarks();
+  RegisterParallelBenchmarks();
   RegisterRecordingBenchmarks();
   RegisterMotionBenchmarks();
   // A picture of 1 x 1 px stands for no picture. Real time, as the work is done in another process.

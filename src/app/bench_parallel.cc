@@ -1,0 +1,123 @@
+// Several simulations in one process share nothing that changes, so two threads should do twice the
+// work of one. Each iteration does the same work on one thread and then on two, so that both see
+// the same machine.
+
+#include "app/bench_parallel.h"
+
+#include <benchmark/benchmark.h>
+#include <time.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "app/bench_scenes.h"
+
+namespace smile::app {
+namespace {
+
+/// One simulation's share of the work.
+using Work = std::function<void()>;
+
+struct Workload {
+  const char* name;
+  Work (*make)();
+};
+
+/// Advances the scene `um` by two seconds, with a robot that swings its arms, and hashes each tick
+/// as a recording does.
+Work MakeSwingingRobot() {
+  return [simulation = std::shared_ptr<sim::Simulation>(MakeUm(true))] {
+    for (int i = 0; i < 2 * sim::kTicksPerSecond; ++i) {
+      Swing(simulation.get());
+      simulation->Tick();
+      benchmark::DoNotOptimize(simulation->state_hash());
+    }
+  };
+}
+
+/// Advances ten stacks of five cubes that never sleep by half a second.
+Work MakeAwakeStacks() {
+  auto awake = std::make_shared<AwakeWorld>(Stacks(50, 5, 0.1, 0.1));
+  return [awake] {
+    for (int i = 0; i < 240; ++i) awake->world.Step();
+  };
+}
+
+/// Makes, saves and restores simulations of 50 cubes: mostly memory.
+Work MakeSavesAndRestores() {
+  return [] {
+    sim::Simulation simulation(Stacks(50, 1, 0.05, 0.03));
+    for (int i = 0; i < 100; ++i) {
+      simulation.Tick();
+      simulation.Restore(simulation.Save());
+    }
+  };
+}
+
+constexpr Workload kWorkloads[] = {{"UM with a moving robot", &MakeSwingingRobot},
+                                   {"10 stacks of 5 awake", &MakeAwakeStacks},
+                                   {"saves and restores", &MakeSavesAndRestores}};
+
+double CpuSeconds(clockid_t clock) {
+  timespec now{};
+  ::clock_gettime(clock, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Cost {
+  double wall = std::numeric_limits<double>::infinity();  ///< [s]
+  double cpu = std::numeric_limits<double>::infinity();   ///< of all threads [s]
+
+  void TakeLess(const Cost& other) {
+    wall = std::min(wall, other.wall);
+    cpu = std::min(cpu, other.cpu);
+  }
+};
+
+Cost CostOf(const std::function<void()>& run) {
+  const auto start = std::chrono::steady_clock::now();
+  const double cpu_start = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID);
+  run();
+  return {.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+          .cpu = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID) - cpu_start};
+}
+
+/// Measures two simulations on two threads. Reports how many times as fast they are as one after
+/// the other on one thread, by the shortest times of each; and the same by CPU time, which does not
+/// depend on what else the machine does: twice the CPU time on one thread by that on two.
+void TwoOnTwoThreads(benchmark::State& state, const Workload& workload) {
+  const Work works[] = {workload.make(), workload.make()};
+  Cost one_thread, two_threads;
+  for (auto _ : state) {
+    one_thread.TakeLess(CostOf([&] {
+      for (const Work& work : works) work();
+    }));
+    const Cost cost = CostOf([&] {
+      std::thread other(works[1]);
+      works[0]();
+      other.join();
+    });
+    two_threads.TakeLess(cost);
+    state.SetIterationTime(cost.wall);
+  }
+  state.counters["speed_up"] = one_thread.wall / two_threads.wall;
+  state.counters["speed_up_by_cpu_time"] = 2 * one_thread.cpu / two_threads.cpu;
+}
+
+}  // namespace
+
+void RegisterParallelBenchmarks() {
+  for (const Workload& workload : kWorkloads) {
+    const std::string name = std::string("parallel: two on two threads, ") + workload.name;
+    benchmark::RegisterBenchmark(name.c_str(), &TwoOnTwoThreads, workload)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+}  // namespace smile::app

@@ -1,0 +1,72 @@
+#include "app/bench_scenes.h"
+
+#include <cmath>
+#include <string>
+
+#include "app/options.h"
+#include "base/files.h"
+#include "scene_xml/scene_reader.h"
+
+namespace smile::app {
+namespace {
+
+/// Returns a scene of equal objects on a square grid, and on each other from a given number on.
+/// @param spacing  of the grid [m]
+/// @param height   of each object [m]
+scene::SceneSpec Grid(int num_objects, int objects_a_stack, double spacing, double height,
+                      const scene::Shape& shape) {
+  const int num_stacks = (num_objects + objects_a_stack - 1) / objects_a_stack;
+  const int num_columns = static_cast<int>(std::ceil(std::sqrt(num_stacks)));
+  const double span = num_columns * spacing + 0.2;
+  scene::SceneSpec scene{.name = "grid", .table = {.x_span = span, .y_span = span}};
+  for (int i = 0; i < num_objects; ++i) {
+    const int stack = i / objects_a_stack, level = i % objects_a_stack;
+    const int row = stack / num_columns, column = stack % num_columns;
+    const Vector3 p_WB((column - 0.5 * (num_columns - 1)) * spacing,
+                       (row - 0.5 * (num_columns - 1)) * spacing, (level + 0.5) * height);
+    scene::ObjectSpec object;
+    object.whole = {.id = "cube" + std::to_string(i), .X_PE = RigidTransform(p_WB), .shape = shape};
+    scene.objects.push_back(std::move(object));
+  }
+  return scene;
+}
+
+}  // namespace
+
+scene::SceneSpec UmScene() { return scene_xml::LoadScene(DataFile("scenes/um.xml")); }
+
+std::unique_ptr<sim::Simulation> MakeUm(bool with_robot, bool is_kinematic) {
+  auto simulation = std::make_unique<sim::Simulation>(
+      UmScene(), PlaceRobot({.no_robot = !with_robot, .body = {.is_kinematic = is_kinematic}}));
+  for (int i = 0; i < 3 * sim::kTicksPerSecond; ++i) simulation->Tick();
+  return simulation;
+}
+
+void Swing(sim::Simulation* simulation) {
+  const double speed = simulation->tick() / 30 % 2 == 0 ? 0.3 : -0.3;
+  if (simulation->tick() % 30 != 0) return;
+  const std::vector<double> velocities(7, speed);
+  simulation->Apply(sim::JointVelocities{.left = velocities, .right = velocities});
+}
+
+scene::SceneSpec Stacks(int num_cubes, int cubes_a_stack, double edge, double gap) {
+  return Grid(num_cubes, cubes_a_stack, edge + gap, edge, scene::Block{{edge, edge, edge}});
+}
+
+scene::SceneSpec Rings(int num_rings) {
+  constexpr double kGap = 0.06;
+  const scene::Ring ring;
+  return Grid(num_rings, 1, 2 * ring.radius_outer + kGap, ring.height, ring);
+}
+
+void AwakeWorld::StepSeconds(int seconds) {
+  const long num_steps = std::lround(seconds / world.config().step_seconds);
+  for (long i = 0; i < num_steps; ++i) world.Step();
+}
+
+void ReportRealTime(benchmark::State& state, double seconds_per_iteration) {
+  state.counters["x_real_time"] = benchmark::Counter(
+      seconds_per_iteration * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+
+}  // namespace smile::app

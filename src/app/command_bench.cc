@@ -5,9 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "app/bench_awake.h"
+#include "app/bench_baseline.h"
 #include "app/bench_echo.h"
 #include "app/bench_growth.h"
 #include "app/bench_motion.h"
@@ -21,10 +23,13 @@
 #include "brain/brain_driver.h"
 #include "brain/brain_messages.h"
 #include "picture/rendered_eye.h"
+#include "report/paired_comparison.h"
 #include "sim/simulation.h"
 
 namespace smile::app {
 namespace {
+
+constexpr double kSecondsPerRound = 0.1;  ///< duration of a measurement beside a baseline
 
 /// Measures a physics step in which no body sleeps, without the rest of a tick.
 void TwelveBlocksAwake(benchmark::State& state) {
@@ -179,11 +184,21 @@ void RegisterAll() {
   }
 }
 
-int Bench(const std::string& filter, bool json) {
+struct BenchOptions {
+  std::string filter, baseline;
+  std::optional<double> min_time;  ///< [s]
+  std::size_t rounds = 8;
+  bool json = false;
+};
+
+/// Runs the benchmarks of this program.
+int Bench(const BenchOptions& options) {
   // The benchmark library reads its options from a command line only.
   std::vector<std::string> words{"smile bench"};
-  if (!filter.empty()) words.push_back("--benchmark_filter=" + filter);
-  if (json) words.push_back("--benchmark_format=json");
+  if (!options.filter.empty()) words.push_back("--benchmark_filter=" + options.filter);
+  if (options.json) words.emplace_back("--benchmark_format=json");
+  if (options.min_time)
+    words.push_back("--benchmark_min_time=" + std::to_string(*options.min_time));
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   int count = static_cast<int>(arguments.size());
@@ -193,23 +208,44 @@ int Bench(const std::string& filter, bool json) {
   RegisterAll();
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::RunSpecifiedBenchmarks() > 0) return kDone;
-  throw std::invalid_argument("no benchmark is called like '" + filter + "'");
+  throw std::invalid_argument("no benchmark is called like '" + options.filter + "'");
+}
+
+int BenchOrCompare(const BenchOptions& options) {
+  if (options.baseline.empty()) return Bench(options);
+  return CompareWithBaseline({.baseline = options.baseline,
+                              .filter = options.filter,
+                              .min_time = options.min_time.value_or(kSecondsPerRound),
+                              .rounds = options.rounds,
+                              .json = options.json});
 }
 
 }  // namespace
 
 void AddBench(CLI::App* program, ExitAnswer answer) {
-  struct Options {
-    std::string filter;
-    bool json = false;
-  };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BenchOptions>();
   CLI::App* bench = program->add_subcommand(
       "bench", "Measure the performance figures of the documentation on this machine");
   bench->add_option("--filter", options->filter,
                     "regular expression; only benchmarks with a matching name (default: all)");
+  CLI::Option* baseline =
+      bench
+          ->add_option("--baseline", options->baseline,
+                       "program `smile` of another build: measure both in turns, and report what "
+                       "differs beyond noise; exit code 1 if anything is slower in this build")
+          ->check(NotEmpty());
+  bench
+      ->add_option("--rounds", options->rounds,
+                   "measurements of each benchmark in each program (default 8)")
+      ->check(CLI::Range(static_cast<int>(report::kMinRounds), 1000))
+      ->needs(baseline);
+  bench
+      ->add_option("--min-time", options->min_time,
+                   "shortest duration of a measurement in seconds (default 0.5; 0.1 with "
+                   "--baseline)")
+      ->check(NumberBetween(0.001, 3600));
   bench->add_flag("--json", options->json, "result as JSON on stdout");
-  bench->callback([options, answer] { *answer = Bench(options->filter, options->json); });
+  bench->callback([options, answer] { *answer = BenchOrCompare(*options); });
 }
 
 }  // namespace smile::app

@@ -13,55 +13,66 @@
 #include <limits>
 #include <memory>
 #include <thread>
-#include <vector>
+#include <utility>
 
 #include "app/bench_scenes.h"
 
 namespace smile::app {
 namespace {
 
-/// One simulation's share of the work.
+/// What one thread does.
 using Work = std::function<void()>;
 
 struct Workload {
   const char* name;
-  Work (*make)();
+  /// Returns the work of two threads, on two worlds.
+  std::pair<Work, Work> (*make)();
 };
 
 /// Advances the scene `um` by two seconds, with a robot that swings its arms, and hashes each tick
-/// as a recording does.
-Work MakeSwingingRobot() {
-  return [simulation = std::shared_ptr<sim::Simulation>(MakeUm(true))] {
-    for (int i = 0; i < 2 * sim::kTicksPerSecond; ++i) {
-      Swing(simulation.get());
-      simulation->Tick();
-      benchmark::DoNotOptimize(simulation->state_hash());
-    }
+/// as a recording does. Both simulations have the same model and begin with the same state.
+std::pair<Work, Work> SwingingRobots() {
+  const auto first = std::shared_ptr<sim::Simulation>(MakeUm({}));
+  const auto second = std::make_shared<sim::Simulation>(first->shared_model());
+  second->Restore(first->Save());
+  const auto work = [](const std::shared_ptr<sim::Simulation>& simulation) {
+    return [simulation] {
+      for (int i = 0; i < 2 * sim::kTicksPerSecond; ++i) {
+        Swing(simulation.get());
+        simulation->Tick();
+        benchmark::DoNotOptimize(simulation->state_hash());
+      }
+    };
   };
+  return {work(first), work(second)};
 }
 
 /// Advances ten stacks of five cubes that never sleep by half a second.
-Work MakeAwakeStacks() {
-  auto awake = std::make_shared<AwakeWorld>(Stacks(50, 5, 0.1, 0.1));
-  return [awake] {
-    for (int i = 0; i < 240; ++i) awake->world.Step();
+std::pair<Work, Work> StacksThatNeverSleep() {
+  const auto work = [] {
+    return [awake = std::make_shared<AwakeWorld>(Stacks(50, 5, 0.1, 0.1))] {
+      for (int i = 0; i < 240; ++i) awake->world.Step();
+    };
   };
+  return {work(), work()};
 }
 
-/// Makes, saves and restores simulations of 50 cubes: mostly memory.
-Work MakeSavesAndRestores() {
-  return [] {
-    sim::Simulation simulation(Stacks(50, 1, 0.05, 0.03));
+/// Makes, saves and restores simulations of the same model of 50 cubes: mostly memory, much of it
+/// shared.
+std::pair<Work, Work> SavesAndRestores() {
+  const Work work = [model = std::make_shared<const model::Model>(Stacks(50, 1, 0.05, 0.03))] {
+    sim::Simulation simulation(model);
     for (int i = 0; i < 100; ++i) {
       simulation.Tick();
       simulation.Restore(simulation.Save());
     }
   };
+  return {work, work};
 }
 
-constexpr Workload kWorkloads[] = {{"UM with a moving robot", &MakeSwingingRobot},
-                                   {"10 stacks of 5 awake", &MakeAwakeStacks},
-                                   {"saves and restores", &MakeSavesAndRestores}};
+constexpr Workload kWorkloads[] = {{"UM with a moving robot", &SwingingRobots},
+                                   {"10 stacks of 5 awake", &StacksThatNeverSleep},
+                                   {"saves and restores", &SavesAndRestores}};
 
 double CpuSeconds(clockid_t clock) {
   timespec now{};
@@ -91,15 +102,16 @@ Cost CostOf(const std::function<void()>& run) {
 /// the other on one thread, by the shortest times of each; and the same by CPU time, which does not
 /// depend on what else the machine does: twice the CPU time on one thread by that on two.
 void TwoOnTwoThreads(benchmark::State& state, const Workload& workload) {
-  const Work works[] = {workload.make(), workload.make()};
+  const auto works = workload.make();
   Cost one_thread, two_threads;
   for (auto _ : state) {
     one_thread.TakeLess(CostOf([&] {
-      for (const Work& work : works) work();
+      works.first();
+      works.second();
     }));
     const Cost cost = CostOf([&] {
-      std::thread other(works[1]);
-      works[0]();
+      std::thread other(works.second);
+      works.first();
       other.join();
     });
     two_threads.TakeLess(cost);

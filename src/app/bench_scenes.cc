@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "app/options.h"
 #include "base/files.h"
 #include "scene_xml/scene_reader.h"
 
@@ -35,17 +34,17 @@ scene::SceneSpec Grid(int num_objects, int objects_a_stack, double spacing, doub
 
 scene::SceneSpec UmScene() { return scene_xml::LoadScene(DataFile("scenes/um.xml")); }
 
-std::unique_ptr<sim::Simulation> MakeUm(bool with_robot, bool is_kinematic) {
-  auto simulation = std::make_unique<sim::Simulation>(
-      UmScene(), PlaceRobot({.no_robot = !with_robot, .body = {.is_kinematic = is_kinematic}}));
+std::unique_ptr<sim::Simulation> MakeUm(const RobotOptions& robot) {
+  auto simulation = std::make_unique<sim::Simulation>(UmScene(), PlaceRobot(robot));
   for (int i = 0; i < 3 * sim::kTicksPerSecond; ++i) simulation->Tick();
   return simulation;
 }
 
 void Swing(sim::Simulation* simulation) {
-  const double speed = simulation->tick() / 30 % 2 == 0 ? 0.3 : -0.3;
-  if (simulation->tick() % 30 != 0) return;
-  const std::vector<double> velocities(7, speed);
+  if (simulation->tick() % kSwingTicks != 0) return;
+  const double speed = kSwingAngle / sim::SecondsOf(kSwingTicks);
+  const bool is_forth = simulation->tick() / kSwingTicks % 2 == 0;
+  const std::vector<double> velocities(7, is_forth ? speed : -speed);
   simulation->Apply(sim::JointVelocities{.left = velocities, .right = velocities});
 }
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "app/options.h"
 #include "physics/world.h"
 #include "scene/scene_spec.h"
 #include "sim/simulation.h"
@@ -16,10 +17,13 @@ namespace smile::app {
 /// Returns the scene `um`: ten blocks and two planks.
 scene::SceneSpec UmScene();
 /// Returns a simulation of the scene `um` that has had three simulated seconds to come to rest.
-/// @param is_kinematic  see model::RobotBodyOptions; unused without a robot.
-std::unique_ptr<sim::Simulation> MakeUm(bool with_robot, bool is_kinematic = false);
-/// Moves both arms of the robot to and fro, each joint at 0.3 rad/s for half a second. Call before
-/// each tick.
+std::unique_ptr<sim::Simulation> MakeUm(const RobotOptions& robot);
+
+/// Duration of a swing, and how far it turns each joint [rad].
+inline constexpr int kSwingTicks = sim::kTicksPerSecond / 2;
+inline constexpr double kSwingAngle = 0.15;
+/// Swings both arms of the robot to and fro. Call before each tick; begins at a multiple of
+/// 2 * kSwingTicks.
 void Swing(sim::Simulation* simulation);
 
 /// Returns stacks of cubes on a square grid that the table just holds.

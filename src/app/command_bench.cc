@@ -8,12 +8,12 @@
 #include <optional>
 #include <stdexcept>
 
-#include "app/bench_awake.h"
 #include "app/bench_baseline.h"
 #include "app/bench_echo.h"
 #include "app/bench_growth.h"
 #include "app/bench_motion.h"
 #include "app/bench_parallel.h"
+#include "app/bench_physics.h"
 #include "app/bench_recording.h"
 #include "app/bench_scenes.h"
 #include "app/commands.h"
@@ -41,7 +41,7 @@ void TwelveBlocksAwake(benchmark::State& state) {
 
 /// Measures a tick in which nothing happens, including the hash of the state.
 void TwelveBlocksAsleep(benchmark::State& state) {
-  const auto simulation = MakeUm(/*with_robot=*/false);
+  const auto simulation = MakeUm({.no_robot = true});
   for (auto _ : state) {
     simulation->Tick();
     benchmark::DoNotOptimize(simulation->state_hash());
@@ -50,7 +50,7 @@ void TwelveBlocksAsleep(benchmark::State& state) {
 }
 
 void TwelveBlocksAndAMovingRobot(benchmark::State& state, bool is_kinematic) {
-  const auto simulation = MakeUm(/*with_robot=*/true, is_kinematic);
+  const auto simulation = MakeUm({.body = {.is_kinematic = is_kinematic}});
   for (auto _ : state) {
     Swing(simulation.get());
     simulation->Tick();
@@ -60,28 +60,28 @@ void TwelveBlocksAndAMovingRobot(benchmark::State& state, bool is_kinematic) {
 
 /// Measures a tick in which the robot gets no commands.
 void TwelveBlocksAndARestingRobot(benchmark::State& state) {
-  const auto simulation = MakeUm(/*with_robot=*/true);
+  const auto simulation = MakeUm({});
   for (auto _ : state) simulation->Tick();
   ReportRealTime(state, 1.0 / sim::kTicksPerSecond);
 }
 
 /// Measures the copy of a state; reports the bytes of its physics.
 void SnapshotSave(benchmark::State& state) {
-  const auto simulation = MakeUm(/*with_robot=*/true);
+  const auto simulation = MakeUm({});
   for (auto _ : state) benchmark::DoNotOptimize(simulation->Save());
   state.counters["bytes"] =
       static_cast<double>(mechanics::Serialize(simulation->Save().physics).size());
 }
 
 void SnapshotRestore(benchmark::State& state) {
-  const auto simulation = MakeUm(/*with_robot=*/true);
+  const auto simulation = MakeUm({});
   const sim::SimulationState saved = simulation->Save();
   for (auto _ : state) simulation->Restore(saved);
 }
 
 /// Measures color, depth and ids in one pass.
 void EyePicture(benchmark::State& state, bool with_robot) {
-  const auto simulation = MakeUm(with_robot);
+  const auto simulation = MakeUm({.no_robot = !with_robot});
   const sim::ViewSample sample =
       sim::ViewSampleOf(*simulation, {.width_px = static_cast<int>(state.range(0)),
                                       .height_px = static_cast<int>(state.range(1))});
@@ -115,7 +115,7 @@ std::vector<MeasuredBrain> MeasuredBrains() {
 /// Returns the sensor values of a step, with a picture of the size of the benchmark unless that is
 /// one pixel.
 brain::Sensor SensorOf(const benchmark::State& state) {
-  const auto simulation = MakeUm(/*with_robot=*/true);
+  const auto simulation = MakeUm({});
   picture::RenderedEye eye({.width_px = static_cast<int>(state.range(0)),
                             .height_px = static_cast<int>(state.range(1))});
   brain::Sensor sensor;
@@ -168,7 +168,7 @@ void RegisterAll() {
         ->MeasureProcessCPUTime()
         ->Unit(kMillisecond);
   }
-  RegisterAwakeBenchmarks();
+  RegisterPhysicsBenchmarks();
   RegisterGrowthBenchmarks();
   RegisterParallelBenchmarks();
   RegisterRecordingBenchmarks();

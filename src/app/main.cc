@@ -1,6 +1,7 @@
 // The `smile` program: `smile --help`.
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -22,6 +23,15 @@ void FillStandardStreams() {
   int fd = 0;
   while (fd >= 0 && fd <= STDERR_FILENO) fd = open("/dev/null", O_RDWR);
   if (fd > STDERR_FILENO) close(fd);
+}
+
+/// Makes the allocator take memory from the system, and return it, in large portions. For this the
+/// system locks the memory of the whole process: with small ones, two threads that make, save and
+/// restore simulations lose a tenth of their time.
+void TakeMemoryInLargePortions() {
+  mallopt(M_TOP_PAD, 16 << 20);
+  // Both are fixed together: without this, blocks from 128 kB would be portions of their own.
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
 }
 
 }  // namespace
@@ -54,6 +64,7 @@ int main(int argc, char** argv) {
   app::AddBench(&program, &answer);
 
   FillStandardStreams();
+  TakeMemoryInLargePortions();
   // A file size limit is reported as an error, like a full disk, and does not kill the program.
   signal(SIGXFSZ, SIG_IGN);
   app::CatchInterrupts();

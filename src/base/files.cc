@@ -88,7 +88,9 @@ void WriteFile(const std::filesystem::path& path, std::string_view text) {
   }
   // Renaming is atomic: readers see the old file or the new one.
   std::filesystem::rename(neighbour, target, error);
-  if (error) Fail(path, "cannot be written: " + error.message());
+  if (!error) return;
+  std::remove(neighbour.c_str());
+  Fail(path, "cannot be written: " + error.message());
 }
 
 void MakeDirectories(const std::filesystem::path& path) {

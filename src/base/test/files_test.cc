@@ -1,9 +1,14 @@
 #include "base/files.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <fstream>
+#include <iterator>
+#include <limits>
 #include <stdexcept>
+#include <thread>
 
 namespace smile {
 namespace {
@@ -44,6 +49,22 @@ TEST_F(Files, ComeBackAsWritten) {
 TEST_F(Files, LeaveNothingBesideThem) {
   WriteFile(folder_ / "a", "text");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(Files, LeaveNothingBesideThemWhenTheLastStepFails) {
+  // The temporary neighbor is a pipe, so that something can happen between its writing and its
+  // renaming: a directory takes the name. The text is longer than a pipe holds.
+  ASSERT_EQ(mkfifo((folder_ / "a.part").c_str(), 0600), 0);
+  std::thread other([this] {
+    std::ifstream pipe(folder_ / "a.part", std::ios::binary);
+    fs::create_directory(folder_ / "a");
+    pipe.ignore(std::numeric_limits<std::streamsize>::max());
+  });
+  const std::string reason =
+      ReasonOf([this] { WriteFile(folder_ / "a", std::string(1 << 20, '.')); });
+  other.join();
+  EXPECT_TRUE(reason.starts_with((folder_ / "a").string() + ": cannot be written: ")) << reason;
+  EXPECT_FALSE(fs::exists(folder_ / "a.part"));
 }
 
 TEST_F(Files, AreWrittenThroughLinksAndIntoDevices) {

@@ -72,10 +72,7 @@ std::vector<FrameEntry> ReadFrameIndex(const std::filesystem::path& csv) {
 
 recording::TraceTick ReadMomentOf(const FrameEntry& frame, const std::filesystem::path& csv,
                                   recording::TraceReader* trace) {
-  // The trace is a stream; a frame's tick is at or after the last one that was read.
-  auto moment = trace->Next();
-  while (moment && moment->tick < frame.tick) moment = trace->Next();
-  if (moment && moment->tick == frame.tick) return *std::move(moment);
+  if (auto moment = trace->At(frame.tick)) return *std::move(moment);
   throw InputError(
       {csv.string(), 0, "",
        "has a frame of tick " + std::to_string(frame.tick) + ", which is missing in the trace"});

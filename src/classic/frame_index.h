@@ -22,7 +22,7 @@ struct FrameEntry {
 /// @throws std::runtime_error with path and reason if the file cannot be read.
 std::vector<FrameEntry> ReadFrameIndex(const std::filesystem::path& csv);
 
-/// Reads a trace up to the tick of a frame; frames must be requested in order.
+/// Reads the tick of a frame from a trace.
 /// @throws InputError if the trace has no such moment, or cannot be read.
 recording::TraceTick ReadMomentOf(const FrameEntry& frame, const std::filesystem::path& csv,
                                   recording::TraceReader* trace);

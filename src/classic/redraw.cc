@@ -93,6 +93,7 @@ std::size_t RedrawInto(const recording::Recording& recording,
                                "robot.robot.json",
                                "commands.jsonl",
                                "trace.bin",
+                               "trace.index",
                                "frames.csv",
                                "brain.log"};
   recording::BeginningMark mark(directory);

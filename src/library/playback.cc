@@ -1,11 +1,12 @@
-// Random access to a trace, which is a stream of differences from tick to tick: bookmarks at equal
-// distances hold complete states, from which reading continues. Time is a real number of ticks
-// (at_), so that slow playback advances by fractions; the shown tick is the nearest one.
+// Time is a real number of ticks (at_), so that slow playback advances by fractions; the shown tick
+// is the nearest one.
 
 #include "library/playback.h"
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -16,20 +17,23 @@
 #include "recording/view_sample.h"
 
 namespace smile::library {
-namespace {
-
-/// Maximal number of bookmarks of a recording of any length. A spacing of one second reaches 34
-/// minutes; beyond, it doubles. A bookmark holds one complete tick.
-constexpr std::size_t kMaxBookmarks = 2048;
-
-}  // namespace
-
 class Playback::Impl {
  public:
   Impl(std::string id, const std::filesystem::path& directory)
       : id_(std::move(id)), recording_(recording::OpenRecording(directory)), trace_(recording_) {
-    Survey();
-    GoTo(0);
+    auto first = trace_.Next();
+    if (!first) {
+      throw InputError(
+          {(recording_.directory / "trace.bin").string(), 0, "", "contains no moment"});
+    }
+    moment_ = *std::move(first);
+    // A recording may begin at any tick of its simulation.
+    first_tick_ = moment_.tick;
+    num_ticks_ = trace_.LastTick().value_or(first_tick_) - first_tick_;
+    for (const sim::Event& event : trace_.events_before_start()) NoteFall(0, event);
+    for (const recording::TracedEvent& traced : trace_.Events()) {
+      NoteFall(traced.tick, traced.event);
+    }
   }
 
   const std::string& id() const { return id_; }
@@ -54,6 +58,7 @@ class Playback::Impl {
       throw std::invalid_argument("rate is " + NumberText(rate) + ", expected 0 to " +
                                   NumberText(kMaxRate));
     }
+    if (rate > 0 && failure_) throw std::runtime_error(*std::exchange(failure_, std::nullopt));
     // Playing at the end begins again.
     if (rate > 0 && is_at_end()) GoTo(0);
     rate_ = rate;
@@ -68,7 +73,13 @@ class Playback::Impl {
   // Called 60 times per second of wall-clock time, so the rate is the number of ticks per call.
   void Tick() {
     if (rate_ == 0) return;
-    GoTo(std::min(at_ + rate_, static_cast<double>(num_ticks_)));
+    try {
+      GoTo(std::min(at_ + rate_, static_cast<double>(num_ticks_)));
+    } catch (const std::exception& error) {
+      // The trace is read as it is played: it may be damaged here, or be cut meanwhile.
+      failure_ = error.what();
+      rate_ = 0;
+    }
     if (is_at_end()) rate_ = 0;
   }
 
@@ -87,72 +98,26 @@ class Playback::Impl {
     std::string object;
   };
 
-  /// Stores the falls among the events of a tick.
-  void NoteFalls(std::uint64_t tick, const std::vector<sim::Event>& events) {
-    for (const sim::Event& event : events) {
-      if (event.kind == sim::EventKind::kFell) falls_.push_back({tick, event.object});
-    }
-  }
-
-  /// Reads the whole trace once for its length, the falls, and the bookmarks. Their spacing doubles
-  /// whenever there are too many, so that memory is bounded and seeking reads at most one spacing.
-  void Survey() {
-    std::uint64_t spacing = sim::kTicksPerSecond;
-    NoteFalls(0, trace_.events_before_start());
-    while (const auto moment = trace_.Next()) {
-      NoteFalls(moment->tick, moment->events);
-      // A recording may begin at any tick of its simulation.
-      if (bookmarks_.empty()) first_tick_ = moment->tick;
-      num_ticks_ = moment->tick - first_tick_;
-      if (num_ticks_ % spacing != 0) continue;
-      bookmarks_.push_back(trace_.MakeBookmark());
-      if (bookmarks_.size() < kMaxBookmarks) continue;
-      // Keeps every other one, which doubles the spacing.
-      for (std::size_t i = 1; 2 * i < bookmarks_.size(); ++i) {
-        bookmarks_[i] = std::move(bookmarks_[2 * i]);
-      }
-      bookmarks_.resize((bookmarks_.size() + 1) / 2);
-      spacing *= 2;
-    }
-    if (bookmarks_.empty()) {
-      throw InputError(
-          {(recording_.directory / "trace.bin").string(), 0, "", "contains no moment"});
-    }
+  void NoteFall(std::uint64_t tick, const sim::Event& event) {
+    if (event.kind == sim::EventKind::kFell) falls_.push_back({tick, event.object});
   }
 
   /// @param at  [ticks from the start].
   void GoTo(double at) {
     const std::uint64_t tick = first_tick_ + static_cast<std::uint64_t>(std::llround(at));
-    const auto after = std::upper_bound(
-        bookmarks_.begin(), bookmarks_.end(), tick,
-        [](std::uint64_t wanted, const auto& mark) { return wanted < mark.moment().tick; });
-    const recording::TraceReader::Bookmark& before = *std::prev(after);
-    // Reading on is cheaper than returning, unless a bookmark lies nearer to the tick.
-    const bool can_read_on =
-        has_moment_ && moment_.tick <= tick && moment_.tick >= before.moment().tick;
-    if (!can_read_on) {
-      trace_.ReturnTo(before);
-      moment_ = before.moment();
-      has_moment_ = true;
-    }
-    while (moment_.tick < tick) {
-      auto next = trace_.Next();
-      if (!next) break;
-      moment_ = *std::move(next);
-    }
+    if (auto moment = trace_.At(tick)) moment_ = *std::move(moment);
     at_ = at;
   }
 
   std::string id_;
   recording::Recording recording_;
   recording::TraceReader trace_;
-  std::vector<recording::TraceReader::Bookmark> bookmarks_;  ///< in order; the first tick's first
-  std::vector<Fall> falls_;                                  ///< in order
+  std::vector<Fall> falls_;  ///< in order
   std::uint64_t first_tick_ = 0, num_ticks_ = 0;
   recording::TraceTick moment_;
-  bool has_moment_ = false;
   double at_ = 0;  ///< [ticks from the start]
   double rate_ = 0;
+  std::optional<std::string> failure_;  ///< why playing ended, until it is reported
 };
 
 Playback::Playback(std::string id, const std::filesystem::path& directory)

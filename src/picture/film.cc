@@ -39,10 +39,10 @@ bool ForEachFrame(const recording::Recording& recording, const recording::TickRa
   recording::TraceReader trace(recording);
   const recording::MarkerTrack markers(recording);
   std::uint64_t frame = 0;
-  while (const auto moment = trace.Next()) {
-    if (moment->tick > range.last) break;
+  for (auto moment = trace.At(range.first); moment && moment->tick <= range.last;
+       moment = trace.Next()) {
     if (!report_progress(moment->tick)) return false;
-    if (moment->tick < range.first || !is_due(frame, moment->tick)) continue;
+    if (!is_due(frame, moment->tick)) continue;
     const Image& image = renderer->Take(*moment, markers.At(moment->tick));
     // A rate above that of the ticks shows a tick more than once.
     for (; is_due(frame, moment->tick); ++frame) {

@@ -236,7 +236,7 @@ void Recorder::ShowAgain(const ActionSavepoints& redone, const sim::Simulation& 
                                redone.at_undo.place);
   // On one path, later records are farther back in the file, so a comparison of places selects
   // those after the action began.
-  while (const auto moment = trace.Next()) {
+  for (auto moment = trace.At(redone.before.point.tick); moment; moment = trace.Next()) {
     if (trace.places()[0] > redone.before.place) classic_->WriteFrameIfDue(*moment);
     for (std::size_t i = 0; i < moment->events.size(); ++i) {
       if (trace.places()[i + 1] > redone.before.place) classic_->Note(moment->events[i]);

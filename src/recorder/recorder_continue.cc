@@ -168,8 +168,9 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
   recorder->log_->Cut(BytesOfLines(log_path, num_lines));
   recorder->num_lines_ = num_lines;
   recorder->tick_ = recording::TicksOf(recording).last;
-  const recording::TracePlace end = recording::TraceReader(recording).size();
-  recorder->trace_.emplace(directory / "trace.bin", end, from.tick);
+  const recording::TraceReader trace(recording);
+  const recording::TracePlace end = trace.size();
+  recorder->trace_.emplace(trace, from.tick);
   const recording::CommandLog& log = recording.log;
   // A checkout is needed only if the point is not where log and trace end anyway.
   if (log.LineBefore(num_lines + 1) != log.LineBefore(from.line + 1) || reached.place != end) {

@@ -6,18 +6,16 @@ namespace smile::recording {
 
 std::map<std::string, std::vector<std::string>> AttentionOf(const Recording& recording) {
   std::map<std::string, std::vector<std::string>> attention;
-  const auto note = [&attention](const std::vector<sim::Event>& events) {
-    for (const sim::Event& event : events) {
-      if (event.kind != sim::EventKind::kAttended) continue;
-      // The last event on an object counts; one without properties revokes the earlier ones.
-      attention.erase(event.object);
-      if (!event.properties.empty()) attention[event.object] = event.properties;
-    }
+  const auto note = [&attention](const sim::Event& event) {
+    if (event.kind != sim::EventKind::kAttended) return;
+    // The last event on an object counts; one without properties revokes the earlier ones.
+    attention.erase(event.object);
+    if (!event.properties.empty()) attention[event.object] = event.properties;
   };
   TraceReader trace(recording);
   // Properties that were marked before the recording began still hold.
-  note(trace.events_before_start());
-  while (const auto moment = trace.Next()) note(moment->events);
+  for (const sim::Event& event : trace.events_before_start()) note(event);
+  for (const TracedEvent& traced : trace.Events()) note(traced.event);
   return attention;
 }
 

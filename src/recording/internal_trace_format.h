@@ -42,6 +42,13 @@ inline constexpr std::uint64_t kBondRecord = 2 * 4 + 1;
 inline constexpr std::uint64_t kFaceExpressionRecord = 1;
 inline constexpr std::uint64_t kCountsRecord = 3 * 4;
 
+/// Keyframes are at least this far apart, except at the start, after a return, and when objects
+/// were added [bytes]. Seeking reads about as much.
+inline constexpr std::uint64_t kKeyframeBytes = 64 << 10;
+/// Keyframes are also at least this many times their own size apart, so that they remain a small
+/// part of the trace.
+inline constexpr std::uint64_t kKeyframeSizes = 16;
+
 /// Limit on the numbers of objects and of joints.
 inline constexpr std::uint32_t kMaxNames = 1'000'000;
 void PutNames(const std::vector<std::string>& names, ByteWriter* out);

@@ -35,8 +35,8 @@ motion::JointTrajectory JointMotionOf(const Recording& recording,
     trajectory.joint_names.push_back(channel.name);
   TraceReader trace(recording);
   std::uint64_t frame = 0;
-  while (const auto moment = trace.Next()) {
-    if (moment->tick < ticks.first || moment->tick > ticks.last) continue;
+  for (auto moment = trace.At(ticks.first); moment && moment->tick <= ticks.last;
+       moment = trace.Next()) {
     const std::uint64_t since = moment->tick - ticks.first;
     // The last tick is always included, due or not, so that the motion ends where the robot did.
     const bool is_due = IsFrameDue(frame, since, points_per_second);

@@ -40,19 +40,20 @@ class Summaries {
     scene_ = SceneAfter(recording_, until.line);
     std::size_t next = 0;
     // Events and steps of a path are in the same order, so they are paired one by one.
-    while (const auto moment = trace.Next()) {
-      for (const sim::Event& event : moment->events) {
-        if (BeginsAction(event) && next < path.size()) Add(path[next++], event, &*moment);
-      }
-      // A trace of an old version has no events: commands are placed by their ticks.
-      while (!trace.has_events() && next < path.size() &&
-             steps_[path[next]].begin.tick == moment->tick) {
-        Add(path[next], commanded[next], &*moment);
-        ++next;
+    for (const TracedEvent& traced : trace.Events()) {
+      if (BeginsAction(traced.event) && next < path.size()) {
+        Add(path[next++], traced.event, traced.tick, &trace);
       }
     }
+    // A trace of an old version has no events: commands are placed by their ticks.
+    const std::uint64_t last_tick = trace.LastTick().value_or(0);
+    while (!trace.has_events() && next < path.size() &&
+           steps_[path[next]].begin.tick <= last_tick) {
+      Add(path[next], commanded[next], steps_[path[next]].begin.tick, &trace);
+      ++next;
+    }
     // The log is written before the trace, so the trace may end first.
-    for (; next < path.size(); ++next) Add(path[next], commanded[next], nullptr);
+    for (; next < path.size(); ++next) Add(path[next], commanded[next], 0, nullptr);
   }
 
   /// Returns the steps from the first action to `last`, in order.
@@ -75,27 +76,22 @@ class Summaries {
     return events;
   }
 
-  /// @param moment  at which the action was carried out; nullptr if the trace lacks it.
-  void Add(std::size_t step, const sim::Event& event, const TraceTick* moment) {
+  /// @param trace  has the moment at `tick`, at which the action was carried out; nullptr if it
+  ///               lacks it.
+  void Add(std::size_t step, const sim::Event& event, std::uint64_t tick, TraceReader* trace) {
     if (steps_[step].summary) return;
+    std::optional<model::Support> support;
     // What an object was put on is known only from the poses at that moment.
-    const bool is_release = event.kind == sim::EventKind::kReleased;
-    steps_[step].summary =
-        SummaryOf(event, is_release && moment != nullptr ? SupportAt(*moment, event.object, scene_)
-                                                         : std::nullopt);
+    if (event.kind == sim::EventKind::kReleased && trace != nullptr) {
+      if (const auto moment = trace->At(tick)) support = SupportAt(*moment, event.object, scene_);
+    }
+    steps_[step].summary = SummaryOf(event, support);
   }
 
   const Recording& recording_;
   scene::SceneSpec scene_;  ///< on the path that is being read
   std::vector<Segment>& steps_;
 };
-
-std::uint64_t LastTick(const Recording& recording) {
-  TraceReader trace(recording);
-  std::uint64_t tick = recording.info.start.tick;
-  while (const auto moment = trace.Next()) tick = moment->tick;
-  return tick;
-}
 
 }  // namespace
 
@@ -137,7 +133,8 @@ std::vector<Segment> CutAtActions(const Recording& recording, std::uint64_t last
 
 std::vector<Segment> HistoryOf(const Recording& recording) {
   if (recording.info.origin == Origin::kImported) return ImportedHistoryOf(recording);
-  std::vector<Segment> steps = CutAtActions(recording, LastTick(recording));
+  std::vector<Segment> steps = CutAtActions(
+      recording, TraceReader(recording).LastTick().value_or(recording.info.start.tick));
   Summaries(recording, &steps).AddToSteps();
   return steps;
 }

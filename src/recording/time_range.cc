@@ -18,18 +18,14 @@ std::string SecondsText(double seconds) { return NumberText(std::round(seconds *
 
 TickRange TicksOf(const Recording& recording) {
   const std::uint64_t begin = recording.info.start.tick;
-  // The end is known only from reading: records have no fixed length.
-  TickRange whole{.first = begin, .last = begin};
   TraceReader trace(recording);
-  for (bool has_begun = false; const auto moment = trace.Next(); has_begun = true) {
-    if (!has_begun && moment->tick != begin) {
-      throw InputError({(recording.directory / "trace.bin").string(), 0, "",
-                        "begins at tick " + std::to_string(moment->tick) +
-                            ", but demo.json says at tick " + std::to_string(begin)});
-    }
-    whole.last = moment->tick;
+  const std::optional<TraceTick> first = trace.Next();
+  if (first && first->tick != begin) {
+    throw InputError({(recording.directory / "trace.bin").string(), 0, "",
+                      "begins at tick " + std::to_string(first->tick) +
+                          ", but demo.json says at tick " + std::to_string(begin)});
   }
-  return whole;
+  return {.first = begin, .last = trace.LastTick().value_or(begin)};
 }
 
 std::uint64_t TickAt(double seconds, const TickRange& whole, const std::string& name) {
@@ -71,18 +67,11 @@ bool IsFrameDue(std::uint64_t frame, std::uint64_t ticks_since_first, double fra
 }
 
 std::optional<TraceTick> MomentAt(const Recording& recording, std::uint64_t tick) {
-  TraceReader trace(recording);
-  while (auto moment = trace.Next()) {
-    if (moment->tick == tick) return moment;
-  }
-  return std::nullopt;
+  return TraceReader(recording).At(tick);
 }
 
 std::optional<TraceTick> LastMoment(const Recording& recording) {
-  TraceReader trace(recording);
-  std::optional<TraceTick> last;
-  while (auto moment = trace.Next()) last = std::move(moment);
-  return last;
+  return TraceReader(recording).Last();
 }
 
 }  // namespace smile::recording

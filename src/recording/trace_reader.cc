@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "base/diagnostic.h"
-#include "base/files.h"
 #include "recording/internal_trace_format.h"
+#include "recording/internal_trace_records.h"
 #include "scene/bond_points.h"
 #include "scene/controls_of.h"
 
@@ -14,25 +16,20 @@ namespace {
 
 /// Largest deviation of a quaternion's length from 1.
 constexpr double kUnitLength = 1e-6;
-constexpr std::size_t kMaxTraceBytes = std::size_t{4} << 30;
+/// Maximal number of bookmarks, each with a complete tick.
+constexpr std::uint64_t kMaxBookmarks = 256;
+/// Number of bytes of the header that are loaded first, and a limit on those of a damaged one.
+constexpr std::size_t kFirstHeader = std::size_t{4} << 10, kLargestHeader = std::size_t{64} << 20;
+/// Limit on the size of an event: one that names a million objects is smaller.
+constexpr std::uint64_t kMaxEventBytes = std::uint64_t{1} << 28;
 
 // Readers for the parts of a tick's record, in their order. Each updates `tick`, which starts as a
 // copy of the tick before, because a record contains changes only. Each returns false if its part
 // is damaged.
 
-/// Objects are only ever added at the end of the lists, so counts never decrease along a path, and
-/// each count of objects determines the other counts.
-bool ReadCounts(const TraceLimits& limits, TraceCounts* counts, ByteReader* in) {
-  const TraceCounts found = GetCounts(in);
-  if (found.objects < counts->objects || !limits.Allow(found)) return false;
-  *counts = found;
-  return true;
-}
-
 /// Every index is checked before use: the file is untrusted input.
-bool ReadMoved(std::uint32_t num_objects, ByteReader* in, TraceTick* tick) {
-  const auto num_moved = in->Get<std::uint32_t>();
-  if (num_moved > num_objects) return false;
+bool ReadMoved(std::uint32_t num_moved, std::uint32_t num_objects, ByteReader* in,
+               TraceTick* tick) {
   for (std::uint32_t k = 0; k < num_moved; ++k) {
     const auto i = in->Get<std::uint32_t>();
     if (i >= num_objects) return false;
@@ -121,11 +118,10 @@ bool TraceLimits::Allow(const TraceCounts& found) const {
 }
 
 TraceReader::TraceReader(const Recording& recording, const scene::SceneSpec& scene, Unopened)
-    : path_(recording.directory / "trace.bin"),
-      bytes_(ReadFile(path_, kMaxTraceBytes)),
-      limits_(scene) {
+    : path_(recording.directory / "trace.bin"), file_(path_), limits_(scene) {
   ReadHeader(recording, scene);
   Survey();
+  FindSegments();
 }
 
 TraceReader::TraceReader(const Recording& recording)
@@ -160,10 +156,15 @@ TraceReader::TraceReader(const Recording& recording, const HistoryPoint& point)
 
 // Events before the first tick's record describe the state that the start inherits.
 void TraceReader::ReadEventsBeforeStart() {
-  while (IsAtRecord() && FlagsAt(place_) == kIsEvent) {
-    events_before_start_.push_back(ReadEvent());
+  while (IsAtRecord()) {
+    const RecordHead head = HeadOf(place_);
+    if (head.flags != kIsEvent) break;
+    events_before_start_.push_back(ReadEvent(place_, head));
     if (!IsSound(events_before_start_.back())) FailInEvent();
+    place_ += head.size;
   }
+  bookmarks_.push_back(MakeBookmark());
+  FindEntriesOnPath();
 }
 
 void TraceReader::Fail(const std::string& message) const {
@@ -174,26 +175,32 @@ void TraceReader::FailInEvent() const {
   Fail("is damaged in an event after tick " + std::to_string(now_.tick));
 }
 
-ByteReader TraceReader::BytesAt(TracePlace place) const {
-  return ByteReader(std::as_bytes(std::span(bytes_)).subspan(place));
+void TraceReader::FailInRecord() const {
+  Fail("is damaged in the record after tick " + std::to_string(now_.tick));
 }
 
+// The size of the header is known only from reading it: more of it is loaded until it is complete.
 void TraceReader::ReadHeader(const Recording& recording, const scene::SceneSpec& scene) {
-  ByteReader in = BytesAt(0);
-  for (char letter : kTraceMagic) {
-    // A file that is too short yields zeros here, which fail as well.
-    if (in.Get<char>() != letter) Fail("this is not a trace of a recording");
+  for (std::size_t loaded = kFirstHeader;; loaded *= 4) {
+    ByteReader in(file_.At(0, loaded));
+    const std::size_t available = in.remaining();
+    for (char letter : kTraceMagic) {
+      // A file that is too short yields zeros here, which fail as well.
+      if (in.Get<char>() != letter) Fail("this is not a trace of a recording");
+    }
+    version_ = in.Get<std::uint32_t>();
+    if (version_ < kOldestTraceVersion || version_ > kTraceVersion) {
+      Fail("its format is version " + std::to_string(version_) + ", expected " +
+           std::to_string(kOldestTraceVersion) + " to " + std::to_string(kTraceVersion));
+    }
+    object_names_ = GetNames(kMaxNames, &in);
+    joint_names_ = GetNames(kMaxNames, &in);
+    if (in.ok()) {
+      begin_ = available - in.remaining();
+      break;
+    }
+    if (available < loaded || loaded > kLargestHeader) Fail("its header is truncated");
   }
-  version_ = in.Get<std::uint32_t>();
-  if (version_ < kOldestTraceVersion || version_ > kTraceVersion) {
-    Fail("its format is version " + std::to_string(version_) + ", expected " +
-         std::to_string(kOldestTraceVersion) + " to " + std::to_string(kTraceVersion));
-  }
-  object_names_ = GetNames(kMaxNames, &in);
-  joint_names_ = GetNames(kMaxNames, &in);
-  if (!in.ok()) Fail("its header is truncated");
-  // Records begin here; Survey() advances size_ over the complete ones.
-  size_ = bytes_.size() - in.remaining();
 
   bool fits = std::ranges::equal(object_names_, recording.start_scene().objects, {}, {},
                                  &scene::ObjectSpec::id);
@@ -212,78 +219,95 @@ void TraceReader::ReadHeader(const Recording& recording, const scene::SceneSpec&
   now_.joints.resize(joint_names_.size());
   now_.controls.resize(limits_.num_states.size());
   now_.bonds.resize(limits_.max_tightness.size());
+  nothing_ = now_;
 }
 
-std::uint8_t TraceReader::FlagsAt(TracePlace place) const {
-  return static_cast<std::uint8_t>(bytes_[place + kRecordHead - 1]);
+RecordHead TraceReader::HeadOf(TracePlace place) {
+  const auto head = HeadAt(place, counts_, joint_names_.size(), &file_);
+  // It was complete when the trace was opened.
+  if (!head) Fail("became shorter while it was read");
+  return *head;
 }
 
-// Records carry no length, except events: the size follows from flags and counts. `counts_` must be
-// those of the record before, and the number of joints never changes.
-std::optional<std::uint64_t> TraceReader::SizeAt(TracePlace place) const {
-  ByteReader in = BytesAt(place);
-  in.GetBytes(kRecordHead - 1);
-  const auto flags = in.Get<std::uint8_t>();
-  std::uint64_t size = kRecordHead;
-  TraceCounts counts = counts_;
-  if (flags == kIsReturn) {
-    size += 2 * 8;
-  } else if (flags == kIsEvent) {
-    size += 4 + std::uint64_t{in.Get<std::uint32_t>()};
-  } else {
-    if ((flags & kCountsChanged) != 0) {
-      counts = GetCounts(&in);
-      size += kCountsRecord;
-    }
-    size += 4 + kMovedObject * in.Get<std::uint32_t>();
-    if ((flags & kJointsChanged) != 0) size += 8 * now_.joints.size();
-    if ((flags & kControlsChanged) != 0) size += kControlRecord * counts.controls;
-    if ((flags & kBondsChanged) != 0) size += kBondRecord * counts.bonds;
-    if ((flags & kFaceExpressionChanged) != 0) size += kFaceExpressionRecord;
-  }
-  // An incomplete record is the end of a recording that was interrupted.
-  if (!in.ok() || size > bytes_.size() - place) return std::nullopt;
-  return size;
+RecordHead TraceReader::HeadOf(const TraceEntry& entry) {
+  const RecordHead head = HeadOf(entry.place);
+  using enum TraceEntry::Kind;
+  const bool is_kind = entry.kind == kKeyframe ? head.is_keyframe()
+                       : entry.kind == kEvent  ? head.flags == kIsEvent
+                                               : head.flags == kIsReturn;
+  if (is_kind && head.tick == entry.tick && head.hash == entry.hash) return head;
+  throw InputError({TraceIndexOf(path_).string(), 0, "",
+                    "does not fit trace.bin at byte " + std::to_string(entry.place) +
+                        "; the recording can be read without it"});
 }
 
-// First pass: finds the ends of all records and cuts the file at its returns. Each return begins a
-// segment whose past ends at some earlier record, so segments form a tree as the log does. `bounds`
-// is sorted by construction.
+// The index leads to the last keyframe. From there on, or from the beginning of a trace without an
+// index, all records are gone through by their heads.
 void TraceReader::Survey() {
-  segments_.push_back({.begin = size_});
-  std::vector<TracePlace> bounds{size_};
-  while (const auto size = SizeAt(size_)) {
-    const TracePlace place = size_;
-    size_ += *size;
-    bounds.push_back(size_);
-    const std::uint8_t flags = FlagsAt(place);
-    if (flags != kIsReturn) {
-      if ((flags & kCountsChanged) != 0) {
-        ByteReader in = BytesAt(place + kRecordHead);
-        counts_ = GetCounts(&in);
-      }
-      continue;
-    }
-    // A return ends the segment before it and stores where the past of the next one ends.
-    segments_.back().end = place;
-    ByteReader in = BytesAt(place);
-    BranchSegment next{.begin = size_, .tick = in.Get<std::uint64_t>()};
-    in.GetBytes(kRecordHead - 8);
-    next.past = in.Get<TracePlace>();
-    next.log_line = in.Get<std::uint64_t>();
-    // A place inside a record or in the future would make the reader misinterpret bytes or loop.
-    if (next.past > place || !std::binary_search(bounds.begin(), bounds.end(), next.past)) {
-      Fail("returns to a position that is not the end of a record, at byte " +
-           std::to_string(place));
-    }
-    if (next.log_line <= segments_.back().log_line) {
-      Fail("returns in another order than the log, at byte " + std::to_string(place));
-    }
-    segments_.push_back(next);
+  index_ = ReadTraceIndex(path_, &file_);
+  // The end of the trace may be missing.
+  const auto is_complete = [this](const TraceEntry& entry) {
+    return HeadAt(entry.place, counts_, joint_names_.size(), &file_).has_value();
+  };
+  while (!index_.empty() &&
+         (index_.back().kind != TraceEntry::Kind::kKeyframe || !is_complete(index_.back()))) {
+    index_.pop_back();
+  }
+  size_ = begin_;
+  if (!index_.empty()) {
+    (void)HeadOf(index_.back());
+    size_ = index_.back().place;
+    index_.pop_back();
+  }
+  while (const auto head = HeadAt(size_, counts_, joint_names_.size(), &file_)) {
+    AddToIndex(size_, *head);
+    counts_ = head->counts;
+    size_ += head->size;
   }
   // The counts were advanced in file order; reading starts again with those of the header.
-  segments_.back().end = size_;
   counts_ = first_counts_;
+}
+
+void TraceReader::AddToIndex(TracePlace place, const RecordHead& head) {
+  using enum TraceEntry::Kind;
+  if (head.is_tick()) {
+    if (!head.is_keyframe()) return;
+    // Where all objects move, each record may be complete.
+    const auto last = std::find_if(index_.rbegin(), index_.rend(),
+                                   [](const TraceEntry& entry) { return entry.kind != kEvent; });
+    const bool is_near =
+        last != index_.rend() && last->kind == kKeyframe && place - last->place < kKeyframeBytes;
+    if (is_near) return;
+  }
+  index_.push_back({.place = place,
+                    .tick = head.tick,
+                    .hash = head.hash,
+                    .kind = head.is_tick()           ? kKeyframe
+                            : head.flags == kIsEvent ? kEvent
+                                                     : kReturn});
+}
+
+// Each return begins a segment whose past ends at some earlier record, so segments form a tree as
+// the log does.
+void TraceReader::FindSegments() {
+  segments_.push_back({.begin = begin_});
+  for (const TraceEntry& entry : index_) {
+    if (entry.kind != TraceEntry::Kind::kReturn) continue;
+    const RecordHead head = HeadOf(entry);
+    segments_.back().end = entry.place;
+    // Places decrease towards the start, so every path ends.
+    if (head.past > entry.place) {
+      Fail("returns to a later position, at byte " + std::to_string(entry.place));
+    }
+    if (head.log_line <= segments_.back().log_line) {
+      Fail("returns in another order than the log, at byte " + std::to_string(entry.place));
+    }
+    segments_.push_back({.begin = entry.place + head.size,
+                         .past = head.past,
+                         .tick = head.tick,
+                         .log_line = head.log_line});
+  }
+  segments_.back().end = size_;
 }
 
 // Walks from `end` back to the header. Segments are pushed last first, so the vector works as a
@@ -305,33 +329,104 @@ void TraceReader::FindPathTo(TracePlace end) {
   path_segments_ = segments_left_;
 }
 
-TraceReader::Bookmark TraceReader::MakeBookmark() const {
-  Bookmark bookmark;
-  bookmark.moment_ = now_;
-  bookmark.places_ = places_;
-  bookmark.place_ = place_;
-  bookmark.counts_ = counts_;
-  bookmark.num_segments_left_ = segments_left_.size();
-  return bookmark;
+// Entries and segments are both in the order of the file, and so are the segments of a path.
+void TraceReader::FindEntriesOnPath() {
+  const auto is_before = [](const TraceEntry& entry, TracePlace place) {
+    return entry.place < place;
+  };
+  for (auto part = path_segments_.rbegin(); part != path_segments_.rend(); ++part) {
+    // Events before the start lie before the first tick.
+    const TracePlace begin = std::max(part->begin, place_);
+    auto entry = std::lower_bound(index_.begin(), index_.end(), begin, is_before);
+    for (; entry != index_.end() && entry->place < part->end; ++entry) {
+      if (entry->kind == TraceEntry::Kind::kKeyframe) keyframes_.push_back(*entry);
+      if (entry->kind == TraceEntry::Kind::kEvent) event_entries_.push_back(*entry);
+    }
+  }
 }
 
-void TraceReader::ReturnTo(const Bookmark& bookmark) {
-  now_ = bookmark.moment_;
-  places_ = bookmark.places_;
-  place_ = bookmark.place_;
-  counts_ = bookmark.counts_;
+TraceReader::Bookmark TraceReader::MakeBookmark() const {
+  return {.moment = now_,
+          .has_begun = has_begun_,
+          .places = places_,
+          .place = place_,
+          .counts = counts_,
+          .num_segments_left = segments_left_.size()};
+}
+
+void TraceReader::GoTo(const Bookmark& bookmark) {
+  now_ = bookmark.moment;
+  has_begun_ = bookmark.has_begun;
+  places_ = bookmark.places;
+  place_ = bookmark.place;
+  counts_ = bookmark.counts;
   // The stack after reading is always a prefix of the whole path, so its size is enough to restore
   // it.
   segments_left_.assign(
       path_segments_.begin(),
-      path_segments_.begin() + static_cast<std::ptrdiff_t>(bookmark.num_segments_left_));
-  has_begun_ = true;
+      path_segments_.begin() + static_cast<std::ptrdiff_t>(bookmark.num_segments_left));
+}
+
+void TraceReader::GoTo(const TraceEntry& keyframe) {
+  (void)HeadOf(keyframe);
+  now_ = nothing_;
+  has_begun_ = false;
+  counts_ = first_counts_;
+  place_ = keyframe.place;
+  // The first one last: the segments up to the one that contains the keyframe are left.
+  const auto end =
+      std::find_if(path_segments_.begin(), path_segments_.end(),
+                   [&](const BranchSegment& segment) { return segment.begin <= keyframe.place; });
+  segments_left_.assign(path_segments_.begin(), std::next(end));
+}
+
+const TraceEntry* TraceReader::KeyframeBefore(std::uint64_t tick) const {
+  const auto after = std::upper_bound(
+      keyframes_.begin(), keyframes_.end(), tick,
+      [](std::uint64_t wanted, const TraceEntry& entry) { return wanted < entry.tick; });
+  return after == keyframes_.begin() ? nullptr : &*std::prev(after);
+}
+
+const TraceReader::Bookmark& TraceReader::BookmarkBefore(std::uint64_t tick) const {
+  const auto after = std::upper_bound(
+      std::next(bookmarks_.begin()), bookmarks_.end(), tick,
+      [](std::uint64_t wanted, const Bookmark& mark) { return wanted < mark.moment.tick; });
+  return *std::prev(after);
+}
+
+void TraceReader::GoNear(std::uint64_t tick) {
+  const TraceEntry* keyframe = KeyframeBefore(tick);
+  const Bookmark& bookmark = BookmarkBefore(tick);
+  const bool is_keyframe_nearer = keyframe != nullptr && keyframe->place >= bookmark.place;
+  // Places increase along the path: what lies between the two is read on.
+  const TracePlace nearest = is_keyframe_nearer ? keyframe->place : bookmark.place;
+  if (has_begun_ && now_.tick <= tick && place_ >= nearest) return;
+  if (is_keyframe_nearer) {
+    GoTo(*keyframe);
+  } else {
+    GoTo(bookmark);
+  }
+}
+
+void TraceReader::MarkIfFar() {
+  const TraceEntry* keyframe = KeyframeBefore(now_.tick);
+  const TracePlace nearest =
+      std::max(BookmarkBefore(now_.tick).place, keyframe != nullptr ? keyframe->place : 0);
+  if (place_ < nearest + std::max(kKeyframeBytes, size_ / kMaxBookmarks)) return;
+  const auto after =
+      std::upper_bound(bookmarks_.begin(), bookmarks_.end(), place_,
+                       [](TracePlace place, const Bookmark& mark) { return place < mark.place; });
+  bookmarks_.insert(after, MakeBookmark());
 }
 
 // At the end of a segment, the path continues with the next one, which must begin at the tick where
 // this one stopped.
 bool TraceReader::IsAtRecord() {
-  while (!segments_left_.empty() && place_ == segments_left_.back().end) {
+  while (!segments_left_.empty() && place_ >= segments_left_.back().end) {
+    if (place_ > segments_left_.back().end) {
+      Fail("returns to a position that is not the end of a record, at byte " +
+           std::to_string(segments_left_.back().end));
+    }
     segments_left_.pop_back();
     if (segments_left_.empty()) break;
     place_ = segments_left_.back().begin;
@@ -343,21 +438,80 @@ bool TraceReader::IsAtRecord() {
   return !segments_left_.empty();
 }
 
-std::optional<TraceTick> TraceReader::Next() {
-  if (!IsAtRecord()) return std::nullopt;
+bool TraceReader::Advance() {
+  if (!IsAtRecord()) return false;
   ReadTick();
   ReadEvents();
   // The point is reached: what follows on the path is not part of it.
   if (now_.tick == last_tick_) segments_left_.clear();
+  return true;
+}
+
+std::optional<TraceTick> TraceReader::Next() {
+  if (!Advance()) return std::nullopt;
   return now_;
+}
+
+std::optional<TraceTick> TraceReader::At(std::uint64_t tick) {
+  if (last_tick_ && tick > *last_tick_) return std::nullopt;
+  GoNear(tick);
+  while ((!has_begun_ || now_.tick < tick) && Advance()) MarkIfFar();
+  if (!has_begun_ || now_.tick != tick) return std::nullopt;
+  return now_;
+}
+
+std::optional<TraceTick> TraceReader::Last() {
+  GoNear(last_tick_.value_or(std::numeric_limits<std::uint64_t>::max()));
+  while (Advance()) MarkIfFar();
+  if (!has_begun_) return std::nullopt;
+  return now_;
+}
+
+std::optional<std::uint64_t> TraceReader::LastTick() {
+  const Bookmark here = MakeBookmark();
+  GoNear(last_tick_.value_or(std::numeric_limits<std::uint64_t>::max()));
+  std::optional<std::uint64_t> last;
+  if (has_begun_) last = now_.tick;
+  // Only the heads of the records: their ticks must follow each other, as when they are read.
+  while (last != last_tick_ || !last) {
+    if (!IsAtRecord()) break;
+    const RecordHead head = HeadOf(place_);
+    if (head.is_tick()) {
+      if (last && head.tick != *last + 1) FailInRecord();
+      last = now_.tick = head.tick;
+      has_begun_ = true;
+    }
+    counts_ = head.counts;
+    place_ += head.size;
+  }
+  GoTo(here);
+  return last;
+}
+
+std::vector<TracedEvent> TraceReader::Events() {
+  std::vector<TracedEvent> events;
+  std::size_t num_last_actions = 0;
+  for (const TraceEntry& entry : event_entries_) {
+    if (last_tick_ && entry.tick > *last_tick_) break;
+    sim::Event event = ReadEvent(entry.place, HeadOf(entry));
+    if (entry.tick == last_tick_ && BeginsAction(event) && ++num_last_actions > num_last_actions_) {
+      break;
+    }
+    if (!IsSound(event)) FailInEvent();
+    events.push_back({entry.tick, std::move(event)});
+  }
+  return events;
 }
 
 void TraceReader::ReadEvents() {
   // Returns may lead between two events of the same tick, so each place is kept.
   places_ = {place_};
   std::size_t num_actions = 0;
-  while (IsAtRecord() && FlagsAt(place_) == kIsEvent) {
-    sim::Event event = ReadEvent();
+  while (IsAtRecord()) {
+    const RecordHead head = HeadOf(place_);
+    if (head.flags != kIsEvent) break;
+    sim::Event event = ReadEvent(place_, head);
+    place_ += head.size;
     if (BeginsAction(event)) ++num_actions;
     // Stops before the first action after the point. Its events are not validated either: they may
     // refer to objects that only it adds.
@@ -369,29 +523,36 @@ void TraceReader::ReadEvents() {
 }
 
 void TraceReader::ReadTick() {
-  ByteReader in = BytesAt(place_);
+  const RecordHead head = HeadOf(place_);
+  // Ticks follow each other without a gap. Objects are only ever added at the end of the lists, so
+  // counts never decrease along a path, and each count of objects determines the other counts.
+  const bool is_possible =
+      (head.flags & ~kTickFlags) == 0 && (!has_begun_ || head.tick == now_.tick + 1) &&
+      (!head.has(kCountsChanged) ||
+       (head.counts.objects >= counts_.objects && limits_.Allow(head.counts))) &&
+      head.num_moved <= head.counts.objects;
+  // Checked before its bytes are loaded: from here on, its size is bounded by the scene.
+  if (!is_possible) FailInRecord();
+  ByteReader in(file_.At(place_, head.size));
+  in.GetBytes(kRecordHead + (head.has(kCountsChanged) ? kCountsRecord : 0) + sizeof head.num_moved);
   // A copy, so that a damaged record leaves the reader at the last sound tick.
   TraceTick next = now_;
   next.events.clear();
-  next.tick = in.Get<std::uint64_t>();
-  next.hash = in.Get<std::uint64_t>();
-  const auto flags = in.Get<std::uint8_t>();
-  next.is_robot_shown = (flags & kRobotHidden) == 0;
-  const auto has = [flags](std::uint8_t part) { return (flags & part) != 0; };
-  // Short-circuit evaluation keeps the order of the parts in the file. Ticks follow each other
-  // without a gap.
+  next.tick = head.tick;
+  next.hash = head.hash;
+  next.is_robot_shown = !head.has(kRobotHidden);
+  // Short-circuit evaluation keeps the order of the parts in the file.
   const bool is_sound =
-      (flags & ~kTickFlags) == 0 && (!has_begun_ || next.tick == now_.tick + 1) &&
-      (!has(kCountsChanged) || ReadCounts(limits_, &counts_, &in)) &&
-      ReadMoved(counts_.objects, &in, &next) && (!has(kJointsChanged) || ReadJoints(&in, &next)) &&
-      (!has(kControlsChanged) || ReadControls(limits_, counts_.controls, &in, &next)) &&
-      (!has(kBondsChanged) || ReadBonds(limits_, counts_.bonds, &in, &next)) &&
-      (!has(kFaceExpressionChanged) || ReadFaceExpression(&in, &next));
-  if (!is_sound) Fail("is damaged in the record after tick " + std::to_string(now_.tick));
+      ReadMoved(head.num_moved, head.counts.objects, &in, &next) &&
+      (!head.has(kJointsChanged) || ReadJoints(&in, &next)) &&
+      (!head.has(kControlsChanged) || ReadControls(limits_, head.counts.controls, &in, &next)) &&
+      (!head.has(kBondsChanged) || ReadBonds(limits_, head.counts.bonds, &in, &next)) &&
+      (!head.has(kFaceExpressionChanged) || ReadFaceExpression(&in, &next)) && in.ok();
+  if (!is_sound) FailInRecord();
   has_begun_ = true;
+  counts_ = head.counts;
   now_ = std::move(next);
-  // SizeAt() uses the counts that were just read; for this record it reads the same ones again.
-  place_ += *SizeAt(place_);
+  place_ += head.size;
 }
 
 // Events that pass have valid objects and indices, so that users need no checks of their own.
@@ -432,13 +593,14 @@ bool TraceReader::IsSound(const sim::Event& event) const {
   }
 }
 
-sim::Event TraceReader::ReadEvent() {
-  const std::uint64_t size = *SizeAt(place_);
+sim::Event TraceReader::ReadEvent(TracePlace place, const RecordHead& head) {
+  if (head.size > kMaxEventBytes) FailInEvent();
   constexpr std::uint64_t kHead = kRecordHead + 4;
-  ByteReader in(std::as_bytes(std::span(bytes_)).subspan(place_ + kHead, size - kHead));
+  const auto record = file_.At(place, head.size);
+  if (record.size() < head.size) Fail("became shorter while it was read");
+  ByteReader in(record.subspan(kHead));
   std::optional<sim::Event> event = GetEvent(&in);
   if (!event || in.remaining() > 0) FailInEvent();
-  place_ += size;
   return *std::move(event);
 }
 

@@ -1,15 +1,30 @@
 #include "recording/trace_writer.h"
 
+#include "base/files.h"
 #include "recording/internal_trace_format.h"
+#include "recording/trace_reader.h"
 
 // Records of `trace.bin`, see internal_trace_format.h. A tick's record has what changed since the
 // record before; the first one after the start or a return is complete, so that a reader can begin
-// there.
+// there, and so is one now and then. An entry of the index is written after its record: an index
+// may end before its trace, but never names a record that is missing.
 
 namespace smile::recording {
 
+namespace {
+
+/// Replaces an index by what a reader found, and opens it for appending.
+AppendFile Indexed(const TraceReader& trace) {
+  const std::filesystem::path path = TraceIndexOf(trace.path());
+  const std::vector<std::byte> bytes = BytesOf(trace.index());
+  WriteFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  return AppendFile(path, AppendFile::kExisting);
+}
+
+}  // namespace
+
 TraceWriter::TraceWriter(const std::filesystem::path& path, const model::Model& model)
-    : file_(path) {
+    : file_(path), index_(TraceIndexOf(path)) {
   ByteWriter out;
   for (char letter : kTraceMagic) out.Put(letter);
   out.Put(kTraceVersion);
@@ -22,21 +37,32 @@ TraceWriter::TraceWriter(const std::filesystem::path& path, const model::Model& 
   }
   PutNames(names, &out);
   file_.Append(out.bytes());
+  index_.Append(BytesOf(std::span<const TraceEntry>()));
 }
 
 // last_ stays empty: the first record contains everything, so it does not depend on what was cut
 // off.
-TraceWriter::TraceWriter(const std::filesystem::path& path, std::uint64_t size, std::uint64_t tick)
-    : file_(path, AppendFile::kExisting), tick_(tick) {
-  file_.Cut(size);
+TraceWriter::TraceWriter(const TraceReader& trace, std::uint64_t tick)
+    : file_(trace.path(), AppendFile::kExisting), index_(Indexed(trace)), tick_(tick) {
+  file_.Cut(trace.size());
+}
+
+void TraceWriter::Append(const ByteWriter& record, const std::optional<TraceEntry>& entry) {
+  file_.Append(record.bytes());
+  if (entry) index_.Append(BytesOf(*entry));
+}
+
+bool TraceWriter::IsKeyframeDue() const {
+  const std::uint64_t since = file_.size() - keyframe_place_;
+  return since >= kKeyframeBytes && since >= kKeyframeSizes * keyframe_size_;
 }
 
 void TraceWriter::Add(const TraceTick& tick) {
   // A record contains what changed since the tick before. After a change of counts everything is
-  // written, as indices and sizes refer to other lists.
+  // written, as indices and sizes refer to other lists. A keyframe contains the counts in any case.
   const TraceCounts counts = CountsOf(tick);
-  const bool counts_changed = !last_ || CountsOf(*last_) != counts;
-  if (counts_changed) last_.reset();
+  const bool is_keyframe = !last_ || CountsOf(*last_) != counts || IsKeyframeDue();
+  if (is_keyframe) last_.reset();
   ByteWriter record;
   record.Put(tick.tick);
   record.Put(tick.hash);
@@ -47,9 +73,8 @@ void TraceWriter::Add(const TraceTick& tick) {
   record.Put(static_cast<std::uint8_t>(
       (joints_changed ? kJointsChanged : 0) | (tick.is_robot_shown ? 0 : kRobotHidden) |
       (controls_changed ? kControlsChanged : 0) | (bonds_changed ? kBondsChanged : 0) |
-      (face_expression_changed ? kFaceExpressionChanged : 0) |
-      (counts_changed ? kCountsChanged : 0)));
-  if (counts_changed) Put(counts, &record);
+      (face_expression_changed ? kFaceExpressionChanged : 0) | (is_keyframe ? kCountsChanged : 0)));
+  if (is_keyframe) Put(counts, &record);
   // Sleeping objects keep their poses bit by bit, so most ticks of a quiet scene name no object.
   std::vector<std::uint32_t> moved;
   for (std::uint32_t i = 0; i < tick.objects.size(); ++i) {
@@ -82,7 +107,13 @@ void TraceWriter::Add(const TraceTick& tick) {
     }
   }
   if (face_expression_changed) record.Put(static_cast<std::uint8_t>(tick.face_expression));
-  file_.Append(record.bytes());
+  std::optional<TraceEntry> entry;
+  if (is_keyframe) {
+    keyframe_place_ = file_.size();
+    keyframe_size_ = record.size();
+    entry = {.place = keyframe_place_, .tick = tick.tick, .hash = tick.hash};
+  }
+  Append(record, entry);
   last_ = tick;
   tick_ = tick.tick;
 }
@@ -97,7 +128,8 @@ void TraceWriter::Add(const sim::Event& event) {
   record.Put(kIsEvent);
   record.Put(static_cast<std::uint32_t>(content.size()));
   record.PutBytes(content.bytes());
-  file_.Append(record.bytes());
+  Append(record,
+         TraceEntry{.place = file_.size(), .tick = tick_, .kind = TraceEntry::Kind::kEvent});
 }
 
 void TraceWriter::Return(TracePlace place, std::size_t log_line, std::uint64_t tick) {
@@ -107,7 +139,8 @@ void TraceWriter::Return(TracePlace place, std::size_t log_line, std::uint64_t t
   record.Put(kIsReturn);
   record.Put(place);
   record.Put(std::uint64_t{log_line});
-  file_.Append(record.bytes());
+  Append(record,
+         TraceEntry{.place = file_.size(), .tick = tick, .kind = TraceEntry::Kind::kReturn});
   tick_ = tick;
   // The tick before, in the file, is not the one before on the path: write everything.
   last_.reset();

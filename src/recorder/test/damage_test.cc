@@ -112,7 +112,8 @@ TEST_F(DamagedRobot, IsNotRecordedWithoutItsFiles) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, DamageProperty,
-                         ::testing::Values("demo.json", "commands.jsonl", "trace.bin"));
+                         ::testing::Values("demo.json", "commands.jsonl", "trace.bin",
+                                           "trace.index"));
 
 }  // namespace
 }  // namespace smile::recorder

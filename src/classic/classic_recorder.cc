@@ -10,7 +10,6 @@
 
 #include "base/files.h"
 #include "classic/classic_text.h"
-#include "image/png.h"
 #include "math/angles.h"
 #include "recording/segment_files.h"
 #include "recording/time_range.h"
@@ -55,11 +54,11 @@ ClassicRecorder::ClassicRecorder(const std::filesystem::path& directory,
       eye_(eye),
       model_(std::move(model)),
       first_tick_(first.tick),
-      index_(directory / "frames.csv") {
+      frames_(directory / "frames.csv") {
   // Indices of objects are stable: added ones follow at the end.
   state_.written.resize(first.objects.size());
   state_.is_gone.resize(first.objects.size());
-  index_.Append("frame,tick,image\n");
+  frames_.Add({.picture = {}, .image = {}, .line = "frame,tick,image\n"});
   OpenSegment();
   WriteStart(first, standing);
   WriteFrameIfDue(first);
@@ -226,13 +225,18 @@ void ClassicRecorder::WriteFrame(const recording::TraceTick& now) {
     WriteLine("delete," + model_->id(i));
     state_.is_gone[i] = true;
   }
-  std::string image;
+  FrameWriter::Frame frame;
+  std::string picture;
   if (has_changed && eye_ != nullptr) {
-    image = PathOf(state_.frame);
-    WritePng(directory_ / image, eye_->Draw(model_->visual_model(),
-                                            recording::ViewSampleAt(now, *model_, eye_->spec())));
+    picture = PathOf(state_.frame);
+    frame.picture = directory_ / picture;
+    const Image& drawn =
+        eye_->Draw(model_->visual_model(), recording::ViewSampleAt(now, *model_, eye_->spec()));
+    // Copied, as the eye draws the next one while this one is compressed.
+    frame.image = {.width_px = drawn.width_px, .height_px = drawn.height_px, .color = drawn.color};
   }
-  index_.Append(std::to_string(state_.frame) + "," + std::to_string(now.tick) + "," + image + "\n");
+  frame.line = std::to_string(state_.frame) + "," + std::to_string(now.tick) + "," + picture + "\n";
+  frames_.Add(std::move(frame));
   ++state_.frame;
 }
 
@@ -264,6 +268,8 @@ bool ClassicRecorder::WriteMove(model::ObjectIndex i, const recording::TracePose
 // Deletes pictures and segments after the savepoint, then truncates the open text and the index to
 // their sizes at the savepoint.
 void ClassicRecorder::Return(const Savepoint& savepoint) {
+  // No picture may be written after its removal.
+  frames_.Flush();
   for (std::uint64_t frame = savepoint.state.frame; frame < state_.frame; ++frame) {
     // Frames after the savepoint may have pictures in its own segment; later segments are removed
     // as a whole, below.
@@ -278,7 +284,7 @@ void ClassicRecorder::Return(const Savepoint& savepoint) {
                   recording::AppendFile::kExisting);
     text_->Cut(savepoint.text_size);
   }
-  index_.Cut(savepoint.index_size);
+  frames_.CutIndex(savepoint.index_size);
   state_ = savepoint.state;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "classic/frame_writer.h"
 #include "model/eye.h"
 #include "recording/append_file.h"
 #include "recording/trace.h"
@@ -43,8 +44,11 @@ class ClassicRecorder {
   void Use(std::shared_ptr<const model::Model> model) { model_ = std::move(model); }
   /// Writes an event. An action of a hand begins a new segment.
   void Note(const sim::Event& event);
-  /// Writes a frame if one is due.
+  /// Writes a frame if one is due. Its picture may be written later, see FrameWriter.
+  /// @throws std::runtime_error with path and reason if an earlier one could not be written.
   void WriteFrameIfDue(const recording::TraceTick& now);
+  /// Waits until all pictures are written. Throws like WriteFrameIfDue().
+  void Flush() { frames_.Flush(); }
 
  private:
   struct Written {                       ///< an object's last `move` line
@@ -68,7 +72,9 @@ class ClassicRecorder {
     State state;
     std::uint64_t text_size = 0, index_size = 0;
   };
-  Savepoint MakeSavepoint() const { return {state_, text_ ? text_->size() : 0, index_.size()}; }
+  Savepoint MakeSavepoint() const {
+    return {state_, text_ ? text_->size() : 0, frames_.index_size()};
+  }
   /// Removes everything written since the savepoint.
   void Return(const Savepoint& savepoint);
 
@@ -95,7 +101,7 @@ class ClassicRecorder {
   std::uint64_t first_tick_;
   State state_;
   std::optional<recording::AppendFile> text_;
-  recording::AppendFile index_;
+  FrameWriter frames_;
 };
 
 }  // namespace smile::classic

@@ -163,6 +163,7 @@ EditReport ReSimulate(const recording::Recording& recording, const recording::De
   }
   EditReport report{.ticks_before = edited.recorded_duration(), .ticks_after = edited.duration()};
   report.skipped = RunFor(report.ticks_after, &player, &simulation, progress);
+  if (recorder) recorder->Flush();
   const model::Model& model = *recording.model;
   // Both ends are compared in terms of the recording's model.
   const recording::TraceTick before = EndOf(recording, edited, progress);

@@ -76,6 +76,7 @@ class LiveRun {
       ReportProgress();
       if (plan_.is_realtime) WaitUntil(start + std::chrono::duration<double>(passed_));
     }
+    if (controller_) controller_->Flush();
     const std::chrono::duration<double> wall = Clock::now() - start;
     ThrowIfNotRecorded();
     if (player_ && !player_->is_finished() && !callbacks_.IsCancelled()) {

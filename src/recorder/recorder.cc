@@ -108,7 +108,8 @@ Recorder::Recorder(const std::filesystem::path& directory, const RecorderOptions
   try {
     Begin(options, eye, simulation);
   } catch (...) {
-    // It never began: leave nothing behind.
+    // It never began: leave nothing behind, also no picture that still waits.
+    classic_.reset();
     std::error_code error;
     std::filesystem::remove_all(directory, error);
     throw;
@@ -132,6 +133,7 @@ void Recorder::Begin(const RecorderOptions& options, sim::Eye* eye,
   trace_->Add(first);
   classic_.emplace(directory_, ClassicOptionsOf(options), eye, simulation.shared_model(), first,
                    standing);
+  classic_->Flush();
   // Written last: a directory that contains it can be opened.
   const recording::HistoryPoint start{.line = num_lines_, .tick = tick_};
   WriteFile(directory_ / "demo.json",

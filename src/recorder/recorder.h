@@ -55,6 +55,10 @@ class Recorder : public sim::Listener {
                                             sim::Simulation* simulation,
                                             const recording::Progress& progress = {});
 
+  /// Waits until everything recorded so far is written, also the pictures. The destructor does so
+  /// too, but cannot report an error.
+  void Flush() { classic_->Flush(); }
+
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 

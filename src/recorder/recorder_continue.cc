@@ -181,6 +181,7 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
   for (const sim::Event& event : reached.untold) recorder->trace_->Add(event);
   recorder->tick_ = from.tick;
   recorder->Rebuild(recording::OpenRecording(directory), eye, *simulation, progress);
+  recorder->Flush();
   return recorder;
 }
 

@@ -68,6 +68,7 @@ void RecordingController::Continue(const std::filesystem::path& directory,
 
 std::optional<sim::Refusal> RecordingController::Finish(const sim::Simulation&) {
   EndIfRemoved();
+  Flush();
   // It ended by itself: the reason answers the command.
   if (!recorder_) return failure_;
   recorder_.reset();
@@ -93,6 +94,10 @@ void RecordingController::Record(const Part& part) {
     failure_ = error.what();
     recorder_.reset();
   }
+}
+
+void RecordingController::Flush() {
+  Record([](Recorder& recorder) { recorder.Flush(); });
 }
 
 std::optional<sim::Refusal> RecordingController::Refuse(const sim::Simulation& simulation,

@@ -44,6 +44,10 @@ class RecordingController : public sim::Listener, public sim::RecordingControl {
   void Continue(const std::filesystem::path& directory, const recording::HistoryPoint& from,
                 sim::Simulation* simulation, const recording::Progress& progress = {});
 
+  /// Waits until everything recorded so far is written, also the pictures; an error ends the
+  /// recording.
+  void Flush();
+
   bool is_recording() const { return recorder_ != nullptr; }
   /// Returns the directories of all recordings that were started, in order.
   const std::vector<std::filesystem::path>& directories() const { return directories_; }

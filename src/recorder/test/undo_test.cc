@@ -84,6 +84,7 @@ class UndoTest : public RecordingFixture {
       if (simulation.tick() == last_tick) break;
       simulation.Tick();
     }
+    recorder.Flush();
     return ViewOf(directory);
   }
 
@@ -159,6 +160,7 @@ TEST_P(UndoProperty, UndoneActionsLeaveTheViewAndTheRestReplays) {
   Recorder recorder(root_ / "demo", {.frames_per_second = 12}, &eye, simulation);
   simulation.AddListener(&recorder);
   ActAtRandom(&simulation, GetParam(), 60);
+  recorder.Flush();
 
   const recording::Recording recording = recording::OpenRecording(root_ / "demo");
   EXPECT_TRUE(recording.cuts.empty());
@@ -196,6 +198,7 @@ TEST_P(UndoProperty, ContinuesFromAnyMomentAsIfNeverStopped) {
     EXPECT_EQ(simulation.tick(), from.tick);
     simulation.AddListener(recorder.get());
     ActAtRandom(&simulation, 100 * GetParam() + static_cast<unsigned>(i), 12);
+    recorder->Flush();
 
     const recording::Recording now = recording::OpenRecording(root_ / "demo");
     const replay::ReplayReport report = replay::Replay(now);

@@ -56,7 +56,7 @@ ClassicRecorder::ClassicRecorder(const std::filesystem::path& directory,
       first_tick_(first.tick),
       frames_(directory / "frames.csv") {
   // Indices of objects are stable: added ones follow at the end.
-  state_.written.resize(first.objects.size());
+  state_.written.Resize(first.objects.size());
   state_.is_gone.resize(first.objects.size());
   frames_.Add({.picture = {}, .image = {}, .line = "frame,tick,image\n"});
   OpenSegment();
@@ -148,7 +148,7 @@ void ClassicRecorder::BeginWithoutHand(const sim::Event& event) {
   OpenSegment();
   state_.has_news = true;
   const bool is_new = event.kind == sim::EventKind::kAdded;
-  state_.written.resize(model_->objects().size());
+  state_.written.Resize(model_->objects().size());
   state_.is_gone.resize(model_->objects().size());
   // All objects first, then their controls, as at the start.
   for (const std::string& id : event.objects) {
@@ -247,7 +247,7 @@ bool ClassicRecorder::WriteMove(model::ObjectIndex i, const recording::TracePose
       .position = scene::ToFileUnits(X_WB.translation(), model_->scene().meters_per_unit),
       .angles_deg = FixedAxesAngles(X_WB.rotation()),
       .is_awake = pose.is_awake};
-  std::optional<Written>& last = state_.written[i];
+  const std::optional<Written>& last = state_.written[i];
   // An object that comes to rest gets one more line, so that its last line is where it stays,
   // although it moved less than the threshold since.
   const bool fell_asleep = last && last->is_awake && !now.is_awake;
@@ -261,7 +261,7 @@ bool ClassicRecorder::WriteMove(model::ObjectIndex i, const recording::TracePose
   for (double number : now.position) line += "," + ClassicNumber(number);
   for (double number : now.angles_deg) line += "," + ClassicNumber(number);
   WriteLine(line);
-  last = now;
+  state_.written.Set(i, now);
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/sharing_list.h"
 #include "classic/frame_writer.h"
 #include "model/eye.h"
 #include "recording/append_file.h"
@@ -60,7 +61,7 @@ class ClassicRecorder {
   struct State {
     int segment = 0;
     std::uint64_t frame = 0;  ///< next to be written
-    std::vector<std::optional<Written>> written;
+    SharingList<std::optional<Written>> written;
     std::vector<model::ObjectIndex> falling;  ///< objects on the floor that have no last line yet
     std::vector<bool> is_gone;                ///< fell: has no more lines
     bool has_news = false;                    ///< appearance changed although nothing moved

@@ -147,9 +147,7 @@ void Recorder::Write(const recording::LogLine& line, double meters_per_unit) {
 }
 
 Recorder::Savepoint Recorder::MakeSavepoint() const {
-  return {.point = {.line = num_lines_, .tick = tick_},
-          .place = trace_->place(),
-          .classic = classic_->MakeSavepoint()};
+  return {.point = {.line = num_lines_, .tick = tick_}, .place = trace_->place()};
 }
 
 std::optional<sim::Refusal> Recorder::Refuse(const sim::Simulation& simulation,
@@ -174,7 +172,9 @@ std::optional<sim::Refusal> Recorder::Refuse(const sim::Simulation& simulation,
 void Recorder::OnCommand(const sim::Simulation& simulation, const sim::Command& command) {
   // The savepoint is made before the line is written: an undo leads back to before the action.
   if (IsAction(command))
-    action_savepoints_.Begin(simulation.history(), {.before = MakeSavepoint(), .at_undo = {}});
+    action_savepoints_.Begin(
+        simulation.history(),
+        {.before = MakeSavepoint(), .classic_before = classic_->MakeSavepoint(), .at_undo = {}});
   Write({.tick = simulation.tick(), .what = command}, simulation.scene().meters_per_unit);
 }
 
@@ -209,7 +209,7 @@ void Recorder::Undo(const sim::Simulation& simulation, ActionSavepoints* undone)
   undone->at_undo = MakeSavepoint();
   Return(recording::ReturnKind::kUndo, undone->before, simulation);
   classic_->Use(simulation.shared_model());
-  classic_->Return(undone->before.classic);
+  classic_->Return(undone->classic_before);
 }
 
 void Recorder::Redo(const sim::Simulation& simulation, const ActionSavepoints& redone) {
@@ -217,7 +217,7 @@ void Recorder::Redo(const sim::Simulation& simulation, const ActionSavepoints& r
   classic_->Use(simulation.shared_model());
   // The classic view has no undone branches: go back to before the action, then add it again from
   // the trace.
-  classic_->Return(redone.before.classic);
+  classic_->Return(redone.classic_before);
   ShowAgain(redone, simulation);
 }
 

@@ -70,15 +70,15 @@ class Recorder : public sim::Listener {
   void OnTick(const sim::Simulation& simulation) override;
 
  private:
-  /// Ends of log, trace and classic view at a point of the history.
+  /// Ends of log and trace at a point of the history.
   struct Savepoint {
     recording::HistoryPoint point;
     recording::TracePlace place = 0;
-    classic::ClassicRecorder::Savepoint classic;
   };
   /// Savepoints of an action that began during the recording.
   struct ActionSavepoints {
     Savepoint before;
+    classic::ClassicRecorder::Savepoint classic_before;
     Savepoint at_undo;  ///< valid while the action is undone
   };
 

@@ -210,9 +210,10 @@ void Recorder::Rebuild(const recording::Recording& recording, sim::Eye* eye,
       // Actions of the trace, of the log and of the simulation are in the same order.
       if (BeginsAction(moment->events[i])) {
         const std::size_t number = action_savepoints_.size();
-        action_savepoints_[actions[number].id].before = {.point = before_actions.at(number),
-                                                         .place = trace.places()[i],
-                                                         .classic = classic_->MakeSavepoint()};
+        action_savepoints_[actions[number].id] = {
+            .before = {.point = before_actions.at(number), .place = trace.places()[i]},
+            .classic_before = classic_->MakeSavepoint(),
+            .at_undo = {}};
       }
       classic_->Note(moment->events[i]);
     }

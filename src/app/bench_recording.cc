@@ -11,7 +11,9 @@
 #include "app/bench_scratch.h"
 #include "app/options.h"
 #include "base/files.h"
+#include "library/playback.h"
 #include "recorder/recorder.h"
+#include "recording/trace_reader.h"
 #include "replay/replay.h"
 #include "sim/script.h"
 #include "sim/simulation.h"
@@ -32,6 +34,20 @@ void CarryOn(sim::Simulation* simulation) {
   simulation->Apply(sim::MoveTo{.hand = HandName::kLeft, .p_WH = {x, -0.1, 0.3}, .speed = 0.4});
 }
 
+/// Returns the size of all files of a recording [bytes].
+std::uintmax_t SizeOf(const std::filesystem::path& demo) {
+  std::uintmax_t bytes = 0;
+  for (const auto& file : std::filesystem::recursive_directory_iterator(demo)) {
+    if (file.is_regular_file()) bytes += file.file_size();
+  }
+  return bytes;
+}
+
+/// Reports the size of a recording per hour of demonstrating.
+void ReportSize(benchmark::State& state, const std::filesystem::path& demo, double seconds) {
+  state.counters["MB_per_hour"] = static_cast<double>(SizeOf(demo)) / 1e6 / seconds * 3600;
+}
+
 /// Measures a tick while a hand moves a block, with or without the recording of it.
 void TickOfAHandAtWork(benchmark::State& state, bool is_recorded) {
   const ScratchFolder folder;
@@ -45,6 +61,43 @@ void TickOfAHandAtWork(benchmark::State& state, bool is_recorded) {
     CarryOn(&simulation);
     simulation.Tick();
   }
+  if (is_recorded) ReportSize(state, folder.path() / "demo", simulation.seconds());
+}
+
+/// Recording of eight hours: a hand works for the first hour, then everything rests.
+class LongRecording {
+ public:
+  static constexpr double kSeconds = 8 * 3600;
+
+  LongRecording() {
+    sim::Simulation simulation(UmScene());
+    recorder::Recorder recorder(demo(), {}, nullptr, simulation);
+    simulation.AddListener(&recorder);
+    while (simulation.seconds() < kSeconds) {
+      if (simulation.seconds() < kSeconds / 8) CarryOn(&simulation);
+      simulation.Tick();
+    }
+    simulation.RemoveListener(&recorder);
+  }
+  std::filesystem::path demo() const { return folder_.path() / "demo"; }
+
+ private:
+  ScratchFolder folder_;
+};
+
+/// Measures the opening of a recording of eight hours, and the first look at its middle.
+void OpenEightHours(benchmark::State& state) {
+  // Made once, and only if it is measured.
+  static const LongRecording recording;
+  for (auto _ : state) {
+    library::Playback playback("demo", recording.demo());
+    playback.Seek(LongRecording::kSeconds / 2);
+    if (playback.length() < LongRecording::kSeconds) state.SkipWithError("the end is missing");
+  }
+  recording::TraceReader trace(recording::OpenRecording(recording.demo()));
+  (void)trace.LastTick();
+  state.counters["kB_read_of_trace"] = static_cast<double>(trace.bytes_read()) / 1e3;
+  ReportSize(state, recording.demo(), LongRecording::kSeconds);
 }
 
 /// Returns a scene of fifty blocks in rows.
@@ -97,13 +150,9 @@ void ReplayUm(benchmark::State& state, bool with_robot) {
   for (auto _ : state) {
     if (replay::Replay(recording).first_difference) state.SkipWithError("the replay differs");
   }
-  std::uintmax_t bytes = 0;
-  for (const auto& file : std::filesystem::recursive_directory_iterator(demo)) {
-    if (file.is_regular_file()) bytes += file.file_size();
-  }
   state.counters["x_real_time"] = benchmark::Counter(
       simulation.seconds() * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
-  state.counters["MB_per_hour"] = static_cast<double>(bytes) / 1e6 / simulation.seconds() * 3600;
+  ReportSize(state, demo, simulation.seconds());
 }
 
 }  // namespace
@@ -115,6 +164,7 @@ void RegisterRecordingBenchmarks() {
                       &TickOfAHandAtWork, is_recorded)
         ->Unit(benchmark::kMicrosecond);
   }
+  RegisterBenchmark("opening of eight hours", &OpenEightHours)->Unit(benchmark::kMillisecond);
   RegisterBenchmark("undo among 50 blocks, recorded", &UndoAmongFiftyBlocks)
       ->UseManualTime()
       ->Unit(benchmark::kMillisecond);

@@ -533,7 +533,9 @@ void TraceReader::ReadTick() {
       head.num_moved <= head.counts.objects;
   // Checked before its bytes are loaded: from here on, its size is bounded by the scene.
   if (!is_possible) FailInRecord();
-  ByteReader in(file_.At(place_, head.size));
+  const auto record = file_.At(place_, head.size);
+  if (record.size() < head.size) Fail("became shorter while it was read");
+  ByteReader in(record);
   in.GetBytes(kRecordHead + (head.has(kCountsChanged) ? kCountsRecord : 0) + sizeof head.num_moved);
   // A copy, so that a damaged record leaves the reader at the last sound tick.
   TraceTick next = now_;
@@ -547,7 +549,7 @@ void TraceReader::ReadTick() {
       (!head.has(kJointsChanged) || ReadJoints(&in, &next)) &&
       (!head.has(kControlsChanged) || ReadControls(limits_, head.counts.controls, &in, &next)) &&
       (!head.has(kBondsChanged) || ReadBonds(limits_, head.counts.bonds, &in, &next)) &&
-      (!head.has(kFaceExpressionChanged) || ReadFaceExpression(&in, &next)) && in.ok();
+      (!head.has(kFaceExpressionChanged) || ReadFaceExpression(&in, &next));
   if (!is_sound) FailInRecord();
   has_begun_ = true;
   counts_ = head.counts;

@@ -73,6 +73,25 @@ TEST_F(PlaybackTest, SeekingLeadsWherePlayingDoes) {
   ExpectShows(moments.back(), playback);
 }
 
+TEST_F(PlaybackTest, PausesWhereTheTraceWasCutMeanwhileAndReportsItOnce) {
+  const auto demo = Record(R"({"do":"wait","seconds":10})");
+  Playback playback("demo", demo);
+  // At rest, a tick takes 21 bytes: this removes more than two seconds.
+  const auto trace = demo / "trace.bin";
+  std::filesystem::resize_file(trace, std::filesystem::file_size(trace) - 3000);
+  playback.SetRate(Playback::kMaxRate);
+  for (int i = 0; i < 60; ++i) playback.Tick();
+  EXPECT_EQ(playback.rate(), 0);
+  EXPECT_GT(playback.seconds(), 1);
+  EXPECT_LT(playback.seconds(), playback.length());
+  EXPECT_THROW(playback.SetRate(1), std::runtime_error);
+  EXPECT_THROW(playback.Seek(9), InputError);
+  playback.Seek(1);
+  EXPECT_EQ(playback.moment().tick, 60u);
+  playback.SetRate(1);
+  EXPECT_EQ(playback.rate(), 1);
+}
+
 TEST_F(PlaybackTest, RefusesRatesAndTimesThatAreNone) {
   Playback playback("demo", Record(R"({"do":"wait","seconds":0.1})"));
   EXPECT_THROW(playback.SetRate(-1), std::invalid_argument);

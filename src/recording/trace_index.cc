@@ -22,8 +22,6 @@ constexpr std::array kIndexMagic = {'S', 'M', 'I', 'L', 'E', 'I', 'D', 'X'};
 constexpr std::uint32_t kIndexVersion = 1;
 constexpr std::size_t kIndexHead = kIndexMagic.size() + sizeof kIndexVersion;
 constexpr std::size_t kEntryBytes = 3 * 8 + 1;
-// Enough for a trace of a terabyte.
-constexpr std::size_t kMaxIndexBytes = std::size_t{1} << 30;
 
 void Put(const TraceEntry& entry, ByteWriter* out) {
   out->Put(entry.place);
@@ -53,11 +51,11 @@ bool Fits(const TraceEntry& entry, FileWindows* trace) {
   return in.Get<std::uint64_t>() == entry.tick && in.Get<std::uint64_t>() == entry.hash && in.ok();
 }
 
-/// Returns the text of the file; nullopt if it does not exist or is no index.
-std::optional<std::string> ReadIndexFile(const std::filesystem::path& path) {
+/// Returns the text of the file; nullopt if it does not exist, is too large, or is no index.
+std::optional<std::string> ReadIndexFile(const std::filesystem::path& path, std::size_t max_bytes) {
   std::string text;
   try {
-    text = ReadFile(path, kMaxIndexBytes);
+    text = ReadFile(path, max_bytes);
   } catch (const std::runtime_error&) {
     // Missing, too large, or unreadable: the trace is read instead.
     return std::nullopt;
@@ -92,7 +90,9 @@ std::vector<std::byte> BytesOf(std::span<const TraceEntry> entries) {
 
 std::vector<TraceEntry> ReadTraceIndex(const std::filesystem::path& trace_path,
                                        FileWindows* trace) {
-  const std::optional<std::string> text = ReadIndexFile(TraceIndexOf(trace_path));
+  // Each record that has an entry is larger than it, so no index is larger than its trace.
+  const std::optional<std::string> text =
+      ReadIndexFile(TraceIndexOf(trace_path), static_cast<std::size_t>(trace->size()));
   if (!text) return {};
   ByteReader in(std::as_bytes(std::span(*text)).subspan(kIndexHead));
   std::vector<TraceEntry> entries;

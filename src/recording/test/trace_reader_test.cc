@@ -208,6 +208,21 @@ TEST_F(TraceReaderTest, IgnoresAnIndexOfAnotherTrace) {
   ExpectSame(*reader.At(4000), MomentAt(4000, 3));
 }
 
+TEST_F(TraceReaderTest, IgnoresAnIndexThatIsLargerThanTheTrace) {
+  WriteBranches();
+  const std::uint64_t size = fs::file_size(trace());
+  EXPECT_LT(TraceReader(recording()).bytes_read(), size);
+  {
+    AppendFile file(index(), AppendFile::kExisting);
+    for (std::uint64_t place = size; file.size() <= size; ++place) {
+      file.Append(BytesOf(TraceEntry{.place = place}));
+    }
+  }
+  TraceReader reader(recording());
+  EXPECT_GE(reader.bytes_read(), size);
+  ExpectSame(*reader.Last(), MomentAt(3000, 2));
+}
+
 TEST_F(TraceReaderTest, ACutTraceEndsWithItsLastWholeRecord) {
   WriteBranches();
   const std::string whole = ReadFile(trace(), 1 << 24);

@@ -441,7 +441,13 @@ bool TraceReader::IsAtRecord() {
 bool TraceReader::Advance() {
   if (!IsAtRecord()) return false;
   ReadTick();
-  ReadEvents();
+  try {
+    ReadEvents();
+  } catch (...) {
+    // Without its events it is none of the moments: At() reads it again.
+    has_begun_ = false;
+    throw;
+  }
   // The point is reached: what follows on the path is not part of it.
   if (now_.tick == last_tick_) segments_left_.clear();
   return true;
@@ -469,6 +475,18 @@ std::optional<TraceTick> TraceReader::Last() {
 
 std::optional<std::uint64_t> TraceReader::LastTick() {
   const Bookmark here = MakeBookmark();
+  std::optional<std::uint64_t> last;
+  try {
+    last = PassHeads();
+  } catch (...) {
+    GoTo(here);
+    throw;
+  }
+  GoTo(here);
+  return last;
+}
+
+std::optional<std::uint64_t> TraceReader::PassHeads() {
   GoNear(last_tick_.value_or(std::numeric_limits<std::uint64_t>::max()));
   std::optional<std::uint64_t> last;
   if (has_begun_) last = now_.tick;
@@ -484,7 +502,6 @@ std::optional<std::uint64_t> TraceReader::LastTick() {
     counts_ = head.counts;
     place_ += head.size;
   }
-  GoTo(here);
   return last;
 }
 

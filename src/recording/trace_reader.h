@@ -131,6 +131,9 @@ class TraceReader {
   void GoNear(std::uint64_t tick);
   void GoTo(const Bookmark& bookmark);
   void GoTo(const TraceEntry& keyframe);
+  /// Goes to the end of the path by the heads of its records, without reading states, and returns
+  /// the last tick. The caller restores the state.
+  std::optional<std::uint64_t> PassHeads();
   Bookmark MakeBookmark() const;
   /// Makes a bookmark if the last tick is far from those that exist and from keyframes.
   void MarkIfFar();

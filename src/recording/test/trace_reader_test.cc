@@ -258,6 +258,30 @@ TEST_F(TraceReaderTest, ReportsATraceThatBecameShorterWhileItWasRead) {
   EXPECT_EQ(reader.At(11)->hash, MomentAt(11).hash);
 }
 
+TEST_F(TraceReaderTest, ReportsADamagedEventWheneverItsTickIsRead) {
+  {
+    TraceWriter writer(trace(), *model_);
+    Write(&writer, 0, 5);
+    writer.Add(Pointing("none"));
+    Write(&writer, 6, 9);
+  }
+  TraceReader reader(recording());
+  for (int i = 0; i < 3; ++i) EXPECT_THROW((void)reader.At(5), InputError);
+  ExpectSame(*reader.At(4), MomentAt(4));
+}
+
+TEST_F(TraceReaderTest, StaysWhereItIsWhenTheLastTickCannotBeRead) {
+  {
+    TraceWriter writer(trace(), *model_);
+    Write(&writer, 0, 50);
+    Write(&writer, 52, 60);
+  }
+  TraceReader reader(recording());
+  ExpectSame(*reader.At(10), MomentAt(10));
+  EXPECT_THROW((void)reader.LastTick(), InputError);
+  ExpectSame(*reader.Next(), MomentAt(11));
+}
+
 TEST_F(TraceReaderTest, ADamagedIndexIsReadOrRefused) {
   WriteBranches();
   const std::vector<TraceTick> all = All(TraceReader(recording()));

@@ -36,6 +36,7 @@ inline constexpr std::uint8_t kIsAwake = 2;
 
 // Sizes in bytes.
 inline constexpr std::uint64_t kRecordHead = 8 + 8 + 1;  ///< tick, hash, flags
+inline constexpr std::uint64_t kSmallestTickRecord = kRecordHead + 4;
 inline constexpr std::uint64_t kMovedObject = 4 + 1 + 7 * 8;
 inline constexpr std::uint64_t kControlRecord = 3 * 4;
 inline constexpr std::uint64_t kBondRecord = 2 * 4 + 1;

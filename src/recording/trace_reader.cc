@@ -164,7 +164,7 @@ void TraceReader::ReadEventsBeforeStart() {
     place_ += head.size;
   }
   bookmarks_.push_back(MakeBookmark());
-  FindEntriesOnPath();
+  FindEntriesOnPath(segments_left_.empty() ? 0 : HeadOf(place_).tick);
 }
 
 void TraceReader::Fail(const std::string& message) const {
@@ -259,8 +259,17 @@ void TraceReader::Survey() {
     size_ = index_.back().place;
     index_.pop_back();
   }
+  // Where all objects move, each record may be complete: keyframes are kept at some distance.
+  TracePlace next_keyframe = 0;
   while (const auto head = HeadAt(size_, counts_, joint_names_.size(), &file_)) {
-    AddToIndex(size_, *head);
+    if (!head->is_tick()) {
+      AddToIndex(size_, *head);
+      // The first record after a return is needed: its segment begins there.
+      if (head->flags == kIsReturn) next_keyframe = 0;
+    } else if (head->is_keyframe() && size_ >= next_keyframe) {
+      AddToIndex(size_, *head);
+      next_keyframe = size_ + kKeyframeBytes;
+    }
     counts_ = head->counts;
     size_ += head->size;
   }
@@ -270,15 +279,6 @@ void TraceReader::Survey() {
 
 void TraceReader::AddToIndex(TracePlace place, const RecordHead& head) {
   using enum TraceEntry::Kind;
-  if (head.is_tick()) {
-    if (!head.is_keyframe()) return;
-    // Where all objects move, each record may be complete.
-    const auto last = std::find_if(index_.rbegin(), index_.rend(),
-                                   [](const TraceEntry& entry) { return entry.kind != kEvent; });
-    const bool is_near =
-        last != index_.rend() && last->kind == kKeyframe && place - last->place < kKeyframeBytes;
-    if (is_near) return;
-  }
   index_.push_back({.place = place,
                     .tick = head.tick,
                     .hash = head.hash,
@@ -329,8 +329,11 @@ void TraceReader::FindPathTo(TracePlace end) {
   path_segments_ = segments_left_;
 }
 
-// Entries and segments are both in the order of the file, and so are the segments of a path.
-void TraceReader::FindEntriesOnPath() {
+// Entries and segments are both in the order of the file, and so are the segments of a path. Ticks
+// follow each other without a gap, so they increase by at most one per record. This is checked
+// here, as moments and the last tick are found by entries, without reading what lies between them.
+void TraceReader::FindEntriesOnPath(std::uint64_t first_tick) {
+  TraceEntry last{.place = place_, .tick = first_tick};
   const auto is_before = [](const TraceEntry& entry, TracePlace place) {
     return entry.place < place;
   };
@@ -339,6 +342,17 @@ void TraceReader::FindEntriesOnPath() {
     const TracePlace begin = std::max(part->begin, place_);
     auto entry = std::lower_bound(index_.begin(), index_.end(), begin, is_before);
     for (; entry != index_.end() && entry->place < part->end; ++entry) {
+      const bool is_possible =
+          entry->tick >= last.tick &&
+          entry->tick - last.tick <= (entry->place - last.place) / kSmallestTickRecord;
+      if (!is_possible) {
+        // It is the index that is wrong, if the two differ.
+        (void)HeadOf(*entry);
+        Fail("is damaged between bytes " + std::to_string(last.place) + " and " +
+             std::to_string(entry->place) + ": tick " + std::to_string(entry->tick) +
+             " cannot follow tick " + std::to_string(last.tick) + " there");
+      }
+      last = *entry;
       if (entry->kind == TraceEntry::Kind::kKeyframe) keyframes_.push_back(*entry);
       if (entry->kind == TraceEntry::Kind::kEvent) event_entries_.push_back(*entry);
     }

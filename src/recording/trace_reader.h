@@ -118,11 +118,12 @@ class TraceReader {
   void ReadHeader(const Recording& recording, const scene::SceneSpec& scene);
   /// Finds the keyframes, events and returns, and the end of the last complete record.
   void Survey();
-  /// Adds a record to the index if it belongs there.
+  /// Adds a record to the index.
   void AddToIndex(TracePlace place, const RecordHead& head);
   void FindSegments();
   void FindPathTo(TracePlace end);
-  void FindEntriesOnPath();
+  /// @param first_tick  of the path.
+  void FindEntriesOnPath(std::uint64_t first_tick);
   void ReadEventsBeforeStart();
   /// Reads the next tick of the path with its events into `now_`; returns false after the last one.
   bool Advance();

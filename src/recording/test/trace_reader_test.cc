@@ -282,6 +282,23 @@ TEST_F(TraceReaderTest, StaysWhereItIsWhenTheLastTickCannotBeRead) {
   ExpectSame(*reader.Next(), MomentAt(11));
 }
 
+TEST_F(TraceReaderTest, RefusesKeyframesThatContradictTheTicksBeforeThem) {
+  // The last keyframes would hide that time goes back, or further than there are records.
+  for (const std::uint64_t again : {5, 90'000}) {
+    for (const bool has_index : {true, false}) {
+      fs::remove(trace());
+      fs::remove(index());
+      {
+        TraceWriter writer(trace(), *model_);
+        Write(&writer, 100, 1000);
+        Write(&writer, again, again + 1000);
+      }
+      if (!has_index) fs::remove(index());
+      EXPECT_THROW((void)TraceReader(recording()), InputError) << again << " " << has_index;
+    }
+  }
+}
+
 TEST_F(TraceReaderTest, ADamagedIndexIsReadOrRefused) {
   WriteBranches();
   const std::vector<TraceTick> all = All(TraceReader(recording()));

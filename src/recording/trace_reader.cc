@@ -27,12 +27,15 @@ constexpr std::uint64_t kMaxEventBytes = std::uint64_t{1} << 28;
 // copy of the tick before, because a record contains changes only. Each returns false if its part
 // is damaged.
 
-/// Every index is checked before use: the file is untrusted input.
+/// Every index is checked before use: the file is untrusted input. Indices increase, so a record
+/// of as many objects as there are has each of them.
 bool ReadMoved(std::uint32_t num_moved, std::uint32_t num_objects, ByteReader* in,
                TraceTick* tick) {
+  std::uint32_t smallest = 0;
   for (std::uint32_t k = 0; k < num_moved; ++k) {
     const auto i = in->Get<std::uint32_t>();
-    if (i >= num_objects) return false;
+    if (i < smallest || i >= num_objects) return false;
+    smallest = i + 1;
     TracePose& object = tick->objects[i];
     const auto what = in->Get<std::uint8_t>();
     object.is_present = (what & kIsPresent) != 0;
@@ -541,6 +544,7 @@ void TraceReader::ReadEvents() {
   while (IsAtRecord()) {
     const RecordHead head = HeadOf(place_);
     if (head.flags != kIsEvent) break;
+    if (head.tick != now_.tick) FailInEvent();
     sim::Event event = ReadEvent(place_, head);
     place_ += head.size;
     if (BeginsAction(event)) ++num_actions;

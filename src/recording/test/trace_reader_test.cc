@@ -270,6 +270,24 @@ TEST_F(TraceReaderTest, ReportsADamagedEventWheneverItsTickIsRead) {
   ExpectSame(*reader.At(4), MomentAt(4));
 }
 
+TEST_F(TraceReaderTest, AnEventHasTheTickBeforeIt) {
+  TracePlace place = 0;
+  {
+    TraceWriter writer(trace(), *model_);
+    Write(&writer, 0, 5);
+    place = writer.place();
+    writer.Add(Pointing("b1"));
+  }
+  ByteWriter other_tick;
+  other_tick.Put(std::uint64_t{4});
+  std::string text = ReadFile(trace(), 1 << 20);
+  const auto bytes = other_tick.bytes();
+  text.replace(place, bytes.size(), reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  WriteFile(trace(), text);
+  fs::remove(index());
+  EXPECT_THROW((void)TraceReader(recording()).At(5), InputError);
+}
+
 TEST_F(TraceReaderTest, StaysWhereItIsWhenTheLastTickCannotBeRead) {
   {
     TraceWriter writer(trace(), *model_);
@@ -297,6 +315,27 @@ TEST_F(TraceReaderTest, RefusesKeyframesThatContradictTheTicksBeforeThem) {
       EXPECT_THROW((void)TraceReader(recording()), InputError) << again << " " << has_index;
     }
   }
+}
+
+TEST_F(TraceReaderTest, ARecordContainsAnObjectOnce) {
+  {
+    TraceWriter writer(trace(), *model_);
+    writer.Add(MomentAt(0));
+  }
+  // Otherwise a record of as many objects as there are could lack one, and be no keyframe.
+  ByteWriter record;
+  for (const std::uint64_t number : {1, 0}) record.Put(number);
+  record.Put(std::uint8_t{0});
+  record.Put(std::uint32_t{2});
+  for (int i = 0; i < 2; ++i) {
+    record.Put(std::uint32_t{3});
+    record.Put(kIsPresent);
+    for (const double number : {0, 0, 0, 1, 0, 0, 0}) record.Put(number);
+  }
+  AppendFile(trace(), AppendFile::kExisting).Append(record.bytes());
+  TraceReader reader(recording());
+  ExpectSame(*reader.Next(), MomentAt(0));
+  EXPECT_THROW((void)reader.Next(), InputError);
 }
 
 TEST_F(TraceReaderTest, ADamagedIndexIsReadOrRefused) {

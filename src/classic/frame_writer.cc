@@ -22,12 +22,18 @@ void FrameWriter::Add(Frame frame) {
   // A slow disk delays the simulation; pictures are never left out.
   changed_.wait(lock, [this] { return waiting_.size() < kMaxWaiting; });
   if (failure_) std::rethrow_exception(failure_);
-  index_size_ += frame.line.size();
-  // A line alone is not worth a thread, but must not overtake the lines that wait.
-  if (frame.image.color.empty() && waiting_.empty()) return Write(frame);
-  waiting_.push_back(std::move(frame));
-  if (!thread_.joinable()) thread_ = std::thread([this] { WriteWaiting(); });
-  changed_.notify_all();
+  const std::uint64_t size = index_size_ + frame.line.size();
+  if (frame.image.color.empty() && waiting_.empty()) {
+    // A line alone is not worth a thread, but must not overtake the lines that wait.
+    failure_ = Write(frame);
+    if (failure_) std::rethrow_exception(failure_);
+  } else {
+    // The thread first: without it, nothing may wait.
+    if (!thread_.joinable()) thread_ = std::thread([this] { WriteWaiting(); });
+    waiting_.push_back(std::move(frame));
+    changed_.notify_all();
+  }
+  index_size_ = size;
 }
 
 void FrameWriter::Flush() {
@@ -51,12 +57,7 @@ void FrameWriter::WriteWaiting() {
     // Additions to a deque leave its elements where they are.
     const Frame& frame = waiting_.front();
     lock.unlock();
-    std::exception_ptr failure;
-    try {
-      Write(frame);
-    } catch (...) {
-      failure = std::current_exception();
-    }
+    const std::exception_ptr failure = Write(frame);
     lock.lock();
     // After a failure nothing is written: the view ends with its last whole frame.
     if (failure) {
@@ -69,9 +70,14 @@ void FrameWriter::WriteWaiting() {
   }
 }
 
-void FrameWriter::Write(const Frame& frame) {
-  if (!frame.image.color.empty()) WritePng(frame.picture, frame.image);
-  index_.Append(frame.line);
+std::exception_ptr FrameWriter::Write(const Frame& frame) {
+  try {
+    if (!frame.image.color.empty()) WritePng(frame.picture, frame.image);
+    index_.Append(frame.line);
+    return nullptr;
+  } catch (...) {
+    return std::current_exception();
+  }
 }
 
 }  // namespace smile::classic

@@ -39,7 +39,8 @@ class FrameWriter {
   FrameWriter& operator=(const FrameWriter&) = delete;
 
   /// Takes a frame. Returns at once, unless kMaxWaiting frames wait.
-  /// @throws std::runtime_error with path and reason if an earlier frame could not be written.
+  /// @throws std::runtime_error with path and reason if this or an earlier frame could not be
+  ///         written.
   void Add(Frame frame);
   /// Waits until all frames are written. Throws like Add().
   void Flush();
@@ -51,7 +52,8 @@ class FrameWriter {
 
  private:
   void WriteWaiting();
-  void Write(const Frame& frame);
+  /// Returns why the frame could not be written; nullptr if it was.
+  std::exception_ptr Write(const Frame& frame);
 
   recording::AppendFile index_;  ///< of the thread while frames wait
   std::uint64_t index_size_ = 0;

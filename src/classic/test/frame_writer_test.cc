@@ -1,8 +1,10 @@
 #include "classic/frame_writer.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <stdexcept>
 
 #include "base/files.h"
@@ -77,6 +79,24 @@ TEST_F(FrameWriterTest, AFrameThatCannotBeWrittenIsReportedAndEndsTheView) {
   EXPECT_THROW(writer.Flush(), std::runtime_error);
   EXPECT_EQ(Index(), Lines(4));
   EXPECT_FALSE(fs::exists(Frame(6).picture));
+}
+
+TEST_F(FrameWriterTest, ALineThatCannotBeWrittenEndsTheViewAsAPictureDoes) {
+  FrameWriter writer(root_ / "frames.csv");
+  writer.Add({.picture = {}, .image = {}, .line = "first\n"});
+  // As on a full disk: files of this process cannot grow.
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit full{.rlim_cur = Index().size(), .rlim_max = before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &full);
+  EXPECT_THROW(writer.Add({.picture = {}, .image = {}, .line = "second\n"}), std::runtime_error);
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+
+  EXPECT_THROW(writer.Add({.picture = {}, .image = {}, .line = "third\n"}), std::runtime_error);
+  EXPECT_THROW(writer.Flush(), std::runtime_error);
+  EXPECT_EQ(Index(), "first\n");
 }
 
 TEST_F(FrameWriterTest, CutsTheIndexAfterTheFramesThatWait) {

@@ -37,8 +37,7 @@ class Playback {
   double rate() const;     ///< of recorded to wall-clock time; 0: paused
   /// Sets the rate; continues from the start if the recording is at its end.
   /// @throws std::invalid_argument if the rate is not within 0 and kMaxRate; std::runtime_error
-  /// with
-  ///         the reason if playing has ended because the recording could not be read.
+  ///         with the reason if playing has ended because the recording could not be read.
   void SetRate(double rate);
   /// Seeks the tick nearest to `seconds`, within 0 and length().
   /// @throws std::invalid_argument if it is not a number; InputError if the recording cannot be

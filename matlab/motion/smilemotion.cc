@@ -170,6 +170,25 @@ mxArray* ConfigurationOf(const std::vector<double>& values, Shape shape) {
           static_cast<Eigen::Index>(shape.columns)));
 }
 
+/// Configurations in the shape of waypoints: Kx7 for one arm, 2x7xK for both.
+mxArray* ConfigurationsOf(const std::vector<std::vector<double>>& configurations, Shape shape) {
+  const std::size_t count = configurations.size();
+  const std::array<mwSize, 3> dims{static_cast<mwSize>(shape.rows),
+                                   static_cast<mwSize>(shape.columns), static_cast<mwSize>(count)};
+  const bool is_one_arm = shape.rows == 1;
+  mxArray* array = is_one_arm ? mxCreateDoubleMatrix(dims[2], dims[1], mxREAL)
+                              : mxCreateNumericArray(3, dims.data(), mxDOUBLE_CLASS, mxREAL);
+  double* to = mxGetPr(array);
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t i = 0; i < shape.rows * shape.columns; ++i) {
+      const std::size_t row = i / shape.columns, column = i % shape.columns;
+      to[is_one_arm ? k + count * column : row + shape.rows * (column + shape.columns * k)] =
+          configurations[k][i];
+    }
+  }
+  return array;
+}
+
 mxArray* NamesOf(const std::vector<std::string>& names) {
   mxArray* cell = mxCreateCellMatrix(1, static_cast<mwSize>(names.size()));
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -468,10 +487,16 @@ void Sample(const Call& call) {
   CheckCount(call, 2, 2, "trajectory, seconds");
   std::size_t num_rows = 1;
   const JointTrajectory trajectory = TrajectoryFrom(call.arguments[0], &num_rows);
-  const TrajectoryPoint point = SampleAt(trajectory, NumberFrom(call.arguments[1], "seconds"));
+  const double* seconds = NumbersFrom(call.arguments[1], "seconds");
+  std::vector<std::vector<double>> positions, velocities;
+  for (std::size_t k = 0; k < mxGetNumberOfElements(call.arguments[1]); ++k) {
+    TrajectoryPoint point = SampleAt(trajectory, seconds[k]);
+    positions.push_back(std::move(point.positions));
+    velocities.push_back(std::move(point.velocities));
+  }
   const Shape shape{num_rows, trajectory.joint_names.size() / num_rows};
-  call.outputs[0] = ConfigurationOf(point.positions, shape);
-  if (call.num_outputs > 1) call.outputs[1] = ConfigurationOf(point.velocities, shape);
+  call.outputs[0] = ConfigurationsOf(positions, shape);
+  if (call.num_outputs > 1) call.outputs[1] = ConfigurationsOf(velocities, shape);
 }
 
 void FirstInvalid(const Call& call) {

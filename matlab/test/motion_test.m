@@ -37,6 +37,14 @@ function check_answers(robot)
   [last, velocities] = smileSample(move, move.duration);
   check(isequal(last, robot.poses.neutral), 'a motion of both arms ends at its last waypoint');
   check(isequal(velocities, zeros(2, 7)), 'at rest');
+  times = move.duration * [0, 0.3, 1];
+  [all, velocities] = smileSample(move, times);
+  check(isequal(size(all), [2, 7, 3]), 'several times are waypoints of both arms');
+  [q, velocity] = smileSample(move, times(2));
+  check(isequal(all(:, :, 2), q) && isequal(velocities(:, :, 2), velocity), 'each as alone');
+  move = smileMoveJoints(robot, 'left', [robot.poses.untucked(1, :); robot.poses.neutral(1, :)]);
+  all = smileSample(move, times);
+  check(isequal(size(all), [3, 7]) && isequal(all(2, :), smileSample(move, times(2))), 'or of one arm');
 end
 
 function check_errors(robot)

@@ -110,6 +110,21 @@ Array Stacked(const RowedTrajectory& trajectory, std::vector<double> TrajectoryP
   return ArrayOf(all, shape);
 }
 
+/// Positions and velocities at one time, or at each of K times.
+py::tuple At(const RowedTrajectory& trajectory, const Array& seconds) {
+  if (seconds.ndim() > 1) RejectShape("seconds", seconds, "a single number or K");
+  std::vector<double> positions, velocities;
+  for (py::ssize_t k = 0; k < seconds.size(); ++k) {
+    const TrajectoryPoint point = SampleAt(trajectory.joints, seconds.data()[k]);
+    positions.insert(positions.end(), point.positions.begin(), point.positions.end());
+    velocities.insert(velocities.end(), point.velocities.begin(), point.velocities.end());
+  }
+  std::vector<py::ssize_t> shape =
+      ShapeFor(trajectory.num_rows, trajectory.joints.joint_names.size());
+  if (seconds.ndim() == 1) shape.insert(shape.begin(), seconds.size());
+  return py::make_tuple(ArrayOf(positions, shape), ArrayOf(velocities, shape));
+}
+
 void BindTrajectory(py::module_& m) {
   py::class_<RowedTrajectory>(m, "Trajectory", R"(Motion of the joints of an arm, or of both arms.
 
@@ -136,18 +151,11 @@ Between points, each joint follows the cubic through their positions and velocit
           "velocities",
           [](const RowedTrajectory& t) { return Stacked(t, &TrajectoryPoint::velocities); },
           "Kx7, or Kx2x7 for 'both' [rad/s]")
-      .def(
-          "at",
-          [](const RowedTrajectory& t, double seconds) {
-            const TrajectoryPoint point = SampleAt(t.joints, seconds);
-            const auto shape = ShapeFor(t.num_rows, t.joints.joint_names.size());
-            return py::make_tuple(ArrayOf(point.positions, shape),
-                                  ArrayOf(point.velocities, shape));
-          },
-          py::arg("seconds"),
-          R"(Angles [rad] and velocities [rad/s] at a time, each 7, or 2x7 for 'both'.
+      .def("at", &At, py::arg("seconds"),
+           R"(Angles [rad] and velocities [rad/s] at a time, each 7, or 2x7 for 'both'.
 
-The arm rests at the first point before the start, and at the last point after the end.)");
+Of K times, each Kx7, or Kx2x7 for 'both'. The arm rests at the first point before the start, and at
+the last point after the end.)");
 }
 
 void BindAnswers(py::module_& m) {

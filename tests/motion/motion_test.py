@@ -38,6 +38,10 @@ class MotionTest(unittest.TestCase):
         q, velocities = move.at(move.duration)
         np.testing.assert_array_equal(q, both * 0.5)
         np.testing.assert_array_equal(velocities, np.zeros((2, 7)))
+        times = move.duration * np.array([0, 0.3, 1])
+        for all_at_once, one_by_one in zip(move.at(times), zip(*map(move.at, times))):
+            self.assertEqual(all_at_once.shape, (3, 2, 7))
+            np.testing.assert_array_equal(all_at_once, one_by_one)
         self.assertEqual(self.robot.jacobian("left", [list(self.q)]).shape, (6, 7))
 
     def test_messages_name_the_argument(self):

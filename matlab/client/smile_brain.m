@@ -27,9 +27,9 @@ function smile_brain()
     switch type
       case message.nothing  % a moment for Ctrl-C
       case message.init
-        callback = answer_init(link, message, sequence, values);
+        [callback, image_seconds] = answer_init(link, message, sequence, values);
       case message.step
-        answer_steps(link, message, sequence, values, callback);
+        answer_steps(link, message, sequence, values, callback, image_seconds);
         return
       case message.bye
         return
@@ -76,8 +76,9 @@ function values = hello()
   end
 end
 
-function callback = answer_init(link, message, sequence, aux)
+function [callback, image_seconds] = answer_init(link, message, sequence, aux)
   callback = '';
+  image_seconds = [];
   script = 'agentBehavior';
   try
     [init, callback, files] = load_scripts();
@@ -91,6 +92,7 @@ function callback = answer_init(link, message, sequence, aux)
     assignin('base', 'motor', still);
     aux = base_aux();
     new_markers(aux);
+    if isfield(aux, 'imageSeconds'), image_seconds = aux.imageSeconds; end
     link('send', message.init_done, sequence, wishes(aux, files));
   catch err
     link('send', message.error, sequence, smile_describe_error(err, script, 'aux'));
@@ -98,7 +100,7 @@ function callback = answer_init(link, message, sequence, aux)
   if is_octave(), fflush(stdout); end
 end
 
-function answer_steps(link, message, sequence, sensor, callback)
+function answer_steps(link, message, sequence, sensor, callback, image_seconds)
   % From the first to the last. This is what every step waits for, and to call a function or to ask
   % isfield takes as long as 5 us: hence what is usual stands here, in a line, and what is rare is
   % in functions.
@@ -124,11 +126,15 @@ function answer_steps(link, message, sequence, sensor, callback)
         evalin('base', call);
         answer = evalin('base', '{motor, aux}', '{motor, struct()}');  % aux may have been cleared
         motor = answer{1};
-        has = isfield(answer{2}, {'exit', 'drawMarkers'});
+        has = isfield(answer{2}, {'exit', 'drawMarkers', 'imageSeconds'});
         if has(2) || had_markers
           [is_new, markers] = new_markers(answer{2});
           had_markers = has(2);
           if is_new, motor.drawMarkers = markers; end
+        end
+        if has(3) && ~isequal(answer{2}.imageSeconds, image_seconds)
+          image_seconds = answer{2}.imageSeconds;
+          motor.imageSeconds = image_seconds;
         end
         type = message.motor;
         if has(1) && is_exit_requested(answer{2}), type = message.final_motor; end

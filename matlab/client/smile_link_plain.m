@@ -112,7 +112,8 @@ function frame = frame_of(type, sequence, values)
   persistent last
   names = fieldnames(values);
   arrays = struct2cell(values);
-  shapes = [cellfun('ndims', arrays), cellfun('size', arrays, 1), cellfun('prodofsize', arrays)];
+  shapes = [cellfun('ndims', arrays), cellfun('size', arrays, 1), cellfun('size', arrays, 2), ...
+            cellfun('prodofsize', arrays)];
   are_plain = all(cellfun('isclass', arrays, 'double')) && all(cellfun('isreal', arrays)) && ...
               ~any(cellfun(@issparse, arrays));
   if ~are_plain || isempty(last) || numel(names) ~= numel(last.names) || ...

@@ -81,13 +81,15 @@ class Program:
             self.module.init(self.aux)
         wishes = wishes_of(self.aux)
         self.markers = np.array(wishes.get("drawMarkers", NO_MARKERS))
+        self.image_seconds = self.aux.__dict__.get("imageSeconds")
         return INIT_DONE, wishes
 
     def step(self, values):
         """STEP -> MOTOR or FINAL_MOTOR"""
         self.module.step(sensor_of(values), self.motor, self.aux)
         is_last = "exit" in self.aux and bool(np.any(self.aux.exit))
-        return FINAL_MOTOR if is_last else MOTOR, self.motor.values() | self.new_markers()
+        values = self.motor.values() | self.new_markers() | self.new_image_seconds()
+        return FINAL_MOTOR if is_last else MOTOR, values
 
     def new_markers(self):
         """Returns aux.drawMarkers if they differ from those sent last."""
@@ -98,6 +100,14 @@ class Program:
             return {}
         self.markers = np.array(markers)
         return {"drawMarkers": self.markers}
+
+    def new_image_seconds(self):
+        """Returns aux.imageSeconds if it differs from the one sent last."""
+        seconds = self.aux.__dict__.get("imageSeconds")
+        if seconds is None or seconds is self.image_seconds:
+            return {}
+        self.image_seconds = seconds
+        return {"imageSeconds": wish_of(self.aux, "imageSeconds")}
 
     def describe(self, error):
         """Returns an exception as the arrays of ERROR: message, file and line of the brain."""

@@ -31,7 +31,12 @@ class Motor:
     gripperVelocities  one number per limb [units/s]
     jointAngles        None, or limbs x joints: immediate joint angles [rad]
     headVelocity       None, or a number [rad/s]
+    ticks              None, or the number of ticks until the next step
+
+    Velocities may have one more dimension, time: the values of successive ticks.
     """
+
+    TIMED = ("jointVelocities", "gripperVelocities", "headVelocity")
 
     def __init__(self, num_limbs, num_joints):
         arms = (num_limbs, num_joints)
@@ -40,11 +45,13 @@ class Motor:
             "gripperVelocities": (num_limbs,),
             "jointAngles": arms,
             "headVelocity": (),
+            "ticks": (),
         }
         self.jointVelocities = np.zeros(arms)
         self.gripperVelocities = np.zeros(num_limbs)
         self.jointAngles = None
         self.headVelocity = None
+        self.ticks = None
 
     def __setattr__(self, name, value):
         if name not in self.shapes:
@@ -61,12 +68,17 @@ class Motor:
         array = real_numbers(f"motor.{name}", value)
         if name == "gripperVelocities" and array.size == expected[0]:
             array = array.reshape(expected)  # rows and columns are accepted
-        if name == "headVelocity" and array.size == 1:
+        if expected == () and array.size == 1:
             array = array.reshape(())
-        if array.shape != expected:
+        if not self.has_shape(name, array):
             raise ValueError(f"motor.{name} is {shape_text(array.shape)}, "
                              f"expected {shape_text(expected)}")
         return array
+
+    def has_shape(self, name, array):
+        """Returns true if an array is the value of a tick, or of successive ticks."""
+        shape = self.shapes[name]
+        return array.shape == shape or name in self.TIMED and array.shape[:-1] == shape
 
     def values(self):
         """Returns the fields for the message, checked again because elements can be set as well."""
@@ -75,11 +87,12 @@ class Motor:
             array = self.__dict__[name]
             if array is None:
                 continue
-            if array.shape != shape:
+            if not self.has_shape(name, array):
                 array = self.numbers(name, array)
             if not math.isfinite(sum(array.ravel().tolist())):  # the fast way for few numbers
                 check_finite(f"motor.{name}", array)
-            values[name] = array.reshape(-1, 1) if array.ndim < 2 else array
+            # One number per limb is a column, one per tick is a row.
+            values[name] = array.reshape(-1, 1) if array.shape == shape and array.ndim < 2 else array
         return values
 
 

@@ -1,6 +1,8 @@
 #include "brain/brain_driver.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -170,8 +172,8 @@ std::optional<BrainQuestion> BrainDriver::NextQuestion(sim::Simulation* simulati
   }
   // While the brain watches, it gets frames of the demonstration in place of the robot's view.
   if (frame_) return SenseDemonstration(*simulation);
-  // The schedule of pictures starts with the first step in which the brain acts.
-  if (!first_tick_) first_tick_ = simulation->tick();
+  if (ContinueChunk(simulation)) return std::nullopt;
+  if (!image_start_tick_) image_start_tick_ = simulation->tick();
   Show(robot::FaceExpression::kWorking, simulation);
   return Sense(*simulation);
 }
@@ -215,9 +217,10 @@ Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
 }
 
 // Everything but pictures: lengths in units, angles in rad, times in seconds.
-Sensor BrainDriver::SenseBody(const sim::Simulation& simulation) const {
+Sensor BrainDriver::SenseBody(const sim::Simulation& simulation) {
   const world::RobotBody& robot = *simulation.robot();
-  Sensor sensor{.time_elapsed = 1.0 / sim::kTicksPerSecond, .sim_time = simulation.seconds()};
+  Sensor sensor{.time_elapsed = SecondsSinceStep(simulation), .sim_time = simulation.seconds()};
+  last_step_tick_ = simulation.tick();
   sensor.joint_angles = OfBothArms(robot, &world::RobotBody::ArmAngles);
   for (int arm = 0; arm < kLimbCount; ++arm) {
     sensor.end_effector_positions.row(arm) = InUnits(robot.ToolPose(arm).translation(), simulation);
@@ -233,10 +236,7 @@ Sensor BrainDriver::SenseBody(const sim::Simulation& simulation) const {
 
 Sensor BrainDriver::Sense(const sim::Simulation& simulation) {
   Sensor sensor = SenseBody(simulation);
-  if (IsPictureDue(simulation)) {
-    AddPictures(simulation, &sensor);
-    ++num_images_;
-  }
+  if (TakePictureTurn(simulation)) AddPictures(simulation, &sensor);
   AddNoise(options_.noise, simulation.tick(), &sensor);
   return sensor;
 }
@@ -252,14 +252,33 @@ std::optional<Sensor> BrainDriver::SenseDemonstration(const sim::Simulation& sim
   watched_ticks_ = tick - begin_tick_ + 1;
   if (tick < begin_tick_ + frame_->tick) return std::nullopt;
   Sensor sensor = SenseBody(simulation);
-  if (last_frame_tick_) sensor.time_elapsed = sim::SecondsOf(tick - *last_frame_tick_);
-  last_frame_tick_ = tick;
   sensor.demo_cue = true;
   AddNoise(options_.noise, tick, &sensor);
   // The recorded picture, without noise.
   sensor.pictures.push_back(
       {.camera = DescribeCamera(frame_->view, simulation), .image = frame_->image});
   return sensor;
+}
+
+double BrainDriver::SecondsSinceStep(const sim::Simulation& simulation) const {
+  // After an undo the clock may show an earlier time than at the previous step.
+  const bool is_later = last_step_tick_ && simulation.tick() > *last_step_tick_;
+  return sim::SecondsOf(is_later ? simulation.tick() - *last_step_tick_ : 1);
+}
+
+bool BrainDriver::ContinueChunk(sim::Simulation* simulation) {
+  if (!chunk_) return false;
+  const std::uint64_t tick = simulation->tick();
+  // A caller may ask twice before a tick.
+  const bool follows = tick == chunk_->last_tick || tick == chunk_->last_tick + 1;
+  if (!follows || tick >= chunk_->end_tick) {
+    chunk_.reset();
+    return false;
+  }
+  chunk_->last_tick = tick;
+  const std::size_t index = tick - chunk_->first_tick;
+  if (index < chunk_->motors.size()) Send(chunk_->motors[index], simulation);
+  return true;
 }
 
 void BrainDriver::TakeNextFrame(sim::Simulation* simulation) {
@@ -281,14 +300,28 @@ void BrainDriver::TakeNextFrame(sim::Simulation* simulation) {
   if (!frame_) options_.frames = nullptr;
 }
 
-// The schedule counts pictures from the first acting step instead of adding periods to the last
-// picture: errors do not accumulate, and a period of 0 makes each step due.
-bool BrainDriver::IsPictureDue(const sim::Simulation& simulation) const {
+// The schedule counts periods from its start instead of adding them to the last picture: errors do
+// not accumulate, and a period of 0 makes each step due. A step gets one picture, however many
+// periods have passed since the previous step.
+bool BrainDriver::TakePictureTurn(const sim::Simulation& simulation) {
   if (options_.eye == nullptr || wishes_.channels == sim::Channels{.rgb = false}) return false;
   const double period = wishes_.image_seconds.value_or(options_.image_seconds);
   // The tolerance absorbs rounding, so that a picture due exactly now is not late by a tick.
-  const double seconds = simulation.seconds() - sim::SecondsOf(first_tick_.value_or(0));
-  return seconds + 1e-9 >= static_cast<double>(num_images_) * period;
+  const double seconds =
+      simulation.seconds() - sim::SecondsOf(image_start_tick_.value_or(0)) + 1e-9;
+  if (seconds < num_image_periods_ * period) return false;
+  // Periods up to a tick are due in each step.
+  if (period > sim::SecondsOf(1)) num_image_periods_ = std::floor(seconds / period) + 1;
+  return true;
+}
+
+void BrainDriver::ChangeImagePeriod(double seconds, const sim::Simulation& simulation) {
+  if (seconds == wishes_.image_seconds) return;
+  wishes_.image_seconds = seconds;
+  // While the brain watches, its own schedule has not started.
+  if (!image_start_tick_) return;
+  image_start_tick_ = simulation.tick();
+  num_image_periods_ = 1;
 }
 
 // Pictures hold meters and world poses of the model; they become units here, at the boundary, and
@@ -344,8 +377,16 @@ void BrainDriver::ShowMarkers(const Points& markers, sim::Simulation* simulation
 
 void BrainDriver::MakeStep(const StepReply& reply, sim::Simulation* simulation) {
   if (reply.draw_markers) ShowMarkers(*reply.draw_markers, simulation);
+  if (reply.image_seconds) ChangeImagePeriod(*reply.image_seconds, *simulation);
   const bool is_watching = frame_.has_value();
-  if (!is_watching) Send(reply.motor, simulation);
+  if (!is_watching) {
+    Send(reply.motors.front(), simulation);
+    const std::uint64_t tick = simulation->tick();
+    chunk_ = Chunk{.motors = reply.motors,
+                   .first_tick = tick,
+                   .end_tick = tick + static_cast<std::uint64_t>(reply.ticks),
+                   .last_tick = tick};
+  }
   // While watching, each reply asks for the next frame, and motor values are ignored.
   if (!reply.exit) {
     if (is_watching) TakeNextFrame(simulation);
@@ -354,6 +395,7 @@ void BrainDriver::MakeStep(const StepReply& reply, sim::Simulation* simulation) 
   // `exit` also ends a demonstration that has frames left. The final motor values of an acting
   // brain were applied above, but must not remain in effect: nothing would ever change them.
   frame_.reset();
+  chunk_.reset();
   status_ = BrainStatus::kExited;
   StopRobot(simulation);
   Show(robot::FaceExpression::kDone, simulation);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "brain/brain_process.h"
 #include "brain/sensor_noise.h"
@@ -35,6 +36,10 @@ std::string_view ToString(BrainStatus status);
 /// separately, and must not tick in between: then the run is the same. The robot's face shows the
 /// phase: watching (a demonstration), working, and finally done or puzzled.
 ///
+/// An answer may be a chunk: commands for several ticks. These are applied tick by tick, to the
+/// same log as single ones, and the brain's next step follows them. If the simulation's clock jumps
+/// meanwhile (an undo), the rest of the chunk is dropped: it was made for another situation.
+///
 /// A brain that requests to watch first gets the demonstration: one step for each frame, at the
 /// frame's tick since the brain began. Time advances meanwhile, and the robot stands still.
 class BrainDriver {
@@ -43,11 +48,11 @@ class BrainDriver {
   explicit BrainDriver(BrainDriverOptions options) : options_(std::move(options)) {}
 
   /// Asks the process, if a question is due, and waits for its answer: first to start, then for one
-  /// step per call; to be called before each tick while it is running.
+  /// step; to be called before each tick while it is running.
   BrainStatus Drive(BrainProcess* process, sim::Simulation* simulation);
 
   /// Returns the question that is due, while the brain is starting or running; nullopt between two
-  /// frames of the demonstration.
+  /// frames of the demonstration, and within a chunk, whose command of this tick it applies.
   /// @throws std::invalid_argument if the simulation has no robot with two arms of seven joints.
   std::optional<BrainQuestion> NextQuestion(sim::Simulation* simulation);
   /// Applies the answer: the initial posture of the robot, or the motion of a step. When the brain
@@ -63,12 +68,19 @@ class BrainDriver {
  private:
   Aux Describe(const sim::Simulation& simulation) const;
   /// Returns the robot's own sensor values, without pictures.
-  Sensor SenseBody(const sim::Simulation& simulation) const;
+  Sensor SenseBody(const sim::Simulation& simulation);
   Sensor Sense(const sim::Simulation& simulation);
   /// Returns the next frame of the demonstration, if it is due.
   std::optional<Sensor> SenseDemonstration(const sim::Simulation& simulation);
   void TakeNextFrame(sim::Simulation* simulation);
-  bool IsPictureDue(const sim::Simulation& simulation) const;
+  /// Applies the chunk's command of this tick. Returns false if there is none, or no chunk.
+  bool ContinueChunk(sim::Simulation* simulation);
+  /// Returns the time since the previous step [s]; a tick for the first one.
+  double SecondsSinceStep(const sim::Simulation& simulation) const;
+  /// Returns true if a picture is due, and notes that it is taken.
+  bool TakePictureTurn(const sim::Simulation& simulation);
+  /// Makes the next picture due after this time from now on [s].
+  void ChangeImagePeriod(double seconds, const sim::Simulation& simulation);
   /// Adds new pictures of the eye and the cameras that the brain requested.
   void AddPictures(const sim::Simulation& simulation, Sensor* sensor);
   void Begin(const InitReply& reply, sim::Simulation* simulation);
@@ -86,11 +98,19 @@ class BrainDriver {
   PictureWishes wishes_;
   std::uint64_t begin_tick_ = 0;  ///< at the end of init
   std::uint64_t watched_ticks_ = 0;
-  std::optional<DemonstrationFrame> frame_;  ///< shown next; nullopt unless it watches
-  std::optional<std::uint64_t> last_frame_tick_;
-  std::optional<std::uint64_t> first_tick_;  ///< of the first step in which it acts
-  std::uint64_t num_images_ = 0;
-  bool has_markers_ = false;  ///< removed when it fails
+  std::optional<DemonstrationFrame> frame_;      ///< shown next; nullopt unless it watches
+  std::optional<std::uint64_t> last_step_tick_;  ///< also while it watches
+  /// Answer that covers several ticks.
+  struct Chunk {
+    std::vector<Motor> motors;
+    std::uint64_t first_tick = 0, end_tick = 0;
+    std::uint64_t last_tick = 0;  ///< applied last
+  };
+  std::optional<Chunk> chunk_;
+  /// Schedule of pictures: starts with the first step in which the brain acts.
+  std::optional<std::uint64_t> image_start_tick_;
+  double num_image_periods_ = 0;  ///< from then to the next picture
+  bool has_markers_ = false;      ///< removed when it fails
   std::optional<sim::JointVelocities> sent_velocities_;
   std::optional<sim::JointAngles> sent_angles_;
 };

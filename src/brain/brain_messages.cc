@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "base/wording.h"
+#include "sim/tick.h"
 
 namespace smile::brain {
 namespace {
@@ -249,16 +250,35 @@ class MatrixReader {
       Fail(array.name + " is " + ShapeText(array.dims) + ", expected " + expected);
       return zeros;
     }
-    // A brain may send either order, whatever was negotiated for pictures.
-    Eigen::MatrixXd matrix(array.dims[0], array.dims[1]);
-    if (array.is_row_major) {
-      matrix = Eigen::Map<const Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(
-          numbers->data(), matrix.rows(), matrix.cols());
-    } else {
-      matrix = Eigen::Map<const Eigen::MatrixXd>(numbers->data(), matrix.rows(), matrix.cols());
+    return Checked(array, *numbers).reshaped(array.dims[0], cols);
+  }
+
+  /// Reads the values of successive ticks, `rows` x `cols` each: an array with time as its last
+  /// dimension, of 1 to kMaxChunkTicks. An array of `rows` x `cols` is the value of one tick.
+  /// @returns one column of rows * cols numbers per tick; one of zeros on failure.
+  Eigen::MatrixXd ReadTicks(const NamedArray& array, int rows, int cols) {
+    const int size = rows * cols;
+    // Values of one column need no third dimension: 2xN.
+    const std::size_t time = cols == 1 ? 1 : 2;
+    const bool has_time = array.type != ElementType::kText && array.dims.size() == time + 1 &&
+                          static_cast<int>(array.dims[0]) == rows &&
+                          (cols == 1 || static_cast<int>(array.dims[1]) == cols);
+    if (!has_time) return Read(array, rows, cols).reshaped(size, 1);
+    if (array.dims[time] < 1 || array.dims[time] > kMaxChunkTicks) {
+      Fail(array.name + " is " + ShapeText(array.dims) + ", expected values for 1 to " +
+           std::to_string(kMaxChunkTicks) + " ticks");
+      return Eigen::MatrixXd::Zero(size, 1);
     }
-    CheckNumbers(array.name, matrix);
-    return matrix;
+    return Checked(array, array.Numbers().value()).reshaped(size, array.dims[time]);
+  }
+
+  /// Reads a whole number from 1 to `max`; 1 on failure.
+  int ReadCount(const NamedArray& array, int max) {
+    const double count = Read(array, 1, 1)(0, 0);
+    if (count >= 1 && count <= max && count == std::floor(count)) return static_cast<int>(count);
+    Fail(array.name + " is " + NumberText(count) + ", expected a whole number from 1 to " +
+         std::to_string(max));
+    return 1;
   }
 
   void Fail(const std::string& message) {
@@ -268,39 +288,93 @@ class MatrixReader {
   const WireError& error() const { return error_; }
 
  private:
-  void CheckNumbers(const std::string& name, const Eigen::MatrixXd& matrix) {
-    for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
-      for (Eigen::Index col = 0; col < matrix.cols(); ++col) {
-        const double number = matrix(row, col);
-        // The comparison is also false for NaN. Indices in messages count from 1, as in scripts.
-        if (std::abs(number) <= kFarthest) continue;
-        Fail(name + "(" + std::to_string(row + 1) + "," + std::to_string(col + 1) + ") is " +
-             NumberText(number) + ", expected " +
-             (std::isfinite(number) ? "at most " + NumberText(kFarthest) : "a finite number"));
-      }
+  /// Returns the numbers of an array in column-major order, after a check of each.
+  Eigen::VectorXd Checked(const NamedArray& array, const std::vector<double>& numbers) {
+    Eigen::VectorXd columns(static_cast<Eigen::Index>(numbers.size()));
+    const auto bytes = std::as_bytes(std::span(numbers));
+    const auto to = std::as_writable_bytes(std::span(columns.data(), numbers.size()));
+    if (array.is_row_major) {
+      // A brain may send either order, whatever was negotiated for pictures. An array by rows is
+      // one by columns with its dimensions reversed.
+      const std::vector<std::uint32_t> reversed(array.dims.rbegin(), array.dims.rend());
+      wire::CopyToRowMajor(reversed, sizeof(double), bytes, to);
+    } else {
+      std::ranges::copy(bytes, to.begin());
     }
+    for (Eigen::Index i = 0; i < columns.size(); ++i) {
+      // The comparison is also false for NaN.
+      if (std::abs(columns[i]) <= kFarthest) continue;
+      Fail(array.name + PlaceText(i, array.dims) + " is " + NumberText(columns[i]) + ", expected " +
+           (std::isfinite(columns[i]) ? "at most " + NumberText(kFarthest) : "a finite number"));
+      break;
+    }
+    return columns;
+  }
+
+  /// Returns an element's place in a column-major array, with indices from 1 as in scripts:
+  /// `(2,3)`.
+  static std::string PlaceText(Eigen::Index element, std::span<const std::uint32_t> dims) {
+    std::string text;
+    for (const std::uint32_t dim : dims) {
+      text += (text.empty() ? "(" : ",") + std::to_string(element % dim + 1);
+      element /= dim;
+    }
+    return text + ")";
   }
 
   std::string prefix_;
   WireError error_;
 };
 
-void ReadMotorField(MatrixReader& reader, const NamedArray& field, Motor* motor) {
+/// Fields of a motor message; those with velocities have one column per tick.
+struct MotorFields {
+  Eigen::MatrixXd joint_velocities = Eigen::MatrixXd::Zero(kLimbCount * kJointCount, 1);
+  Eigen::MatrixXd gripper_velocities = Eigen::MatrixXd::Zero(kLimbCount, 1);
+  std::optional<Eigen::MatrixXd> head_velocities;
+  std::optional<LimbJoints> joint_angles;
+  std::optional<int> ticks;
+};
+
+void ReadMotorField(MatrixReader& reader, const NamedArray& field, MotorFields* motor) {
   if (field.name == "jointVelocities") {
-    motor->joint_velocities = reader.Read(field, kLimbCount, kJointCount);
+    motor->joint_velocities = reader.ReadTicks(field, kLimbCount, kJointCount);
   } else if (field.name == "gripperVelocities") {
     // A row is accepted as well, since sensor.gripperOpening is one.
     const bool is_row = field.dims.size() == 2 && field.dims[0] == 1 && field.dims[1] == kLimbCount;
-    motor->gripper_velocities = is_row ? Eigen::Vector2d(reader.Read(field, 1, 2).transpose())
-                                       : Eigen::Vector2d(reader.Read(field, 2, 1));
+    motor->gripper_velocities = is_row ? Eigen::MatrixXd(reader.Read(field, 1, 2).transpose())
+                                       : reader.ReadTicks(field, kLimbCount, 1);
   } else if (field.name == "jointAngles") {
     motor->joint_angles = reader.Read(field, kLimbCount, kJointCount);
   } else if (field.name == "headVelocity") {
-    motor->head_velocity = reader.Read(field, 1, 1)(0, 0);
+    motor->head_velocities = reader.ReadTicks(field, 1, 1);
+  } else if (field.name == "ticks") {
+    motor->ticks = reader.ReadCount(field, kMaxChunkTicks);
   } else {
     reader.Fail(field.name +
-                " is unknown, expected jointVelocities, gripperVelocities, jointAngles or "
-                "headVelocity");
+                " is unknown, expected jointVelocities, gripperVelocities, jointAngles, "
+                "headVelocity or ticks");
+  }
+}
+
+/// Sets the commands of a reply, tick by tick, and their duration. The last value of each field
+/// remains in effect while others change.
+void SetMotors(const MotorFields& fields, StepReply* reply) {
+  const Eigen::Index head_ticks = fields.head_velocities ? fields.head_velocities->cols() : 0;
+  const Eigen::Index longest =
+      std::max({fields.joint_velocities.cols(), fields.gripper_velocities.cols(), head_ticks});
+  reply->ticks = fields.ticks.value_or(static_cast<int>(longest));
+  const auto at = [](const Eigen::MatrixXd& values, Eigen::Index tick) {
+    return values.col(std::min(tick, values.cols() - 1));
+  };
+  reply->motors.clear();
+  // A chunk may be longer than its `ticks`: the brain replans before its end.
+  for (Eigen::Index tick = 0; tick < std::min<Eigen::Index>(longest, reply->ticks); ++tick) {
+    Motor motor{
+        .joint_velocities = at(fields.joint_velocities, tick).reshaped(kLimbCount, kJointCount),
+        .gripper_velocities = at(fields.gripper_velocities, tick),
+        .joint_angles = fields.joint_angles};
+    if (fields.head_velocities) motor.head_velocity = at(*fields.head_velocities, tick)[0];
+    reply->motors.push_back(std::move(motor));
   }
 }
 
@@ -444,6 +518,8 @@ std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::st
   // Field names are fixed by docs/brain-protocol.md; clients of other versions read them by name,
   // so new fields may follow anywhere.
   AddMatrix(writer, "maxJointVelocities", aux.max_joint_velocities);
+  writer.AddScalar("tickSeconds", 1.0 / sim::kTicksPerSecond);
+  writer.AddScalar("maxTicks", kMaxChunkTicks);
   writer.AddScalar("unit", aux.meters_per_unit);
   AddMatrix(writer, "robotBase", aux.X_WBase);
   if (!robot.empty()) writer.AddText("robot", robot);
@@ -493,23 +569,27 @@ std::variant<InitReply, WireError> DecodeInitReply(const Message& message, const
 std::variant<StepReply, WireError> DecodeStepReply(const Message& message) {
   MatrixReader reader("motor."), aux_reader("aux.");
   StepReply reply;
+  MotorFields fields;
   // The end of a brain is a type of message, not a field: a client cannot forget to reset it.
   reply.exit = message.type == MessageType::kFinalMotor;
   // Unknown fields are errors, so that misspelled ones are noticed.
   for (const NamedArray& field : message.arrays) {
     if (field.name == "drawMarkers") {
       reply.draw_markers = ReadMarkers(field, aux_reader);
+    } else if (field.name == "imageSeconds") {
+      reply.image_seconds = ReadImageSeconds(field, aux_reader);
     } else {
-      ReadMotorField(reader, field, &reply.motor);
+      ReadMotorField(reader, field, &fields);
     }
   }
   // With `jointAngles` the velocities are ignored, so only then may they be absent.
-  if (!message.Find("jointVelocities") && !reply.motor.joint_angles) {
+  if (!message.Find("jointVelocities") && !fields.joint_angles) {
     reader.Fail("jointVelocities is missing, expected 2x7");
   }
   if (!message.Find("gripperVelocities")) reader.Fail("gripperVelocities is missing, expected 2x1");
   if (!reader.ok()) return reader.error();
   if (!aux_reader.ok()) return aux_reader.error();
+  SetMotors(fields, &reply);
   return reply;
 }
 

@@ -22,6 +22,8 @@ namespace smile::brain {
 
 inline constexpr int kLimbCount = 2;
 inline constexpr int kJointCount = 7;
+/// Maximum length of a chunk: the ticks that one answer may cover.
+inline constexpr int kMaxChunkTicks = 600;
 
 using LimbJoints = Eigen::Matrix<double, kLimbCount, kJointCount>;
 using LimbPoints = Eigen::Matrix<double, kLimbCount, 3>;
@@ -95,7 +97,7 @@ struct Sensor {
   std::vector<std::string> segment_names;
 };
 
-/// Motor command until the next step.
+/// Motor command, in effect until the next one.
 struct Motor {
   LimbJoints joint_velocities = LimbJoints::Zero();              ///< [rad/s]
   Eigen::Vector2d gripper_velocities = Eigen::Vector2d::Zero();  ///< left, right [units/s]
@@ -122,9 +124,12 @@ struct InitReply {
 
 /// Answer of the callback.
 struct StepReply {
-  Motor motor;
-  std::optional<Points> draw_markers;  ///< other points to show to people from now on [units]
-  bool exit = false;                   ///< the program set aux.exit: this was its last step
+  /// Action chunk: commands of successive ticks, at least one. The last one remains in effect.
+  std::vector<Motor> motors = {Motor()};
+  int ticks = 1;  ///< until the next step, from 1 to kMaxChunkTicks; `motors` has no more
+  std::optional<Points> draw_markers;   ///< other points to show to people from now on [units]
+  std::optional<double> image_seconds;  ///< another time between pictures from now on
+  bool exit = false;                    ///< the program set aux.exit: this was its last step
 };
 
 /// Reason for which a program was stopped.

@@ -26,6 +26,20 @@ void AddMatrix(MessageWriter& writer, std::string_view name, const Eigen::Matrix
   writer.AddDoubles(name, dims, {matrix.data(), static_cast<std::size_t>(matrix.size())});
 }
 
+/// Adds the values of successive ticks, each of shape `dims`, with time as the last dimension. What
+/// is no multiple of that shape is sent as it is: the simulator refuses it by name.
+void AddTicks(MessageWriter& writer, std::string_view name, const Eigen::MatrixXd& values,
+              std::vector<std::uint32_t> dims) {
+  Eigen::Index size = 1;
+  for (const std::uint32_t dim : dims) size *= dim;
+  if (values.rows() % dims.front() != 0 || values.size() % size != 0) {
+    return AddMatrix(writer, name, values);
+  }
+  const auto ticks = static_cast<std::uint32_t>(values.size() / size);
+  if (dims.size() == 1 || ticks != 1) dims.push_back(ticks);
+  writer.AddDoubles(name, dims, {values.data(), static_cast<std::size_t>(values.size())});
+}
+
 // The protocol accepts commas between names.
 std::string InOneLine(const std::vector<std::string>& names) {
   std::string line;
@@ -73,16 +87,16 @@ class ProtocolSession {
     aux_ = Aux(std::move(message));
     // Outputs have their full size and are zero from the start, so that a brain may set single
     // elements.
-    const auto limbs = static_cast<Eigen::Index>(aux_.Number("numLimbs"));
-    const auto joints = static_cast<Eigen::Index>(aux_.Number("numJoints"));
-    motor_.joint_velocities.setZero(limbs, joints);
+    limbs_ = static_cast<std::uint32_t>(aux_.Number("numLimbs"));
+    joints_ = static_cast<std::uint32_t>(aux_.Number("numJoints"));
+    motor_.joint_velocities.setZero(limbs_, joints_);
     // The same object for all steps: values stay until the brain changes them.
-    motor_.gripper_velocities.setZero(limbs);
+    motor_.gripper_velocities.setZero(limbs_);
     brain_->Init(aux_);
     if (aux_.init_joint_angles) AddMatrix(writer, "initJointAngles", *aux_.init_joint_angles);
     if (!aux_.channels.empty()) writer.AddText("channels", InOneLine(aux_.channels));
     if (!aux_.cameras.empty()) writer.AddText("cameras", InOneLine(aux_.cameras));
-    if (aux_.image_seconds) writer.AddScalar("imageSeconds", *aux_.image_seconds);
+    AddNewImageSeconds(&writer);
     if (aux_.watch) writer.AddLogical("watch", true);
     AddNewMarkers(&writer);
     return writer.Finish();
@@ -93,12 +107,21 @@ class ProtocolSession {
     brain_->Step(Sensor(std::move(message)), motor_, aux_);
     // After the step, since it is the step that sets `exit`.
     MessageWriter writer(aux_.exit ? MessageType::kFinalMotor : MessageType::kMotor, sequence);
-    AddMatrix(writer, "jointVelocities", motor_.joint_velocities);
-    AddMatrix(writer, "gripperVelocities", motor_.gripper_velocities);
+    AddTicks(writer, "jointVelocities", motor_.joint_velocities, {limbs_, joints_});
+    AddTicks(writer, "gripperVelocities", motor_.gripper_velocities, {limbs_});
     if (motor_.joint_angles) AddMatrix(writer, "jointAngles", *motor_.joint_angles);
     if (motor_.head_velocity) writer.AddScalar("headVelocity", *motor_.head_velocity);
+    if (motor_.ticks) writer.AddScalar("ticks", *motor_.ticks);
+    AddNewImageSeconds(&writer);
     AddNewMarkers(&writer);
     return writer.Finish();
+  }
+
+  void AddNewImageSeconds(MessageWriter* writer) {
+    if (aux_.image_seconds && aux_.image_seconds != sent_image_seconds_) {
+      writer->AddScalar("imageSeconds", *aux_.image_seconds);
+    }
+    sent_image_seconds_ = aux_.image_seconds;
   }
 
   // Markers stay until the brain sends others, so only changes are sent; an empty matrix removes
@@ -114,6 +137,8 @@ class ProtocolSession {
   SimulatorConnection* connection_;
   Aux aux_;
   Motor motor_;
+  std::uint32_t limbs_ = 0, joints_ = 0;
+  std::optional<double> sent_image_seconds_;
   Eigen::MatrixX3d sent_markers_ = Eigen::MatrixX3d(0, 3);
 };
 

@@ -17,7 +17,7 @@ struct Aux : Fields {
   std::optional<Eigen::MatrixXd> init_joint_angles;  ///< in Init(): limbs x joints [rad]
   std::vector<std::string> channels;                 ///< in Init(): `rgb`, `depth`, `segmentation`
   std::vector<std::string> cameras;                  ///< in Init(): besides the robot's eye
-  std::optional<double> image_seconds;               ///< in Init(): between images [s]
+  std::optional<double> image_seconds;               ///< at any time: between images [s]
   bool watch = false;                                ///< in Init(): watch the demonstration first
   std::optional<Eigen::MatrixX3d> draw_markers;      ///< at any time: points to show [units]
   bool exit = false;                                 ///< ends the brain after the step that sets it
@@ -27,11 +27,15 @@ struct Aux : Fields {
 using Sensor = Fields;
 
 /// Outputs of a step. Each keeps its value until the brain changes it.
+///
+/// Velocities may be those of N successive ticks, one block after the other: joint_velocities then
+/// is limbs x (joints * N), gripper_velocities has limbs * N numbers.
 struct Motor {
   Eigen::MatrixXd joint_velocities;             ///< limbs x joints [rad/s]
   Eigen::VectorXd gripper_velocities;           ///< for each limb [units/s]
   std::optional<Eigen::MatrixXd> joint_angles;  ///< sets the joints at once [rad]
   std::optional<double> head_velocity;          ///< [rad/s]
+  std::optional<int> ticks;  ///< until the next step; if not given, those of the velocities
 };
 
 /// Base class of brains. An exception thrown by its functions ends the brain with that message.

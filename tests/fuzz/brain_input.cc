@@ -22,6 +22,12 @@ bool IsPrintable(const std::string& text) {
   return text.find_first_of(std::string("\0\a\b\n\r\x1b\x7f", 7)) == std::string::npos;
 }
 
+bool IsFinite(const brain::Motor& motor) {
+  return motor.joint_velocities.allFinite() && motor.gripper_velocities.allFinite() &&
+         (!motor.joint_angles || motor.joint_angles->allFinite()) &&
+         (!motor.head_velocity || std::isfinite(*motor.head_velocity));
+}
+
 /// Whatever kind of answer it says it is: a program lies.
 std::string FaultWithAnswer(const wire::Message& message) {
   const auto init = brain::DecodeInitReply(message, {.camera_names = {"eye", "overhead"}});
@@ -37,11 +43,13 @@ std::string FaultWithAnswer(const wire::Message& message) {
   if (const auto* error = std::get_if<wire::WireError>(&step)) {
     if (error->message.empty()) return "a motor is refused without a reason";
   } else {
-    const brain::Motor& motor = std::get<brain::StepReply>(step).motor;
-    if (!motor.joint_velocities.allFinite() || !motor.gripper_velocities.allFinite() ||
-        (motor.joint_angles && !motor.joint_angles->allFinite()) ||
-        (motor.head_velocity && !std::isfinite(*motor.head_velocity))) {
-      return "a motor command contains a number that is not finite";
+    const auto& reply = std::get<brain::StepReply>(step);
+    if (reply.ticks < 1 || reply.ticks > brain::kMaxChunkTicks || reply.motors.empty() ||
+        reply.motors.size() > static_cast<std::size_t>(reply.ticks)) {
+      return "a chunk is too short or too long";
+    }
+    for (const brain::Motor& motor : reply.motors) {
+      if (!IsFinite(motor)) return "a motor command contains a number that is not finite";
     }
   }
   const brain::BrainError error = brain::DecodeError(message);

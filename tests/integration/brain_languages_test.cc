@@ -30,6 +30,32 @@ TEST_F(BrainLanguages, TheSameProgramMovesTheRobotTheSameWayInAllOfThem) {
   }
 }
 
+TEST_F(BrainLanguages, AChunkGivesTheRecordingOfTheSameCommandsOneByOne) {
+  // All velocities are planned at the start: sent for one tick at a time, or for seven.
+  constexpr const char* kBrain =
+      "import numpy as np\n"
+      "VELOCITIES = np.sin(np.arange(2 * 7 * 70)).reshape(2, 7, 70)\n"
+      "def step(sensor, motor, aux):\n"
+      "  assert sensor.timeElapsed == (TICKS if sensor.simTime else 1) / 60\n"
+      "  done = round(60 * sensor.simTime)\n"
+      "  motor.jointVelocities = VELOCITIES[:, :, done:done + TICKS]\n"
+      "  motor.ticks = TICKS\n"
+      "  aux.exit = done == 63\n";
+  Write("single.py", std::string("TICKS = 1\n") + kBrain);
+  Write("chunk.py", std::string("TICKS = 7\n") + kBrain);
+  Json hashes;
+  for (const std::string name : {"single", "chunk"}) {
+    const Answer answer = Smile("run pair.xml --seconds 1.2 --json --no-pictures --brain " + name +
+                                ".py --record " + name);
+    ASSERT_EQ(answer.exit_code, 0) << answer.err;
+    hashes.push_back(answer.json()["hash"]);
+    EXPECT_EQ(answer.json()["brain"]["status"], "exited") << answer.json()["brain"];
+    EXPECT_EQ(Smile("replay " + name + " --verify").exit_code, 0);
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+  EXPECT_EQ(Read("single/commands.jsonl"), Read("chunk/commands.jsonl"));
+}
+
 TEST_F(BrainLanguages, ExamplesInCppBuildOutsideTheTree) {
   const Answer built = Shell("cmake --install '" SMILE_BUILD_DIR
                              "' --prefix there --component brain_client &&"

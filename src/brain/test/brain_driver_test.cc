@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "base/files.h"
@@ -64,10 +66,22 @@ class BrainDriverTest : public ::testing::Test {
                                        .X_WC = RigidTransform(Vector3(0.1, 0, 0))},
                               .image = {.width_px = 1, .height_px = 1, .color = {byte, 0, 0}}};
   }
+  /// A chunk whose commands turn joints ever faster, all in another way.
+  static StepReply Chunk(int num_motors, int ticks) {
+    StepReply reply{.motors = std::vector<Motor>(static_cast<std::size_t>(num_motors)),
+                    .ticks = ticks};
+    for (int k = 0; k < num_motors; ++k) {
+      Motor& motor = reply.motors[static_cast<std::size_t>(k)];
+      motor.joint_velocities = LimbJoints::Constant(0.01 * (k + 1));
+      motor.gripper_velocities << 0.1 * k, -0.1;
+      motor.head_velocity = 0.02 * k;
+    }
+    return reply;
+  }
   /// An answer that turns all joints.
   static StepReply Turning() {
     StepReply reply;
-    reply.motor.joint_velocities.setConstant(0.5);
+    reply.motors.front().joint_velocities.setConstant(0.5);
     return reply;
   }
 
@@ -84,6 +98,91 @@ TEST_F(BrainDriverTest, PicturesKeepTheirRateInAnOldSimulation) {
     if (!Step().value().pictures.empty()) steps_with_picture.push_back(step);
   }
   EXPECT_EQ(steps_with_picture, (std::vector<int>{0, 15, 30}));
+}
+
+/// Commands with their ticks, and the state after each tick.
+struct CommandWitness : sim::Listener {
+  void OnCommand(const sim::Simulation& simulation, const sim::Command& command) override {
+    commands.emplace_back(simulation.tick(), command);
+  }
+  void OnTick(const sim::Simulation& simulation) override {
+    hashes.push_back(simulation.state_hash());
+  }
+  std::vector<std::pair<std::uint64_t, sim::Command>> commands;
+  std::vector<std::uint64_t> hashes;
+};
+
+TEST_F(BrainDriverTest, AChunkIsRecordedLikeItsCommandsOneByOne) {
+  CommandWitness of_chunk, of_single;
+  Start();
+  simulation_.AddListener(&of_chunk);
+  EXPECT_TRUE(Step(Chunk(5, 8)));
+  for (int tick = 1; tick < 8; ++tick) EXPECT_FALSE(Step()) << tick;
+  const Sensor next = Step().value();
+  EXPECT_EQ(next.time_elapsed, 8 / 60.);
+
+  sim::Simulation single(scene::SceneSpec{.name = "test"}, Baxter());
+  BrainDriver driver({.eye = &eye_});
+  driver.NextQuestion(&single);
+  driver.Take(InitReply(), &single);
+  single.AddListener(&of_single);
+  const StepReply chunk = Chunk(5, 8);
+  for (std::size_t tick = 0; tick < 9; ++tick) {
+    EXPECT_TRUE(driver.NextQuestion(&single));
+    StepReply reply;
+    if (tick < 8) reply.motors = {chunk.motors[std::min(tick, chunk.motors.size() - 1)]};
+    driver.Take(reply, &single);
+    single.Tick();
+  }
+  EXPECT_EQ(of_chunk.commands, of_single.commands);
+  EXPECT_EQ(of_chunk.hashes, of_single.hashes);
+  EXPECT_GT(next.joint_velocities.norm(), 0.01);
+}
+
+TEST_F(BrainDriverTest, AChunkEndsWhenTheClockJumps) {
+  Start();
+  const sim::Spawn spawn{.xml =
+                             "<tabletop xmlns=\"http://synapse.cs.umd.edu/tabletop-xml\">"
+                             "<block id=\"a\" location=\"(0,0,0.5)\"/></tabletop>"};
+  ASSERT_EQ(simulation_.Apply(spawn), std::nullopt);
+  Step(Chunk(30, 30));
+  EXPECT_FALSE(Step());
+  ASSERT_EQ(simulation_.Apply(sim::Undo{}), std::nullopt);
+  const Sensor sensor = Step().value();
+  EXPECT_EQ(sensor.sim_time, 0);
+  EXPECT_EQ(sensor.time_elapsed, 1 / 60.);
+}
+
+TEST_F(BrainDriverTest, AChunkEndsWithItsBrain) {
+  Start();
+  StepReply last = Chunk(30, 30);
+  last.exit = true;
+  Step(last);
+  EXPECT_EQ(driver_.status(), BrainStatus::kExited);
+  TickSeconds(0.5);
+  EXPECT_LT(simulation_.robot()->ArmVelocities(0)[0], 1e-6);
+}
+
+TEST_F(BrainDriverTest, AStepGetsOnePictureHoweverManyWereDue) {
+  Start();
+  std::vector<std::uint64_t> ticks;
+  for (int tick = 0; tick < 90; ++tick) {
+    const std::optional<Sensor> sensor = Step(Chunk(1, tick < 40 ? 40 : 1));
+    if (sensor && !sensor->pictures.empty()) ticks.push_back(simulation_.tick() - 1);
+  }
+  EXPECT_EQ(ticks, (std::vector<std::uint64_t>{0, 40, 45, 60, 75}));
+}
+
+TEST_F(BrainDriverTest, AStepMayChangeTheTimeBetweenPictures) {
+  Start({.pictures = {.image_seconds = 3600}});
+  std::vector<int> steps_with_picture;
+  for (int step = 0; step < 30; ++step) {
+    StepReply reply;
+    if (step == 5) reply.image_seconds = 0;
+    if (step >= 7) reply.image_seconds = 0.1;  // again and again, which changes nothing
+    if (!Step(reply).value().pictures.empty()) steps_with_picture.push_back(step);
+  }
+  EXPECT_EQ(steps_with_picture, (std::vector<int>{0, 6, 7, 13, 19, 25}));
 }
 
 TEST_F(BrainDriverTest, ShowsTheDemonstrationFrameByFrameOnRequest) {

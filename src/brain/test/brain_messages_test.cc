@@ -8,6 +8,7 @@
 #include <limits>
 #include <span>
 #include <stdexcept>
+#include <vector>
 
 #include "wire/test/wire_verbs.h"
 
@@ -54,24 +55,110 @@ TEST(DecodeStepReply, ReadsColumnMajorVelocities) {
   std::array<double, 14> velocities{};
   velocities[1] = 2;  // the right arm's first joint
   const StepReply reply = MotorMessage().Velocities(kTwoBySeven, velocities).Grippers().Reply();
-  EXPECT_EQ(reply.motor.joint_velocities(1, 0), 2);
-  EXPECT_EQ(reply.motor.joint_velocities.norm(), 2);
-  EXPECT_EQ(reply.motor.gripper_velocities, Eigen::Vector2d(0.5, -0.5));
-  EXPECT_FALSE(reply.motor.joint_angles);
-  EXPECT_FALSE(reply.motor.head_velocity);
+  EXPECT_EQ(reply.motors.front().joint_velocities(1, 0), 2);
+  EXPECT_EQ(reply.motors.front().joint_velocities.norm(), 2);
+  EXPECT_EQ(reply.motors.front().gripper_velocities, Eigen::Vector2d(0.5, -0.5));
+  EXPECT_FALSE(reply.motors.front().joint_angles);
+  EXPECT_FALSE(reply.motors.front().head_velocity);
   EXPECT_FALSE(reply.exit);
 }
 
 TEST(DecodeStepReply, AlsoAcceptsGripperVelocitiesAsARow) {
   const std::array dims{1u, 2u};
   const StepReply reply = MotorMessage().Velocities().Grippers(dims, std::array{3.0, 4.0}).Reply();
-  EXPECT_EQ(reply.motor.gripper_velocities, Eigen::Vector2d(3, 4));
+  EXPECT_EQ(reply.motors.front().gripper_velocities, Eigen::Vector2d(3, 4));
 }
 
 TEST(DecodeStepReply, TakesTheHead) {
-  EXPECT_EQ(
-      MotorMessage().Velocities().Grippers().Scalar("headVelocity", 1).Reply().motor.head_velocity,
-      1.0);
+  EXPECT_EQ(MotorMessage()
+                .Velocities()
+                .Grippers()
+                .Scalar("headVelocity", 1)
+                .Reply()
+                .motors.front()
+                .head_velocity,
+            1.0);
+}
+
+/// Velocities 0, 1, 2, … of the joints of successive ticks.
+std::vector<double> Counted(std::size_t count) {
+  std::vector<double> numbers(count);
+  for (std::size_t k = 0; k < count; ++k) numbers[k] = static_cast<double>(k);
+  return numbers;
+}
+
+TEST(DecodeStepReply, ReadsAChunkTickByTick) {
+  const std::array dims{2u, 7u, 3u};
+  const std::array gripper_dims{2u, 2u};
+  const StepReply reply = MotorMessage()
+                              .Velocities(dims, Counted(42))
+                              .Grippers(gripper_dims, Counted(4))
+                              .Scalar("headVelocity", 0.5)
+                              .Reply();
+  EXPECT_EQ(reply.ticks, 3);
+  ASSERT_EQ(reply.motors.size(), 3u);
+  for (int tick = 0; tick < 3; ++tick) {
+    const Motor& motor = reply.motors[static_cast<std::size_t>(tick)];
+    EXPECT_EQ(motor.joint_velocities(1, 0), 14 * tick + 1);
+    EXPECT_EQ(motor.joint_velocities(0, 6), 14 * tick + 12);
+    EXPECT_EQ(motor.gripper_velocities[1], tick == 0 ? 1 : 3) << "the last value remains";
+    EXPECT_EQ(motor.head_velocity, 0.5);
+  }
+}
+
+TEST(DecodeStepReply, ReadsAChunkInRowMajorOrder) {
+  MessageWriter writer(MessageType::kMotor, 1);
+  const std::array dims{2u, 7u, 2u};
+  const auto space = writer.AddSpace("jointVelocities", ElementType::kDouble, false, dims, true);
+  std::memcpy(space.data(), Counted(28).data(), space.size());
+  writer.AddDoubles("gripperVelocities", kTwoByOne, std::array{0.0, 0.0});
+  const auto reply = std::get<StepReply>(DecodeStepReply(Decoded(writer.Finish())));
+  ASSERT_EQ(reply.motors.size(), 2u);
+  EXPECT_EQ(reply.motors[1].joint_velocities(0, 0), 1);
+  EXPECT_EQ(reply.motors[0].joint_velocities(1, 2), 14 + 4);
+}
+
+TEST(DecodeStepReply, TicksHoldACommandOrCutAChunk) {
+  const StepReply held = MotorMessage().Velocities().Grippers().Scalar("ticks", 600).Reply();
+  EXPECT_EQ(held.ticks, 600);
+  EXPECT_EQ(held.motors.size(), 1u);
+  const std::array dims{2u, 7u, 3u};
+  const StepReply cut =
+      MotorMessage().Velocities(dims, Counted(42)).Grippers().Scalar("ticks", 2).Reply();
+  EXPECT_EQ(cut.ticks, 2);
+  EXPECT_EQ(cut.motors.size(), 2u);
+  EXPECT_EQ(MotorMessage().Velocities().Grippers().Reply().ticks, 1);
+}
+
+TEST(DecodeStepReply, RefusesChunksOfImpossibleLength) {
+  const auto error_of = [](std::uint32_t ticks) {
+    const std::array dims{2u, 7u, ticks};
+    return MotorMessage().Velocities(dims, Counted(std::size_t{14} * ticks)).Grippers().Error();
+  };
+  EXPECT_EQ(error_of(0), "motor.jointVelocities is 2x7x0, expected values for 1 to 600 ticks");
+  EXPECT_EQ(error_of(601), "motor.jointVelocities is 2x7x601, expected values for 1 to 600 ticks");
+  const std::array wrong{7u, 2u, 3u};
+  EXPECT_EQ(MotorMessage().Velocities(wrong, Counted(42)).Grippers().Error(),
+            "motor.jointVelocities is 7x2x3, expected 2x7");
+  const auto error_of_ticks = [](double ticks) {
+    return MotorMessage().Velocities().Grippers().Scalar("ticks", ticks).Error();
+  };
+  EXPECT_EQ(error_of_ticks(0), "motor.ticks is 0, expected a whole number from 1 to 600");
+  EXPECT_EQ(error_of_ticks(601), "motor.ticks is 601, expected a whole number from 1 to 600");
+  EXPECT_EQ(error_of_ticks(1.5), "motor.ticks is 1.5, expected a whole number from 1 to 600");
+  EXPECT_EQ(error_of_ticks(std::numeric_limits<double>::quiet_NaN()),
+            "motor.ticks(1,1) is NaN, expected a finite number");
+  std::vector<double> numbers = Counted(42);
+  numbers[14 + 3] = 1e9;
+  EXPECT_EQ(MotorMessage().Velocities(std::array{2u, 7u, 3u}, numbers).Grippers().Error(),
+            "motor.jointVelocities(2,2,2) is 1e+09, expected at most 1e+06");
+}
+
+TEST(DecodeStepReply, TakesAnotherTimeBetweenPictures) {
+  EXPECT_EQ(MotorMessage().Velocities().Grippers().Scalar("imageSeconds", 2).Reply().image_seconds,
+            2.0);
+  EXPECT_EQ(MotorMessage().Velocities().Grippers().Scalar("imageSeconds", -1).Error(),
+            "aux.imageSeconds is -1, expected a number from 0 to 3600");
 }
 
 TEST(DecodeStepReply, NamesTheVariableAndBothShapes) {
@@ -98,7 +185,7 @@ TEST(DecodeStepReply, RefusesNumbersThatAreNotFinite) {
 TEST(DecodeStepReply, RefusesUnknownAndMissingFields) {
   EXPECT_EQ(MotorMessage().Velocities().Grippers().Scalar("jointVelocity", 1).Error(),
             "motor.jointVelocity is unknown, expected jointVelocities, gripperVelocities, "
-            "jointAngles or headVelocity");
+            "jointAngles, headVelocity or ticks");
   EXPECT_EQ(MotorMessage().Grippers().Error(), "motor.jointVelocities is missing, expected 2x7");
   EXPECT_EQ(MotorMessage().Velocities().Error(),
             "motor.gripperVelocities is missing, expected 2x1");
@@ -280,7 +367,7 @@ TEST(DecodeStepReply, ReadsRowMajorVelocities) {
   std::memcpy(&space[sizeof second], &second, sizeof second);
   writer.AddDoubles("gripperVelocities", kTwoByOne, std::array{0.0, 0.0});
   const auto reply = std::get<StepReply>(DecodeStepReply(Decoded(writer.Finish())));
-  EXPECT_EQ(reply.motor.joint_velocities(0, 1), 2) << "the left arm's second joint";
+  EXPECT_EQ(reply.motors.front().joint_velocities(0, 1), 2) << "the left arm's second joint";
 }
 
 TEST(EncodeSensor, SendsAnImageOnlyIfOneWasTaken) {

@@ -42,8 +42,8 @@ TEST_F(BrainProcessTest, MovesJointsByWhatItSenses) {
   Sensor sensor;
   sensor.joint_angles(1, 2) = 0.5;
   const StepReply reply = Stepped(brain, sensor);
-  EXPECT_EQ(reply.motor.joint_velocities, LimbJoints(2 * sensor.joint_angles));
-  EXPECT_EQ(reply.motor.gripper_velocities, Eigen::Vector2d(1, -1));
+  EXPECT_EQ(reply.motors.front().joint_velocities, LimbJoints(2 * sensor.joint_angles));
+  EXPECT_EQ(reply.motors.front().gripper_velocities, Eigen::Vector2d(1, -1));
   EXPECT_FALSE(reply.exit);
 }
 
@@ -55,8 +55,8 @@ TEST_F(BrainProcessTest, KeepsVariablesAndMotorBetweenSteps) {
   Started(brain);
   Stepped(brain);
   const StepReply reply = Stepped(brain);
-  EXPECT_EQ(reply.motor.gripper_velocities(0), 2);
-  EXPECT_EQ(reply.motor.joint_velocities(0, 0), 3);
+  EXPECT_EQ(reply.motors.front().gripper_velocities(0), 2);
+  EXPECT_EQ(reply.motors.front().joint_velocities(0, 0), 3);
 }
 
 TEST_F(BrainProcessTest, SendsAuxAndReadsTheReply) {
@@ -110,7 +110,7 @@ TEST_F(BrainProcessTest, EndsOnRequestOfTheScript) {
   EXPECT_FALSE(Stepped(brain, {.sim_time = 1}).exit);
   const StepReply last = Stepped(brain, {.sim_time = 2});
   EXPECT_TRUE(last.exit);
-  EXPECT_EQ(last.motor.gripper_velocities(0), 5);
+  EXPECT_EQ(last.motors.front().gripper_velocities(0), 5);
   EXPECT_FALSE(brain.is_running());
   EXPECT_THROW(static_cast<void>(brain.Step({})), std::logic_error);
 }
@@ -119,8 +119,8 @@ TEST_F(BrainProcessTest, SurvivesAScriptThatClearsEverything) {
   BrainProcess brain(
       Brain("clear all; close all; k = 1;", "clear functions; motor.gripperVelocities = [k; k];"));
   Started(brain);
-  EXPECT_EQ(Stepped(brain).motor.gripper_velocities(0), 1);
-  EXPECT_EQ(Stepped(brain).motor.gripper_velocities(0), 1);
+  EXPECT_EQ(Stepped(brain).motors.front().gripper_velocities(0), 1);
+  EXPECT_EQ(Stepped(brain).motors.front().gripper_velocities(0), 1);
 }
 
 TEST_F(BrainProcessTest, TakesABreakOutsideALoopAsTheEndOfTheScript) {
@@ -128,8 +128,8 @@ TEST_F(BrainProcessTest, TakesABreakOutsideALoopAsTheEndOfTheScript) {
                            "motor.gripperVelocities = [1; 1];\nif true, break; end\n"
                            "motor.gripperVelocities = [2; 2];"));
   Started(brain);
-  EXPECT_EQ(Stepped(brain).motor.gripper_velocities(0), 1);
-  EXPECT_EQ(Stepped(brain).motor.gripper_velocities(0), 1);
+  EXPECT_EQ(Stepped(brain).motors.front().gripper_velocities(0), 1);
+  EXPECT_EQ(Stepped(brain).motors.front().gripper_velocities(0), 1);
 }
 
 TEST_F(BrainProcessTest, BothTransportsGiveTheSameAnswer) {
@@ -145,7 +145,7 @@ TEST_F(BrainProcessTest, BothTransportsGiveTheSameAnswer) {
   for (const auto transport : {BrainTransport::kMex, BrainTransport::kPlain}) {
     BrainProcess brain(folder, {.transport = transport});
     Started(brain);
-    motors.push_back(Stepped(brain, sensor).motor);
+    motors.push_back(Stepped(brain, sensor).motors.front());
   }
   EXPECT_EQ(motors[0].joint_velocities, motors[1].joint_velocities);
   EXPECT_EQ(motors[0].gripper_velocities, motors[1].gripper_velocities);
@@ -153,6 +153,27 @@ TEST_F(BrainProcessTest, BothTransportsGiveTheSameAnswer) {
   EXPECT_EQ(motors[0].joint_velocities(0, 0), 150);
   // Row 2, column 3, red: the 202nd pixel of the image.
   EXPECT_EQ(motors[0].joint_velocities(0, 2), (3 * 202 * 7 % 256) / 255.0);
+}
+
+TEST_F(BrainProcessTest, BothTransportsBringChunks) {
+  const fs::path folder = Brain(
+      "assert(aux.tickSeconds, 1 / 60); assert(aux.maxTicks, 600);",
+      "motor.jointVelocities = reshape(0:41, 2, 7, 3); motor.gripperVelocities = [0 1; 2 3];\n"
+      "if sensor.simTime > 0, motor.jointVelocities = reshape(0:41, 2, 3, 7); end\n"
+      "aux.imageSeconds = 5; motor.ticks = 2;");
+  for (const auto transport : {BrainTransport::kMex, BrainTransport::kPlain}) {
+    BrainProcess brain(folder, {.transport = transport});
+    Started(brain);
+    for (const bool is_first : {true, false}) {
+      const StepReply chunk = Stepped(brain);
+      ASSERT_EQ(chunk.motors.size(), 2u);
+      EXPECT_EQ(chunk.motors[1].joint_velocities(1, 0), 14 + 1);
+      EXPECT_EQ(chunk.motors[1].gripper_velocities, Eigen::Vector2d(1, 3));
+      EXPECT_EQ(chunk.image_seconds, is_first ? std::optional(5.0) : std::nullopt);
+    }
+    EXPECT_NE(ErrorIn(brain.Step({.sim_time = 1})).find("motor.jointVelocities is 2x3x7"),
+              std::string::npos);
+  }
 }
 
 TEST_F(BrainProcessTest, BothTransportsBringTheRequestedPictures) {
@@ -217,9 +238,9 @@ TEST_F(BrainProcessTest, BothTransportsDistinguishValuesOfEqualLength) {
       sensor.held_objects[0] = held[time];
       if (time == 2) sensor.tracker_locations = {{"l-S1", {1, 1, 1}}};
       const StepReply reply = Stepped(brain, sensor);
-      EXPECT_EQ(reply.motor.joint_velocities, sensor.joint_angles);
+      EXPECT_EQ(reply.motors.front().joint_velocities, sensor.joint_angles);
       EXPECT_EQ(reply.draw_markers.has_value(), time == 2);
-      EXPECT_EQ(reply.motor.head_velocity, time == 1 ? std::nullopt : std::optional(2.0));
+      EXPECT_EQ(reply.motors.front().head_velocity, time == 1 ? std::nullopt : std::optional(2.0));
     }
   }
 }
@@ -420,7 +441,7 @@ TEST_F(BrainProcessTest, AnExecutableMayUseTheProtocol) {
                      kOverPipes);
   Started(brain);
   const StepReply reply = Stepped(brain);
-  EXPECT_EQ(reply.motor.joint_velocities(0, 0), 1);
+  EXPECT_EQ(reply.motors.front().joint_velocities(0, 0), 1);
   EXPECT_TRUE(reply.exit);
 }
 
@@ -481,8 +502,8 @@ TEST_F(BrainProcessTest, TheWaveExampleWaves) {
   BrainProcess brain(fs::path(SMILE_SOURCE_DIR) / "matlab/examples/wave/");
   EXPECT_TRUE(Started(brain).init_joint_angles);
   const StepReply reply = Stepped(brain);
-  EXPECT_EQ(reply.motor.joint_velocities(0, 0), 0.4);
-  EXPECT_EQ(reply.motor.joint_velocities(1, 0), -0.4);
+  EXPECT_EQ(reply.motors.front().joint_velocities(0, 0), 0.4);
+  EXPECT_EQ(reply.motors.front().joint_velocities(1, 0), -0.4);
 }
 
 }  // namespace

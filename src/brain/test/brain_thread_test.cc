@@ -28,7 +28,7 @@ TEST_F(BrainThreadTest, AnswersInItsOwnTime) {
   thread.Submit(Sensor{.sim_time = 1});
   const BrainAnswer step = AnswerOf(&thread);
   ASSERT_TRUE(std::holds_alternative<StepReply>(step));
-  EXPECT_EQ(std::get<StepReply>(step).motor.head_velocity, 0.25);
+  EXPECT_EQ(std::get<StepReply>(step).motors.front().head_velocity, 0.25);
   thread.Submit(Sensor{.sim_time = 2});
   const BrainAnswer failure = AnswerOf(&thread);
   ASSERT_TRUE(std::holds_alternative<BrainError>(failure));

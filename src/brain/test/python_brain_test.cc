@@ -30,16 +30,40 @@ TEST_F(PythonBrainTest, MovesJointsByWhatItSenses) {
   Started(brain);
   Sensor sensor;
   sensor.joint_angles(1, 2) = 0.5;
-  const Motor first = Stepped(brain, sensor).motor;
+  const Motor first = Stepped(brain, sensor).motors.front();
   EXPECT_EQ(first.joint_velocities(1, 2), 1);
   EXPECT_EQ(first.gripper_velocities, Eigen::Vector2d(1, -1));
   EXPECT_FALSE(first.head_velocity || first.joint_angles);
   sensor.sim_time = 2;
   const StepReply last = Stepped(brain, sensor);
-  EXPECT_EQ(last.motor.head_velocity, 0.25);
-  EXPECT_EQ(*last.motor.joint_angles, LimbJoints::Ones());
+  EXPECT_EQ(last.motors.front().head_velocity, 0.25);
+  EXPECT_EQ(*last.motors.front().joint_angles, LimbJoints::Ones());
   EXPECT_TRUE(last.exit);
   EXPECT_FALSE(brain.is_running());
+}
+
+TEST_F(PythonBrainTest, AnswersWithChunks) {
+  BrainProcess brain(
+      Step("  assert (aux.tickSeconds, aux.maxTicks) == (1 / 60, 600)\n"
+           "  motor.jointVelocities = np.arange(42).reshape(2, 7, 3)\n"
+           "  motor.gripperVelocities = [[0, 1], [2, 3]]\n"
+           "  motor.headVelocity = [0.1, 0.2]\n"
+           "  aux.imageSeconds = 5\n"
+           "  if sensor.simTime > 0: motor.jointVelocities = np.ones((2, 7)); motor.ticks = 30\n"
+           "  if sensor.simTime > 1: motor.ticks = [1, 2]\n"));
+  Started(brain);
+  const StepReply chunk = Stepped(brain);
+  ASSERT_EQ(chunk.motors.size(), 3u);
+  EXPECT_EQ(chunk.ticks, 3);
+  EXPECT_EQ(chunk.motors[2].joint_velocities(1, 0), 21 + 2);
+  EXPECT_EQ(chunk.motors[1].gripper_velocities, Eigen::Vector2d(1, 3));
+  EXPECT_EQ(chunk.motors[1].head_velocity, 0.2);
+  EXPECT_EQ(chunk.image_seconds, 5.0);
+  const StepReply held = Stepped(brain, {.sim_time = 1});
+  EXPECT_EQ(held.ticks, 30);
+  EXPECT_EQ(held.image_seconds, std::nullopt) << "sent when it changes";
+  EXPECT_NE(ErrorIn(brain.Step({.sim_time = 2})).find("motor.ticks is 2, expected one number"),
+            std::string::npos);
 }
 
 TEST_F(PythonBrainTest, ReceivesTheSameValuesAsScripts) {
@@ -113,7 +137,7 @@ TEST_F(PythonBrainTest, DistinguishesValuesOfEqualLength) {
     Sensor sensor{.sim_time = static_cast<double>(time)};
     sensor.joint_angles.setConstant(time);
     sensor.held_objects[0] = held[time];
-    const auto velocity = Stepped(brain, sensor).motor.head_velocity;
+    const auto velocity = Stepped(brain, sensor).motors.front().head_velocity;
     EXPECT_EQ(velocity, time == 2 ? std::optional(2.0) : std::nullopt);
   }
 }
@@ -201,8 +225,8 @@ TEST_F(PythonBrainTest, TheWaveExampleWaves) {
   BrainProcess brain(fs::path(SMILE_SOURCE_DIR) / "python/examples/wave.py");
   EXPECT_TRUE(Started(brain).init_joint_angles);
   const StepReply reply = Stepped(brain);
-  EXPECT_EQ(reply.motor.joint_velocities(0, 0), 0.4);
-  EXPECT_EQ(reply.motor.joint_velocities(1, 0), -0.4);
+  EXPECT_EQ(reply.motors.front().joint_velocities(0, 0), 0.4);
+  EXPECT_EQ(reply.motors.front().joint_velocities(1, 0), -0.4);
 }
 
 }  // namespace

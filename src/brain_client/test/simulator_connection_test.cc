@@ -178,14 +178,18 @@ TEST(SimulatorConnection, NamesTheAddressThatItCannotConnectTo) {
   EXPECT_THROW(SimulatorConnection(std::string(200, 'x')), std::system_error);
 }
 
-/// Watches whenever there is something to be watched, then turns its head.
+/// Watches whenever there is something to be watched, then turns its head and sends chunks.
 class Watcher : public Brain {
   void Init(Aux& aux) override {
     aux.watch = aux.Has("demonstration");
     aux.image_seconds = 2;
   }
   void Step(const Sensor& sensor, Motor& motor, Aux&) override {
-    if (sensor.Number("demoCue") == 0) motor.head_velocity = 0.5;
+    if (sensor.Number("demoCue") != 0) return;
+    motor.head_velocity = 0.5;
+    motor.joint_velocities = Eigen::MatrixXd::Ones(2, 7 * 3);
+    motor.gripper_velocities = Eigen::VectorXd::Ones(2 * 3);
+    motor.ticks = 4;
   }
 };
 
@@ -212,6 +216,10 @@ TEST_F(SimulatorConnectionTest, ABrainInCppSendsItsSettingsAndAnswers) {
     const wire::Message motor = Receive();
     EXPECT_EQ(motor.type, MessageType::kMotor);
     EXPECT_EQ(motor.Find("headVelocity") == nullptr, is_shown);
+    EXPECT_EQ(motor.Find("ticks") == nullptr, is_shown);
+    using Dims = std::vector<std::uint32_t>;
+    EXPECT_EQ(motor.Find("jointVelocities")->dims, is_shown ? Dims({2, 7}) : Dims({2, 7, 3}));
+    EXPECT_EQ(motor.Find("gripperVelocities")->dims, is_shown ? Dims({2, 1}) : Dims({2, 3}));
   }
   HangUp();
   thread.join();

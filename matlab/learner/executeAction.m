@@ -1,48 +1,70 @@
-function [action, motor, status] = executeAction(action, sensor)
-% Executes one time step of an action. Values needed in the next step are kept in the action.
+function [action, motor, status, image_seconds] = executeAction(action, sensor, aux)
+% Executes one step of an action, of one tick, or of several where no feedback is needed. Values needed in
+% the next step are kept in the action.
 %   status  'busy', 'done', or a description of the failure
+%   image_seconds  time to the next picture
 %   action.kind  'observe'  waits for a picture of the arms at rest
 %                'follow'   follows a path with an arm
 %                'open'     brings the fingers of an arm to an opening `to` [units]
 %                'grasp'    closes the fingers on a block of a `width` [units]
-  motor = struct('jointVelocities', zeros(2, 7), 'gripperVelocities', [0; 0]);
+  motor = struct('jointVelocities', zeros(2, 7), 'gripperVelocities', [0; 0], 'ticks', 1);
   status = 'busy';
   c = constants().execution;
+  image_seconds = c.no_image_s;
   if ~isfield(action, 'time'), action.time = 0; end
   action.time = action.time + sensor.timeElapsed;
   switch action.kind
-    case 'observe'  % pictures are not taken every step; the first may show the moving arm
-      if isfield(sensor, 'rgbVision') && action.time > c.settle_s, status = 'done'; end
+    case 'observe'
+      if isfield(sensor, 'rgbVision') && action.time > c.settle_s
+        status = 'done';
+      else
+        image_seconds = 0;  % with the next step
+        motor.ticks = max(ticksWithin(c.settle_s - action.time, aux) + 1, 1);
+      end
     case 'follow'
-      [action, motor.jointVelocities(action.arm, :), status] = followPath(action, sensor);
+      [action, velocities, status] = followPath(action, sensor, aux);
+      motor.ticks = size(velocities, 2);
+      motor.jointVelocities = zeros(2, 7, motor.ticks);
+      motor.jointVelocities(action.arm, :, :) = velocities;
     case 'open'
       remaining = action.to - sensor.gripperOpening(action.arm);
-      speed = remaining / sensor.timeElapsed;
-      motor.gripperVelocities(action.arm) = max(-c.opening_speed, min(c.opening_speed, speed));
       if abs(remaining) < c.opening_tolerance
-        motor.gripperVelocities(action.arm) = 0;
         status = 'done';
-      elseif action.time > c.opening_timeout_s
+        return
+      end
+      speed = max(-c.opening_speed, min(c.opening_speed, remaining / aux.tickSeconds));
+      motor.gripperVelocities(action.arm) = speed;
+      motor.ticks = max(ticksWithin(remaining / speed, aux), 1);
+      if action.time > c.opening_timeout_s
         status = 'an obstacle keeps the fingers from opening';
       end
     case 'grasp'
-      [action, motor.gripperVelocities(action.arm), status] = closeOn(action, sensor);
+      [action, motor.gripperVelocities(action.arm), motor.ticks, status] = closeOn(action, sensor, aux);
   end
 end
 
-function [action, velocity, status] = followPath(action, sensor)
-% Follows a path until the measured joints have arrived, not until a fixed time.
+function ticks = ticksWithin(seconds, aux)
+% Returns the number of whole ticks in some time, as far as a step can last that long.
+  ticks = min(max(floor(seconds / aux.tickSeconds), 0), aux.maxTicks);
+end
+
+function [action, velocities, status] = followPath(action, sensor, aux)
+% Follows a path until the measured joints have arrived, not until a fixed time. The velocities along the
+% path, 7xN, are chunks of N ticks. After its end, each tick has feedback.
   c = constants().execution;
   q = sensor.jointAngles(action.arm, :);
   status = 'busy';
-  velocity = (smileSample(action.path, action.time) - q) / sensor.timeElapsed;
   delay = action.time - action.path.duration;
+  num_ticks = min(ticksWithin(-delay, aux) + 1, c.chunk_ticks);
+  % action.time is the end of the first of these ticks.
+  wanted = smileSample(action.path, action.time + aux.tickSeconds * (0:num_ticks - 1));
+  velocities = diff([q; wanted]).' / aux.tickSeconds;
   if delay <= 0, return; end
   if ~isfield(action, 'errors'), action.errors = zeros(0, 7); end
   first = max(1, size(action.errors, 1) - c.num_averaged + 2);
   action.errors = [action.errors(first:end, :); action.path.positions(end, :) - q];
   if haveArrived(action.errors, c)
-    velocity = zeros(1, 7);
+    velocities = zeros(7, 1);
     status = 'done';
   elseif delay > c.max_delay_s
     status = 'an obstacle is in the way of the arm';
@@ -56,7 +78,7 @@ function yes = haveArrived(errors, c)
         (size(errors, 1) == c.num_averaged && max(abs(mean(errors, 1))) < c.joint_tolerance_rad);
 end
 
-function [action, velocity, status] = closeOn(action, sensor)
+function [action, velocity, ticks, status] = closeOn(action, sensor, aux)
 % Closes the fingers until they stop. They must then be at the width of the block.
   c = constants().execution;
   velocity = -c.closing_speed;
@@ -65,10 +87,14 @@ function [action, velocity, status] = closeOn(action, sensor)
   if ~isfield(action, 'opening') || abs(opening - action.opening) > c.still_opening
     action.opening = opening;
     action.still_time = 0;
+  else
+    action.still_time = action.still_time + sensor.timeElapsed;
   end
-  action.still_time = action.still_time + sensor.timeElapsed;
+  free = opening - action.width - c.width_tolerance;
+  ticks = max(ticksWithin(free / c.closing_speed, aux), 1);
   if action.still_time < c.still_s, return; end
   velocity = 0;
+  ticks = 1;
   if abs(opening - action.width) < c.width_tolerance
     status = 'done';
   else

@@ -1,5 +1,5 @@
 % Callback: continues the first action. After the last one, a picture of the table determines the next.
-[action, motor, status] = executeAction(actions{1}, sensor);
+[action, motor, status, aux.imageSeconds] = executeAction(actions{1}, sensor, aux);
 actions{1} = action;
 
 if strcmp(status, 'done')

@@ -16,6 +16,5 @@ state = initialTaskState(steps, container);  % beliefs about this scene, and pro
 actions = {struct('kind', 'observe')};  % the next actions, in this order
 is_recovering = false;                  % true after a failed action
 
-aux.imageSeconds = constants().execution.image_period_s;
 % The arms start outside the picture.
 aux.initJointAngles = [parkedAngles(1); parkedAngles(2)];

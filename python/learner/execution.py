@@ -29,32 +29,47 @@ class Action:
     errors: list = field(default_factory=list)  # of the joints after the end of the path [rad]
 
 
-def execute_action(action, sensor, motor):
-    """Executes one time step of an action. Returns 'busy', 'done', or a description of the
-    failure."""
-    motor.jointVelocities[:] = 0
-    motor.gripperVelocities[:] = 0
+def execute_action(action, sensor, motor, aux):
+    """Executes one step of an action: sets `motor` for one tick, or for several where no feedback is
+    needed. Returns 'busy', 'done', or a description of the failure."""
+    motor.jointVelocities = np.zeros((2, 7))
+    motor.gripperVelocities = np.zeros(2)
+    motor.ticks = 1
+    aux.imageSeconds = C.no_image_s
     action.time += sensor.timeElapsed
     execute = {"observe": observe, "follow": follow, "open": open_fingers, "grasp": grasp}
-    return execute[action.kind](action, sensor, motor)
+    return execute[action.kind](action, sensor, motor, aux)
 
 
-def observe(action, sensor, motor):
-    """Waits for a picture of the arms at rest. Pictures are not taken every step; the first may
-    show the moving arm."""
-    return "done" if "rgbVision" in sensor and action.time > C.settle_s else "busy"
+def ticks_within(seconds, aux):
+    """Returns the number of whole ticks in some time, as far as a step can last that long."""
+    return int(min(max(seconds // aux.tickSeconds, 0), aux.maxTicks))
 
 
-def follow(action, sensor, motor):
-    """Follows a path until the measured joints have arrived, not until a fixed time."""
+def observe(action, sensor, motor, aux):
+    """Waits until the arms rest, then for a picture."""
+    if action.time > C.settle_s and "rgbVision" in sensor:
+        return "done"
+    aux.imageSeconds = 0  # with the next step
+    motor.ticks = max(ticks_within(C.settle_s - action.time, aux) + 1, 1)
+    return "busy"
+
+
+def follow(action, sensor, motor, aux):
+    """Follows a path until the measured joints have arrived, not until a fixed time. The velocities
+    along the path are chunks of some ticks. After its end, each tick has feedback."""
     q = sensor.jointAngles[action.arm]
     delay = action.time - action.path.duration
     if delay > 0:
         action.errors = [*action.errors[1 - C.num_averaged:], action.path.positions[-1] - q]
         if have_arrived(action.errors):
             return "done"
-    wanted, _ = action.path.at(action.time)
-    motor.jointVelocities[action.arm] = (wanted - q) / sensor.timeElapsed
+    num_ticks = min(ticks_within(-delay, aux) + 1, C.chunk_ticks)
+    # action.time is the end of the first of these ticks.
+    wanted, _ = action.path.at(action.time + aux.tickSeconds * np.arange(num_ticks))
+    motor.ticks = num_ticks
+    motor.jointVelocities = np.zeros((2, 7, num_ticks))
+    motor.jointVelocities[action.arm] = np.diff([q, *wanted], axis=0).T / aux.tickSeconds
     return "an obstacle is in the way of the arm" if delay > C.max_delay_s else "busy"
 
 
@@ -67,26 +82,30 @@ def have_arrived(errors):
     return len(errors) == C.num_averaged and mean < C.joint_tolerance_rad
 
 
-def open_fingers(action, sensor, motor):
+def open_fingers(action, sensor, motor, aux):
     """Brings the fingers to an opening."""
     remaining = action.to - gripper_opening(action, sensor)
     if abs(remaining) < C.opening_tolerance:
         return "done"
-    speed = remaining / sensor.timeElapsed
-    motor.gripperVelocities[action.arm] = np.clip(speed, -C.opening_speed, C.opening_speed)
+    speed = np.clip(remaining / aux.tickSeconds, -C.opening_speed, C.opening_speed)
+    motor.gripperVelocities[action.arm] = speed
+    motor.ticks = max(ticks_within(remaining / speed, aux), 1)
     is_late = action.time > C.opening_timeout_s
     return "an obstacle keeps the fingers from opening" if is_late else "busy"
 
 
-def grasp(action, sensor, motor):
+def grasp(action, sensor, motor, aux):
     """Closes the fingers until they stop. They must then be at the width of the block."""
     opening = gripper_opening(action, sensor)
     if abs(opening - action.opening) > C.still_opening:
         action.opening = opening
         action.still_time = 0
-    action.still_time += sensor.timeElapsed
+    else:
+        action.still_time += sensor.timeElapsed
     if action.still_time < C.still_s:
         motor.gripperVelocities[action.arm] = -C.closing_speed
+        free = opening - action.width - C.width_tolerance
+        motor.ticks = max(ticks_within(free / C.closing_speed, aux), 1)
         return "busy"
     if abs(opening - action.width) < C.width_tolerance:
         return "done"

@@ -9,7 +9,6 @@ smile: imitates
 
 from smile.motion import robot_of
 
-from constants import EXECUTION
 from demonstration import read_demonstration
 from execution import Action, execute_action
 from motion_planning import PARKED, retreat
@@ -35,14 +34,13 @@ def init(aux):
     aux.is_recovering = False  # true after a failed action
 
     # The arms start outside the picture.
-    aux.imageSeconds = EXECUTION.image_period_s
     aux.initJointAngles = PARKED
 
 
 def step(sensor, motor, aux):
     """Continues the first action. After the last one, a picture of the table determines the
     next."""
-    status = execute_action(aux.actions[0], sensor, motor)
+    status = execute_action(aux.actions[0], sensor, motor, aux)
     if status == "done":
         aux.actions.pop(0)
         if not aux.actions:

@@ -55,7 +55,7 @@ def main(smile, source, brain, *command):
         shutil.rmtree("built")
         count, difference = repeat(folder, brain, command, TRUE)
         assert difference is None, difference
-        assert count > 1000, f"only {count} answers"
+        assert count > 100, f"only {count} answers"
         _, difference = repeat(folder, brain, command, TRUE - {"rgbVision"})
         assert difference, "the answers do not depend on the pictures"
 

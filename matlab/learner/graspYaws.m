@@ -16,19 +16,20 @@ function yaws = graspYaws(place, others)
   at_fingers = covered(tops > top - place.size(3) + c.finger_depth_margin, :);
   at_bar = covered(tops > top + c.bar_above_top, :);
   at_hand = covered(tops > top + c.hand_above_top, :);
-  ok = false(1, numel(yaws));
-  for i = 1:numel(yaws), ok(i) = isGripperClear(place, yaws(i), at_fingers, at_bar, at_hand); end
-  yaws = yaws(ok);
+  yaws = yaws(isGripperClear(place, yaws, at_fingers, at_bar, at_hand));
 end
 
 function yes = isGripperClear(place, across, at_fingers, at_bar, at_hand)
-% Returns true if the open fingers beside the block, the bar that joins them and the hand have room.
-%   across  direction from finger to finger [rad]
+% Returns true, 1xN logical, if the open fingers beside the block, the bar that joins them and the hand
+% have room.
+%   across  directions from finger to finger [rad], 1xN
   c = constants().clearance;
-  at = place.position(1:2);
+  across = across(:);
+  at = repmat(place.position(1:2), numel(across), 1);
   gap = (place.size(2) / 2 + c.finger_gap) * [cos(across), sin(across)];
-  yes = ~any(overlap([at + gap, c.finger', across], at_fingers)) && ...
-        ~any(overlap([at - gap, c.finger', across], at_fingers)) && ...
-        ~any(overlap([at, c.bar', across], at_bar)) && ...
-        ~any(overlap([at, c.hand', across], at_hand));
+  one = ones(numel(across), 1);
+  yes = ~any(overlap([at + gap, one * c.finger', across], at_fingers), 1) & ...
+        ~any(overlap([at - gap, one * c.finger', across], at_fingers), 1) & ...
+        ~any(overlap([at, one * c.bar', across], at_bar), 1) & ...
+        ~any(overlap([at, one * c.hand', across], at_hand), 1);
 end

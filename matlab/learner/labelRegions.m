@@ -2,7 +2,17 @@ function number = labelRegions(mask)
 % Labels the connected regions of a mask, HxW logical: 0 where it is false, otherwise numbers from 1. The
 % mask may also contain whole numbers; then all pixels of a region have the same one.
   number = zeros(size(mask));
-  if ~any(mask(:)), return; end
+  rows = find(any(mask, 2));
+  columns = find(any(mask, 1));
+  if isempty(rows), return; end
+  % Most masks fill a small part of the picture.
+  rows = rows(1):rows(end);
+  columns = columns(1):columns(end);
+  number(rows, columns) = labelsWithin(mask(rows, columns));
+end
+
+function number = labelsWithin(mask)
+  number = zeros(size(mask));
   % First join pixels in columns to runs: there are far fewer runs than pixels.
   begins = [true(1, size(mask, 2)); mask(2:end, :) ~= mask(1:end - 1, :)];
   run = reshape(cumsum(begins(:)), size(mask));

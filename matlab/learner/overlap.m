@@ -1,23 +1,25 @@
-function yes = overlap(one, many)
-% Returns true for each of many rectangles, Nx5 (see footprint), that overlaps with one, 1x5: Nx1 logical.
+function yes = overlap(some, many)
+% Returns which of N rectangles overlap with which of M others: NxM logical.
+%   some  the M others, Mx5: see footprint
+%   many  the N rectangles, Nx5
 % Separating axes: two rectangles are apart if there is a gap between them in the direction of a side.
-  yes = true(size(many, 1), 1);
+  yes = true(size(many, 1), size(some, 1));
   if isempty(yes), return; end
-  % The offsets of the centers in the frame of the first rectangle, and in those of the others.
-  angle = many(:, 5) - one(5);
+  some = some';
+  % The offsets of the centers, NxM, and the extents of one rectangle along the sides of the other.
+  x = many(:, 1) - some(1, :);
+  y = many(:, 2) - some(2, :);
+  angle = many(:, 5) - some(5, :);
   c = abs(cos(angle)) / 2;
   s = abs(sin(angle)) / 2;
-  offset = many(:, 1:2) - one(1:2);
-  own = rotated(offset, one(5));
-  theirs = rotated(offset, many(:, 5));
-  yes = abs(own(:, 1)) < one(3) / 2 + many(:, 3) .* c + many(:, 4) .* s & ...
-        abs(own(:, 2)) < one(4) / 2 + many(:, 3) .* s + many(:, 4) .* c & ...
-        abs(theirs(:, 1)) < many(:, 3) / 2 + one(3) * c + one(4) * s & ...
-        abs(theirs(:, 2)) < many(:, 4) / 2 + one(3) * s + one(4) * c;
-end
-
-function vectors = rotated(vectors, yaw)
-% Returns vectors, Nx2, in a frame with a yaw [rad].
-  vectors = [vectors(:, 1) .* cos(yaw) + vectors(:, 2) .* sin(yaw), ...
-             vectors(:, 2) .* cos(yaw) - vectors(:, 1) .* sin(yaw)];
+  % In the frames of `some`, then in those of `many`.
+  cosine = cos(some(5, :));
+  sine = sin(some(5, :));
+  yes = abs(x .* cosine + y .* sine) < some(3, :) / 2 + many(:, 3) .* c + many(:, 4) .* s & ...
+        abs(y .* cosine - x .* sine) < some(4, :) / 2 + many(:, 3) .* s + many(:, 4) .* c;
+  if ~any(yes(:)), return; end
+  cosine = cos(many(:, 5));
+  sine = sin(many(:, 5));
+  yes = yes & abs(x .* cosine + y .* sine) < many(:, 3) / 2 + some(3, :) .* c + some(4, :) .* s & ...
+        abs(y .* cosine - x .* sine) < many(:, 4) / 2 + some(3, :) .* s + some(4, :) .* c;
 end

@@ -101,6 +101,7 @@ function check_clearance()
   many = [5 * halton(200, 2) - 2.5, 5 * halton(200, 3) - 2.5, 0.5 + 2.5 * halton(200, 5), ...
           0.5 + 2.5 * halton(200, 7), 8 * halton(200, 11) - 4];
   answers = overlap(one, many);
+  check(isequal(overlap([one; many(1, :)], many), [answers, overlap(many(1, :), many)]), 'or of several');
   for i = 1:rows(many)
     % Points lie up to 0.08 apart, so rectangles as much larger or smaller bracket the truth.
     if haveCommonPoint(one, many(i, :), share, -0.15), check(answers(i), 'these overlap'); end

@@ -18,24 +18,31 @@ def footprint(blocks, margin):
     return np.array(rows).reshape(-1, 5)
 
 
-def overlap(one, many):
-    """Returns true for each of many rectangles, Nx5, that overlaps with one: N bool. Separating
-    axes: two rectangles are apart if there is a gap between them in the direction of a side."""
-    one = np.asarray(one, float)
+def overlap(some, many):
+    """Returns which of N rectangles overlap with which of M others: NxM bool. If some
+    is a single rectangle of 5 numbers, N bool. Separating axes: two rectangles are apart if there
+    is a gap between them in the direction of a side.
+
+    some: the M others, Mx5, or 5 numbers
+    many: the N rectangles, Nx5
+    """
+    some = np.asarray(some, float)
     many = np.asarray(many, float)
-    offset = many[:, :2] - one[:2]
-    yes = np.ones(len(many), bool)
-    for yaw in (one[4], one[4] + math.pi / 2, many[:, 4], many[:, 4] + math.pi / 2):
-        distance = np.abs(offset[:, 0] * np.cos(yaw) + offset[:, 1] * np.sin(yaw))
-        yes &= distance < half_extent(one, yaw) + half_extent(many, yaw)
+    if not len(many):
+        return np.ones((0, *some.shape[:-1]), bool)
+    if some.ndim == 2:
+        many = many[:, None, :]
+    # The offsets of the centers, and the extents of one rectangle along the sides of the other.
+    x, y = many[..., 0] - some[..., 0], many[..., 1] - some[..., 1]
+    angle = many[..., 4] - some[..., 4]
+    c, s = np.abs(np.cos(angle)), np.abs(np.sin(angle))
+    yes = np.ones(angle.shape, bool)
+    # In the frames of `some`, then in those of `many`.
+    for one, other in ((some, many), (many, some)):
+        cos, sin = np.cos(one[..., 4]), np.sin(one[..., 4])
+        yes &= 2 * np.abs(x * cos + y * sin) < one[..., 2] + other[..., 2] * c + other[..., 3] * s
+        yes &= 2 * np.abs(y * cos - x * sin) < one[..., 3] + other[..., 2] * s + other[..., 3] * c
     return yes
-
-
-def half_extent(rectangles, yaw):
-    """Returns half the extent of rectangles in a direction [units]."""
-    angle = yaw - rectangles[..., 4]
-    along = rectangles[..., 2] * np.abs(np.cos(angle))
-    return (along + rectangles[..., 3] * np.abs(np.sin(angle))) / 2
 
 
 def gripper_clearance(blocks):
@@ -84,22 +91,26 @@ def grasp_yaws(place, others):
     at_fingers = covered[tops > place.top - place.size[2] + C.finger_depth_margin]
     at_bar = covered[tops > place.top + C.bar_above_top]
     at_hand = covered[tops > place.top + C.hand_above_top]
-    return [it for it in yaws if is_gripper_clear(place, it, at_fingers, at_bar, at_hand)]
+    clear = is_gripper_clear(place, yaws, at_fingers, at_bar, at_hand)
+    return [yaw for yaw, is_clear in zip(yaws, clear) if is_clear]
 
 
 def is_gripper_clear(place, across, at_fingers, at_bar, at_hand):
-    """Returns true if the open fingers beside the block, the bar that joins them and the hand have
-    room.
+    """Returns true, N bool, if the open fingers beside the block, the bar that joins them and the
+    hand have room.
 
-    across: direction from finger to finger [rad]
+    across: directions from finger to finger [rad], N numbers
     """
     x, y = place.position[:2]
-    offset = place.size[1] / 2 + C.finger_gap
-    dx, dy = offset * math.cos(across), offset * math.sin(across)
-    return not (overlap([x + dx, y + dy, *C.finger, across], at_fingers).any()
-                or overlap([x - dx, y - dy, *C.finger, across], at_fingers).any()
-                or overlap([x, y, *C.bar, across], at_bar).any()
-                or overlap([x, y, *C.hand, across], at_hand).any())
+    gap = place.size[1] / 2 + C.finger_gap
+
+    def is_free(offset, size, others):
+        rectangles = [[x + offset * math.cos(yaw), y + offset * math.sin(yaw), *size, yaw]
+                      for yaw in across]
+        return ~overlap(rectangles, others).any(axis=0)
+
+    return (is_free(gap, C.finger, at_fingers) & is_free(-gap, C.finger, at_fingers)
+            & is_free(0, C.bar, at_bar) & is_free(0, C.hand, at_hand))
 
 
 def is_grasp_blocked(block, steps):

@@ -102,6 +102,18 @@ def color_mask(picture, color):
 def label_regions(mask):
     """Labels the connected regions of a mask, HxW bool: 0 where it is false, otherwise numbers from
     1."""
+    number = np.zeros(mask.shape, int)
+    rows = np.flatnonzero(mask.any(axis=1))
+    if len(rows):
+        # Most masks fill a small part of the picture.
+        columns = np.flatnonzero(mask.any(axis=0))
+        part = np.s_[rows[0]:rows[-1] + 1, columns[0]:columns[-1] + 1]
+        number[part] = labels_within(mask[part])
+    return number
+
+
+def labels_within(mask):
+    """Labels the connected regions of a mask."""
     # Pixels that touch in a column are a run. Counting the beginnings of runs numbers them.
     begins = mask.copy()
     begins[1:] &= ~mask[:-1]

@@ -123,6 +123,8 @@ class ClearanceTest(unittest.TestCase):
         many = np.column_stack([random.uniform(-2.5, 2.5, (300, 2)),
                                 random.uniform(0.5, 3, (300, 2)), random.uniform(-4, 4, 300)])
         answers = overlap(one, many)
+        np.testing.assert_array_equal(overlap([one, many[0]], many),
+                                      np.transpose([answers, overlap(many[0], many)]))
         for rectangle, answer in zip(many, answers):
             def has_common_point(grow):
                 sides = rectangle[2:4] + grow

@@ -173,8 +173,8 @@ void CheckSnapshot(const Snapshot& snapshot) {
     return Find(snapshot.bodies, id, "a joint is of an unknown body").spec;
   };
   // Ids are sound from here on, so bodies and articulations can be looked up.
-  for (const auto& [id, spec] : snapshot.bodies) {
-    DemandOfSnapshot(spec != nullptr, "a body is missing");
+  for (const auto& [id, spec, state] : snapshot.bodies) {
+    DemandOfSnapshot(spec != nullptr && state != nullptr, "a body is missing");
     CheckBody(*spec);
   }
   for (const auto& [id, spec] : snapshot.articulations) CheckArticulation(*spec);

@@ -21,7 +21,7 @@ void CheckJoint(const JointSpec& spec, const std::function<bool(BodyId)>& is_sta
                 const std::function<int(ArticulationId)>& num_links);
 
 /// Checks that ids are in order and used once, and that joints refer to existing bodies and links.
-/// Does not read `state`.
+/// Does not read states.
 /// @throws std::invalid_argument if not.
 void CheckSnapshot(const Snapshot& snapshot);
 

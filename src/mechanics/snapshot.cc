@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array kMagic = {'S', 'M', 'I', 'L', 'E', 'S', 'N', 'P'};
 /// Version of the format. Others are refused, since snapshots are exchanged only within one build.
-constexpr std::uint32_t kVersion = 5;
+constexpr std::uint32_t kVersion = 6;
 
 // Walk() names the fields of each type once; the archive writes or reads them. See
 // scene/field_archive.h.
@@ -24,6 +24,27 @@ struct Writer : scene::FieldWriter {
 struct Reader : scene::FieldReader {
   using FieldReader::FieldReader;
 };
+
+// States are opaque here: their own readers check them when they are restored.
+
+using State = std::vector<std::byte>;
+
+void PutState(const State& state, ByteWriter* out) {
+  out->Put(static_cast<std::uint64_t>(state.size()));
+  out->PutBytes(state);
+}
+State GetState(ByteReader* in) {
+  // Never more than there are: the reader is bounded by its bytes.
+  const auto bytes = in->GetBytes(in->Get<std::uint64_t>());
+  return {bytes.begin(), bytes.end()};
+}
+
+void WalkState(Writer& writer, const std::shared_ptr<const State>& state) {
+  PutState(*state, &writer.bytes);
+}
+void WalkState(Reader& reader, std::shared_ptr<const State>& state) {
+  state = std::make_shared<const State>(GetState(&reader.bytes));
+}
 
 template <class Archive>
 void Walk(Archive& archive, BodySpec& spec) {
@@ -90,6 +111,7 @@ template <class Archive>
 void Walk(Archive& archive, Snapshot::BodyEntry& entry) {
   archive(entry.id.value);
   Walk(archive, entry.spec);
+  WalkState(archive, entry.state);
 }
 template <class Archive>
 void Walk(Archive& archive, Snapshot::ArticulationEntry& entry) {
@@ -124,9 +146,7 @@ std::vector<std::byte> Serialize(const Snapshot& snapshot) {
   writer(kVersion);
   Snapshot copy = snapshot;
   Walk(writer, copy);
-  // The state is opaque here: its own reader checks it when it is restored.
-  writer.bytes.Put(static_cast<std::uint64_t>(snapshot.state.size()));
-  writer.bytes.PutBytes(snapshot.state);
+  PutState(snapshot.state, &writer.bytes);
   return writer.bytes.Take();
 }
 
@@ -142,10 +162,8 @@ Snapshot ParseSnapshot(std::span<const std::byte> bytes) {
   }
   Snapshot snapshot;
   Walk(reader, snapshot);
-  // Never more than there are: the reader is bounded by its bytes.
-  const auto state = reader.bytes.GetBytes(reader.bytes.Get<std::uint64_t>());
+  snapshot.state = GetState(&reader.bytes);
   if (!reader.bytes.ok()) reader.Fail("it is truncated");
-  snapshot.state.assign(state.begin(), state.end());
   return snapshot;
 }
 

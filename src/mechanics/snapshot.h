@@ -15,14 +15,18 @@ namespace smile::mechanics {
 /// Complete state of a World: restored into the same world, a fresh one, or one in another process,
 /// the next steps give the same bits.
 ///
-/// `state` contains numbers field by field (no padding): per body and link the poses, velocities,
-/// sleep state and bounds; per articulation q, v, references and targets; all joints and contact
-/// points with the impulses they start from. Definitions of bodies are kept by reference to their
-/// unchanging specs.
+/// States are numbers field by field (no padding): per body and link the poses, velocities, sleep
+/// state and bounds; per articulation q, v, references and targets; all joints and contact points
+/// with the impulses they start from. Definitions of bodies are kept by reference to their
+/// unchanging specs. The states of bodies that sleep are kept by reference, too: snapshots between
+/// which nothing happened to a body share its state.
 struct Snapshot {
   struct BodyEntry {
     BodyId id;
     std::shared_ptr<const BodySpec> spec;
+    /// Its motion and its contacts with links, static bodies, and bodies that can move and came
+    /// before it.
+    std::shared_ptr<const std::vector<std::byte>> state;
   };
   struct ArticulationEntry {
     ArticulationId id;
@@ -37,7 +41,7 @@ struct Snapshot {
   /// Pairs that pass through each other, and close fits; see
   /// World::IgnoreCollisionUntilSeparated().
   std::vector<std::pair<BodyId, BodyId>> passing, close_fits;
-  std::vector<std::byte> state;
+  std::vector<std::byte> state;  ///< of all but the bodies
 };
 
 /// Writes a joint as Serialize() does.

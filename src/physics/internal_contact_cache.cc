@@ -1,17 +1,15 @@
 #include "physics/internal_contact_cache.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <stdexcept>
-#include <tuple>
-#include <vector>
 
 #include "physics/internal_compound_pairs.h"
 
 // Contact points in snapshots. Impulses of the last step are the solver's starting point in the
 // next one, so points must be restored field by field. Layout: number of manifolds u32; each: key
 // (three i32), number of points i32, and the fields of each point in the order of ForEachField().
+// Each list belongs to a body, or to all links.
 
 namespace smile::physics {
 namespace {
@@ -40,25 +38,17 @@ void ForEachField(Point& point, Field field) {
   }
 }
 
-using ManifoldKey = std::tuple<int, int, int>;  ///< order of both objects, then their pair of parts
+}  // namespace
 
-/// Returns the key that identifies a manifold in any process.
-ManifoldKey KeyOf(const btPersistentManifold* manifold) {
+ManifoldKey KeyOfManifold(const btPersistentManifold* manifold) {
   return {OrderOf(manifold->getBody0()), OrderOf(manifold->getBody1()), PartPairOf(manifold)};
 }
 
-struct SavedManifold {
-  ManifoldKey key;
-  int count = 0;
-  std::array<btManifoldPoint, MANIFOLD_CACHE_SIZE> points;
-};
-
-/// Reads all manifolds. The input is not trusted: counts are checked before they are used.
-std::vector<SavedManifold> ReadManifolds(ByteReader* in) {
-  std::vector<SavedManifold> manifolds;
+void ReadContacts(ByteReader* in, std::vector<SavedManifold>* contacts) {
   const auto num_manifolds = in->Get<std::uint32_t>();
+  // Counts are checked before they are used.
   for (std::uint32_t i = 0; i < num_manifolds && in->ok(); ++i) {
-    SavedManifold& manifold = manifolds.emplace_back();
+    SavedManifold& manifold = contacts->emplace_back();
     std::get<0>(manifold.key) = in->Get<int>();
     std::get<1>(manifold.key) = in->Get<int>();
     std::get<2>(manifold.key) = in->Get<int>();
@@ -75,8 +65,9 @@ std::vector<SavedManifold> ReadManifolds(ByteReader* in) {
     }
   }
   if (!in->ok()) throw std::invalid_argument("snapshot: its contacts are truncated");
-  return manifolds;
 }
+
+namespace {
 
 /// Removes all pairs, and with them their contacts and algorithms.
 void DropAllPairs(ExactWorld& world, StatelessBroadphase& broadphase) {
@@ -120,14 +111,10 @@ void MakeManifolds(ExactWorld& world, StatelessBroadphase& broadphase,
 
 }  // namespace
 
-void SaveContacts(const DormantIslands& islands, ByteWriter* out) {
-  std::vector<btPersistentManifold*> touching = islands.AllManifolds();
-  std::erase_if(touching, [](const auto* manifold) { return manifold->getNumContacts() == 0; });
-  // The bytes must not depend on the order in which contacts arose.
-  std::ranges::sort(touching, {}, KeyOf);
+void SaveContacts(std::span<const OwnedManifold> touching, ByteWriter* out) {
   out->Put(static_cast<std::uint32_t>(touching.size()));
-  for (btPersistentManifold* manifold : touching) {
-    const auto [a, b, parts] = KeyOf(manifold);
+  for (const auto& [owner, manifold] : touching) {
+    const auto [a, b, parts] = KeyOfManifold(manifold);
     out->Put(a);
     out->Put(b);
     out->Put(parts);
@@ -138,8 +125,10 @@ void SaveContacts(const DormantIslands& islands, ByteWriter* out) {
   }
 }
 
-void RestoreContacts(ExactWorld& world, StatelessBroadphase& broadphase, ByteReader* in) {
-  const std::vector<SavedManifold> saved = ReadManifolds(in);
+void RestoreContacts(ExactWorld& world, StatelessBroadphase& broadphase,
+                     std::vector<SavedManifold> saved) {
+  // Pairs arise in this order.
+  std::ranges::sort(saved, {}, &SavedManifold::key);
   DropAllPairs(world, broadphase);
   MakeManifolds(world, broadphase, saved);
 
@@ -147,7 +136,7 @@ void RestoreContacts(ExactWorld& world, StatelessBroadphase& broadphase, ByteRea
   btDispatcher* dispatcher = world.getDispatcher();
   for (int i = 0; i < dispatcher->getNumManifolds(); ++i) {
     btPersistentManifold* manifold = dispatcher->getManifoldByIndexInternal(i);
-    manifolds[KeyOf(manifold)] = manifold;
+    manifolds[KeyOfManifold(manifold)] = manifold;
     // Those that the collision made and the snapshot does not have stay empty.
     manifold->clearManifold();
   }

@@ -64,6 +64,7 @@ DormantIslands::DormantIslands(ExactWorld& world, Dispatcher& dispatcher,
 bool DormantIslands::AllSleep() {
   if (all_sleep_) return true;
   all_sleep_ = std::ranges::none_of(All(world_.getNonStaticRigidBodies()), &btRigidBody::isActive);
+  if (all_sleep_) rest_ = next_key_++;
   return all_sleep_;
 }
 
@@ -142,10 +143,12 @@ DormantIslands::Islands DormantIslands::FindIslandsToLeave() const {
     if (b.isKinematicObject()) stay(a);
   }
   Islands leaving;
+  std::map<int, int> key_of_tag;
   for (btRigidBody* body : All(world_.getNonStaticRigidBodies())) {
     const int tag = body->getIslandTag();
     if (body->isKinematicObject() || staying.contains(tag)) continue;
-    leaving[next_key_ + tag].bodies.push_back(body);
+    const int next_key = next_key_ + static_cast<int>(key_of_tag.size());
+    leaving[key_of_tag.emplace(tag, next_key).first->second].bodies.push_back(body);
   }
   return leaving;
 }
@@ -234,10 +237,13 @@ void DormantIslands::Put(Islands::iterator place) {
   islands_.erase(place);
 }
 
+std::optional<int> DormantIslands::PeriodOf(const btRigidBody& body) {
+  if (IsLeftOut(&body)) return KeyOf(body);
+  return AllSleep() ? std::optional(rest_) : std::nullopt;
+}
+
 std::vector<btPersistentManifold*> DormantIslands::AllManifolds() const {
-  const int num_present = dispatcher_.getNumManifolds();
-  btPersistentManifold** present = dispatcher_.getInternalManifoldPointer();
-  std::vector<btPersistentManifold*> all(present, present + num_present);
+  std::vector<btPersistentManifold*> all = dispatcher_.Manifolds();
   for (const auto& [key, island] : islands_) {
     for (const btBroadphasePair& pair : island.pairs) {
       btManifoldArray manifolds = ManifoldsOf(pair);

@@ -47,6 +47,10 @@ class DormantIslands {
 
   /// Returns all contact manifolds, those in the world first, in its order.
   std::vector<btPersistentManifold*> AllManifolds() const;
+  /// Returns the number of a period in which the state of a body and its contacts are the same: as
+  /// long as it is left out, or as all sleep. No other period has the same number. Returns nothing
+  /// if the next step may change the body.
+  std::optional<int> PeriodOf(const btRigidBody& body);
 
  private:
   struct Island {
@@ -66,11 +70,12 @@ class DormantIslands {
   ExactWorld& world_;
   Dispatcher& dispatcher_;
   StatelessBroadphase& broadphase_;
-  Islands islands_;         ///< by a number that their bodies contain
-  int next_key_ = 0;        ///< above all numbers in use
+  Islands islands_;         ///< by the number of their period, which their bodies contain
+  int next_key_ = 0;        ///< above all numbers ever in use
   std::uint64_t hash_ = 0;  ///< sum of the hashes of the bodies that are left out
   /// What is known while all sleep, until something happens.
   bool all_sleep_ = false;
+  int rest_ = 0;  ///< number of the period, see PeriodOf()
   std::optional<std::uint64_t> hash_of_bodies_;
   btDbvt boxes_;  ///< of all bodies that are left out, to find those that an object reaches
 };

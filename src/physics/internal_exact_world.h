@@ -27,6 +27,10 @@ class Dispatcher : public btCollisionDispatcher {
       if (!is_taken(*manifold)) PutManifold(manifold);
     }
   }
+  std::vector<btPersistentManifold*> Manifolds() const {
+    return {m_manifoldsPtr.size() > 0 ? &m_manifoldsPtr[0] : nullptr,
+            m_manifoldsPtr.size() > 0 ? &m_manifoldsPtr[0] + m_manifoldsPtr.size() : nullptr};
+  }
   void PutManifold(btPersistentManifold* manifold) {
     // Bullet removes a manifold by its stored index.
     manifold->m_index1a = m_manifoldsPtr.size();

@@ -33,6 +33,10 @@ Thing& InsertById(Things& things, std::unique_ptr<Thing> thing) {
   return **things.insert(place, std::move(thing));
 }
 
+BodyId IdOf(const btCollisionObject* object) {
+  return BodyId{static_cast<std::uint32_t>(OrderOf(object))};
+}
+
 /// Returns true if the record describes this object: same id, equal spec.
 template <class Thing, class Record>
 bool Is(const Thing& thing, const Record& record) {
@@ -195,21 +199,70 @@ void WorldObjects::WakeAll() {
   for (const auto& body : bodies_) body->WakeUp();
 }
 
+/// Returns the manifolds of the bodies whose states are not known, sorted by owner, which is the
+/// last of its bodies that can move, and then by key. Those of links only come first, with owner 0.
+std::vector<OwnedManifold> WorldObjects::ManifoldsToSave() const {
+  const bool are_sleepers_known = std::ranges::all_of(bodies_, [this](const auto& body) {
+    const Body::Dynamics& dynamics = body->dynamics();
+    return !engine_.dormant_islands.PeriodOf(dynamics.bullet()) || dynamics.known_state();
+  });
+  std::vector<OwnedManifold> touching;
+  for (btPersistentManifold* manifold : are_sleepers_known
+                                            ? engine_.dispatcher.Manifolds()
+                                            : engine_.dormant_islands.AllManifolds()) {
+    if (manifold->getNumContacts() == 0) continue;
+    int owner = 0;
+    for (const auto* object : {manifold->getBody0(), manifold->getBody1()}) {
+      const bool is_link = articulations_.size() > 0 && Find(IdOf(object)) == nullptr;
+      if (!is_link && !object->isStaticObject()) owner = std::max(owner, OrderOf(object));
+    }
+    touching.push_back({owner, manifold});
+  }
+  // The bytes must not depend on the order in which contacts arose.
+  std::ranges::sort(touching, {}, [](const OwnedManifold& owned) {
+    return std::pair(owned.owner, KeyOfManifold(owned.manifold));
+  });
+  return touching;
+}
+
 void WorldObjects::Save(Snapshot* snapshot, ByteWriter* state) const {
+  const std::vector<OwnedManifold> manifolds = ManifoldsToSave();
+  const auto save_contacts = [&manifolds](int owner, ByteWriter* out) {
+    const auto first = std::ranges::lower_bound(manifolds, owner, {}, &OwnedManifold::owner);
+    const auto end = std::ranges::upper_bound(manifolds, owner, {}, &OwnedManifold::owner);
+    SaveContacts({first, end}, out);
+  };
   snapshot->next_id = next_id_;
+  snapshot->bodies.reserve(bodies_.size());
   for (const auto& body : bodies_) {
-    snapshot->bodies.push_back({body->id(), body->shared_spec()});
-    body->dynamics().Save(state);
+    auto own = body->dynamics().known_state();
+    if (own == nullptr) {
+      ByteWriter bytes;
+      body->dynamics().Save(&bytes);
+      save_contacts(static_cast<int>(body->id().value), &bytes);
+      own = std::make_shared<const std::vector<std::byte>>(bytes.Take());
+      body->dynamics().KeepState(own);
+    }
+    snapshot->bodies.push_back({body->id(), body->shared_spec(), std::move(own)});
   }
   for (const auto& articulation : articulations_) {
     snapshot->articulations.push_back({articulation->id(), articulation->shared_spec()});
     articulation->Save(state);
   }
+  save_contacts(/*owner=*/0, state);
 }
 
-void WorldObjects::RestoreState(ByteReader* in) {
-  for (const auto& body : bodies_) body->dynamics().Restore(in);
+void WorldObjects::RestoreState(const Snapshot& snapshot, ByteReader* in) {
+  std::vector<SavedManifold> contacts;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    ByteReader own(*snapshot.bodies[i].state);
+    bodies_[i]->dynamics().Restore(&own);
+    ReadContacts(&own, &contacts);
+    if (own.remaining() > 0) throw std::invalid_argument("snapshot: a body's state is too long");
+  }
   for (const auto& articulation : articulations_) articulation->Restore(in);
+  ReadContacts(in, &contacts);
+  RestoreContacts(engine_.world, engine_.broadphase, std::move(contacts));
 }
 
 void WorldObjects::AddTo(StateHash* hash) const {

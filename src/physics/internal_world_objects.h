@@ -6,6 +6,7 @@
 #include "physics/articulation.h"
 #include "physics/body.h"
 #include "physics/definitions.h"
+#include "physics/internal_contact_cache.h"
 #include "physics/internal_engine.h"
 
 namespace smile::physics {
@@ -59,9 +60,12 @@ class WorldObjects {
   bool is_at_rest() const;
   void WakeAll();
 
-  /// Adds the objects to the snapshot, and their states to `state`.
+  /// Adds the objects with their contacts to the snapshot: the bodies' states to their entries, and
+  /// all others to `state`.
   void Save(Snapshot* snapshot, ByteWriter* state) const;
-  void RestoreState(ByteReader* in);
+  /// Restores the states of all objects, which are those of the snapshot, and their contacts.
+  /// @throws std::invalid_argument if the states do not fit.
+  void RestoreState(const Snapshot& snapshot, ByteReader* in);
   void AddTo(StateHash* hash) const;
 
   /// Changes that turn these objects into those of a snapshot.
@@ -77,6 +81,7 @@ class WorldObjects {
   void Apply(Replacement replacement);
 
  private:
+  std::vector<OwnedManifold> ManifoldsToSave() const;
   void Insert(std::unique_ptr<Body> body);
   void Insert(std::unique_ptr<Articulation> articulation);
   void Erase(const Body& body);

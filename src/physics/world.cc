@@ -8,7 +8,6 @@
 #include "mechanics/checks.h"
 #include "physics/internal_body_dynamics.h"
 #include "physics/internal_collision_exemptions.h"
-#include "physics/internal_contact_cache.h"
 #include "physics/internal_engine.h"
 #include "physics/internal_held_bodies.h"
 #include "physics/internal_joint_action.h"
@@ -169,7 +168,6 @@ Snapshot World::Save() const {
   exemptions_->Save(&snapshot);
   // State of the solver's random numbers.
   state.Put(static_cast<std::uint64_t>(engine_->solver.getRandSeed()));
-  SaveContacts(engine_->dormant_islands, &state);
   snapshot.state = state.Take();
   return snapshot;
 }
@@ -187,10 +185,9 @@ void World::Restore(const Snapshot& snapshot) {
   exemptions_->Restore(snapshot);
 
   ByteReader in(snapshot.state);
-  objects_->RestoreState(&in);
+  objects_->RestoreState(snapshot, &in);
   joints_->RestoreState(&in);
   engine_->solver.setRandSeed(static_cast<unsigned long>(in.Get<std::uint64_t>()));
-  RestoreContacts(engine_->world, engine_->broadphase, &in);
   if (!in.ok() || in.remaining() > 0) {
     throw std::invalid_argument("snapshot: its state does not fit its objects");
   }

@@ -12,12 +12,21 @@
 namespace smile::sim {
 namespace {
 
-/// Returns the approximate size of a state [bytes]. Models are shared by many states, so each
-/// counts only a little per object.
-std::size_t SizeOf(const SimulationState& state) {
-  constexpr std::size_t kBytesPerObject = 1000;
-  const std::size_t num_objects = state.model ? state.model->objects().size() : 0;
-  return sizeof state + state.physics.state.size() + kBytesPerObject * num_objects;
+/// Returns the approximate size of a state [bytes], without what it shares with the state before
+/// it (or null): models, definitions, and the states of bodies to which nothing happened.
+std::size_t SizeOf(const SimulationState& state, const SimulationState* before) {
+  using Entry = physics::Snapshot::BodyEntry;
+  const std::vector<Entry>& bodies = state.physics.bodies;
+  std::size_t size = sizeof state + state.physics.state.size() + sizeof(Entry) * bodies.size() +
+                     sizeof(world::ObjectState) * state.tabletop.objects.size() +
+                     sizeof(physics::BodyId) * state.tabletop.bodies.size();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    // Bodies rarely come or go: those at the same place are the same.
+    const bool is_shared = before != nullptr && i < before->physics.bodies.size() &&
+                           bodies[i].state == before->physics.bodies[i].state;
+    if (!is_shared) size += sizeof(std::vector<std::byte>) + bodies[i].state->size();
+  }
+  return size;
 }
 
 }  // namespace
@@ -49,7 +58,6 @@ std::size_t ActionHistory::LastLoad() const {
 
 void ActionHistory::Begin(SimulationState before) {
   DiscardUndone();
-  num_state_bytes_ += SizeOf(before);
   // Read before the state is moved from.
   const std::uint64_t tick = before.tick;
   const std::size_t num_events_before = current().events.size();
@@ -59,10 +67,20 @@ void ActionHistory::Begin(SimulationState before) {
                       .commands = {},
                       .events = {},
                       .before = std::make_unique<const SimulationState>(std::move(before)),
+                      .num_bytes_before = 0,
                       .at_undo = nullptr,
                       .num_events_before = num_events_before});
   ++cursor_;
+  CountState(cursor_);
   DropOldestStates();
+}
+
+/// Counts the state before an action, or counts it again.
+void ActionHistory::CountState(std::size_t index) {
+  Action& action = actions_[index];
+  num_state_bytes_ -= action.num_bytes_before;
+  action.num_bytes_before = SizeOf(*action.before, actions_[index - 1].before.get());
+  num_state_bytes_ += action.num_bytes_before;
 }
 
 void ActionHistory::Add(TimedCommand command) {
@@ -104,15 +122,19 @@ void ActionHistory::Restart(std::uint64_t tick) {
 
 void ActionHistory::DiscardUndone() {
   // An undone action has its state before, as only such actions can be undone.
-  for (const Action& action : undone()) num_state_bytes_ -= SizeOf(*action.before);
+  for (const Action& action : undone()) num_state_bytes_ -= action.num_bytes_before;
   actions_.resize(cursor_ + 1);
 }
 
 void ActionHistory::DropOldestStates() {
   // The state of the current action always stays, so that one undo is possible.
   for (; num_state_bytes_ > max_state_bytes_ && first_state_ < cursor_; ++first_state_) {
-    num_state_bytes_ -= SizeOf(*actions_[first_state_].before);
-    actions_[first_state_].before.reset();
+    Action& oldest = actions_[first_state_];
+    num_state_bytes_ -= oldest.num_bytes_before;
+    oldest.num_bytes_before = 0;
+    oldest.before.reset();
+    // What the next state shared with it is now that state's alone.
+    CountState(first_state_ + 1);
   }
 }
 

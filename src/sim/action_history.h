@@ -38,6 +38,7 @@ struct Action {
 
   /// State before the action; nullptr for the start, and after it was discarded for space.
   std::unique_ptr<const SimulationState> before;
+  std::size_t num_bytes_before = 0;  ///< of `before`, without what it shares with the last action's
   /// State at the undo; nullptr while the action is done.
   std::unique_ptr<const SimulationState> at_undo;
   /// number of events of the previous action when this one began
@@ -49,9 +50,10 @@ struct Action {
 ///     start | a1 | a2 | a3 | a4          a1 and a2 are done, a3 and a4 are undone:
 ///                     ^ cursor           Undo() takes back a2, Redo() does a3 again
 ///
-/// A command after an undo discards the undone actions. Each action keeps the state before it,
-/// about 2 kB per object. Beyond half a gigabyte the oldest states are discarded, so Undo() no
-/// longer reaches them; the actions themselves stay.
+/// A command after an undo discards the undone actions. Each action keeps the state before it:
+/// about 100 bytes per object, and 2 kB more for each object to which something happened since the
+/// last action. Beyond half a gigabyte the oldest states are discarded, so Undo() no longer reaches
+/// them; the actions themselves stay.
 ///
 /// There is no other copy of the history: listeners keep only values per ActionId and are notified
 /// when the cursor moves; see Listener::OnMove() and PerAction.
@@ -96,6 +98,7 @@ class ActionHistory {
  private:
   /// Returns the index of the last done action that loaded a scene; 0, the start, if none did.
   std::size_t LastLoad() const;
+  void CountState(std::size_t action);
   void DiscardUndone();
   void DropOldestStates();
 

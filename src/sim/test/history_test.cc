@@ -144,6 +144,38 @@ TEST(ActionHistory, DropsTheOldestStatesButNoAction) {
   EXPECT_TRUE(history.can_undo());
 }
 
+TEST(ActionHistory, CountsWhatStatesShareOnce) {
+  const auto body = std::make_shared<const std::vector<std::byte>>(1 << 20);
+  const auto state = [&body](std::uint64_t tick) {
+    SimulationState saved{.tick = tick};
+    saved.physics.bodies.push_back({physics::BodyId{1}, nullptr, body});
+    return saved;
+  };
+  ActionHistory history(std::size_t{3} << 19);  // one body and a half
+  for (std::uint64_t tick = 0; tick < 100; ++tick) history.Begin(state(tick));
+  for (std::uint64_t tick = 100; tick > 0; --tick) {
+    ASSERT_TRUE(history.can_undo()) << tick;
+    EXPECT_EQ(history.Undo(state(tick)).tick, tick - 1);
+  }
+}
+
+TEST(ActionHistory, AStateThatRemainsHasWhatItSharedWithDiscardedOnes) {
+  const auto first = std::make_shared<const std::vector<std::byte>>(1 << 20);
+  const auto second = std::make_shared<const std::vector<std::byte>>(1 << 20);
+  const auto state = [](const auto& body) {
+    SimulationState saved;
+    saved.physics.bodies.push_back({physics::BodyId{1}, nullptr, body});
+    return saved;
+  };
+  ActionHistory history(std::size_t{3} << 19);
+  history.Begin(state(first));
+  history.Begin(state(first));
+  history.Begin(state(second));
+  // The first state went alone in vain: the second one had the same body.
+  history.Undo(state(second));
+  EXPECT_FALSE(history.can_undo());
+}
+
 TEST(ActionHistory, ARedoDiscardsWhatHappenedSinceTheUndo) {
   ActionHistory history;
   const auto event = [](const char* object) {

@@ -67,7 +67,7 @@ SharedBenchmarks MatchBenchmarks(const BenchProgram& baseline, const BenchProgra
       rows.only_baseline.push_back(name);
   }
   if (rows.both.empty())
-    throw std::invalid_argument("both programs have no benchmark that is called like '" + filter +
+    throw std::invalid_argument("the two programs share no benchmark with a name like '" + filter +
                                 "'");
   return rows;
 }

@@ -98,7 +98,7 @@ class ActionHistory {
  private:
   /// Returns the index of the last done action that loaded a scene; 0, the start, if none did.
   std::size_t LastLoad() const;
-  void CountState(std::size_t action);
+  void CountState(std::size_t index);
   void DiscardUndone();
   void DropOldestStates();
 

@@ -171,7 +171,7 @@ TEST(ActionHistory, AStateThatRemainsHasWhatItSharedWithDiscardedOnes) {
   history.Begin(state(first));
   history.Begin(state(first));
   history.Begin(state(second));
-  // The first state went alone in vain: the second one had the same body.
+  // Discarding the first state freed nothing, since the second one has the same body.
   history.Undo(state(second));
   EXPECT_FALSE(history.can_undo());
 }

@@ -149,6 +149,9 @@ TEST(DormantIslands, SnapshotsShareTheStatesOfSleepersOnly) {
   builder.StepSeconds(3);
   const Snapshot at_rest = world.Save();
   EXPECT_EQ(state_of(world.Save(), cube), state_of(at_rest, cube)) << "all sleep";
+  world.body(other).SetPose(RigidTransform(Vector3(0.5, 0, 0.05)));
+  builder.StepSeconds(3);
+  EXPECT_NE(*state_of(world.Save(), other), *state_of(at_rest, other)) << "all sleep again";
 
   world.body(other).SetCarried(true);
   builder.StepSeconds(0.1);

@@ -45,7 +45,7 @@ void Swing(sim::Simulation* simulation) {
   const double speed = kSwingAngle / sim::SecondsOf(kSwingTicks);
   const bool is_forth = simulation->tick() / kSwingTicks % 2 == 0;
   const std::vector<double> velocities(7, is_forth ? speed : -speed);
-  simulation->Apply(sim::JointVelocities{.left = velocities, .right = velocities});
+  simulation->Apply(sim::JointVelocities{.arms = {{"left", velocities}, {"right", velocities}}});
 }
 
 scene::SceneSpec Stacks(int num_cubes, int cubes_a_stack, double edge, double gap) {

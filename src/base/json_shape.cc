@@ -39,11 +39,15 @@ JsonShape JsonShape::Text() { return Text(kNoLimit); }
 
 JsonShape JsonShape::List(JsonShape item) { return List(std::move(item), 0, kNoLimit); }
 
-JsonShape JsonShape::Map(JsonShape value) {
+JsonShape JsonShape::Map(JsonShape value, std::size_t max_count, std::size_t max_name) {
   JsonShape shape(Type::kMap);
   shape.items_.push_back(std::move(value));
+  shape.max_count_ = max_count;
+  shape.max_name_ = max_name;
   return shape;
 }
+
+JsonShape JsonShape::Map(JsonShape value) { return Map(std::move(value), kNoLimit, kNoLimit); }
 
 JsonShape JsonShape::OrNull() const {
   JsonShape shape = *this;
@@ -54,6 +58,12 @@ JsonShape JsonShape::OrNull() const {
 JsonShape JsonShape::OrTrue() const {
   JsonShape shape = *this;
   shape.may_be_true_ = true;
+  return shape;
+}
+
+JsonShape JsonShape::Or(JsonShape other) const {
+  JsonShape shape = *this;
+  shape.others_.push_back(std::move(other));
   return shape;
 }
 
@@ -110,6 +120,8 @@ bool JsonShape::Fits(const Json& json, std::string* misfit) const {
   // The alternatives come first, since they are allowed whatever the type.
   if (may_be_null_ && json.is_null()) return true;
   if (may_be_true_ && json == true) return true;
+  if (std::ranges::any_of(others_, [&](const auto& other) { return other.Fits(json); }))
+    return true;
   if (!FitsAlone(json)) {
     // A misfit is shown as found, cut: it may be megabytes from a client.
     if (misfit != nullptr) *misfit = " is " + ToText(json).substr(0, kMaxFound);
@@ -136,10 +148,18 @@ bool JsonShape::FitsAlone(const Json& json) const {
     case Type::kList:
       return json.is_array() && IsCountRight(json.size());
     case Type::kMap:
+      return json.is_object() && json.size() <= max_count_ && AreNamesRight(json);
     case Type::kObject:
       return json.is_object();
   }
   return false;
+}
+
+bool JsonShape::AreNamesRight(const Json& json) const {
+  for (const auto& [name, value] : json.items()) {
+    if (name.size() > max_name_) return false;
+  }
+  return true;
 }
 
 bool JsonShape::FitsWithin(const Json& json, std::string* misfit) const {
@@ -184,12 +204,14 @@ bool JsonShape::FitsMembers(const Json& json, std::string* misfit) const {
 }
 
 Json JsonShape::Schema() const {
-  if (may_be_null_ || may_be_true_) {
+  if (may_be_null_ || may_be_true_ || !others_.empty()) {
     // The schema without the alternatives is one of them.
     JsonShape itself = *this;
     itself.may_be_null_ = itself.may_be_true_ = false;
+    itself.others_.clear();
     // `anyOf` instead of a list of types, since the alternatives also apply to words and objects.
     Json any = Json::array({itself.Schema()});
+    for (const JsonShape& other : others_) any.push_back(other.Schema());
     if (may_be_true_) any.push_back({{"const", true}});
     if (may_be_null_) any.push_back({{"type", "null"}});
     return {{"anyOf", std::move(any)}};
@@ -198,7 +220,7 @@ Json JsonShape::Schema() const {
     case Type::kAnything:
       return Json::object();
     case Type::kMap:
-      return {{"type", "object"}, {"additionalProperties", items_[0].Schema()}};
+      return MapSchema();
     case Type::kNumber:
       return {{"type", is_whole_ ? "integer" : "number"}, {"minimum", min_}, {"maximum", max_}};
     case Type::kText:
@@ -213,6 +235,13 @@ Json JsonShape::Schema() const {
       return ObjectSchema();
   }
   return Json();
+}
+
+Json JsonShape::MapSchema() const {
+  Json schema = {{"type", "object"}, {"additionalProperties", items_[0].Schema()}};
+  if (max_count_ != kNoLimit) schema["maxProperties"] = max_count_;
+  if (max_name_ != kNoLimit) schema["propertyNames"] = {{"maxLength", max_name_}};
+  return schema;
 }
 
 Json JsonShape::ListSchema() const {
@@ -260,6 +289,13 @@ std::string JsonShape::UnnamedTypeScript() const {
     JsonShape itself = *this;
     itself.may_be_true_ = false;
     return itself.UnnamedTypeScript() + " | true";
+  }
+  if (!others_.empty()) {
+    JsonShape itself = *this;
+    itself.others_.clear();
+    std::string text = itself.UnnamedTypeScript();
+    for (const JsonShape& other : others_) text += " | " + other.TypeScript();
+    return text;
   }
   switch (type_) {
     case Type::kAnything:

@@ -32,12 +32,16 @@ class JsonShape {
   /// Returns the shape of objects with these members and no others.
   static JsonShape Object(std::vector<JsonMember> members);
   /// Returns the shape of objects with any members of this shape.
+  /// @param max_name  length of the names of members [bytes].
+  static JsonShape Map(JsonShape value, std::size_t max_count, std::size_t max_name);
   static JsonShape Map(JsonShape value);
 
   /// Returns the same shape, with null allowed.
   JsonShape OrNull() const;
   /// Returns the same shape, with true allowed.
   JsonShape OrTrue() const;
+  /// Returns the shape of values that have this shape or the other one.
+  JsonShape Or(JsonShape other) const;
   /// Returns the same shape with a name, which TypeScript() then uses.
   JsonShape Called(std::string name) const;
 
@@ -58,9 +62,11 @@ class JsonShape {
 
   explicit JsonShape(Type type);
   bool IsCountRight(std::size_t count) const { return min_count_ <= count && count <= max_count_; }
+  bool AreNamesRight(const Json& json) const;
   bool FitsAlone(const Json& json) const;
   bool FitsWithin(const Json& json, std::string* misfit) const;
   bool FitsMembers(const Json& json, std::string* misfit) const;
+  Json MapSchema() const;
   Json ListSchema() const;
   Json ObjectSchema() const;
   std::string UnnamedTypeScript() const;
@@ -73,9 +79,11 @@ class JsonShape {
   double min_ = 0, max_ = 0;                   ///< of a number
   bool is_whole_ = false;                      ///< of a number: without fraction
   std::size_t min_count_ = 0, max_count_ = 0;  ///< of the bytes of a text, the items of a list
+  std::size_t max_name_ = 0;                   ///< of a map: bytes of a member's name
   std::vector<std::string> words_;             ///< allowed values
   std::vector<JsonShape> items_;               ///< one shape, for all items of a list or map
   std::vector<JsonMember> members_;            ///< of an object
+  std::vector<JsonShape> others_;              ///< further shapes, each of which is allowed as well
 };
 
 /// Member of an object.

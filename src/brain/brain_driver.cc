@@ -354,8 +354,8 @@ void BrainDriver::AddPictures(const sim::Simulation& simulation, Sensor* sensor)
 void BrainDriver::Begin(const InitReply& reply, sim::Simulation* simulation) {
   status_ = BrainStatus::kRunning;
   if (reply.init_joint_angles) {
-    simulation->Apply(sim::JointAngles{.left = RowOf(*reply.init_joint_angles, 0),
-                                       .right = RowOf(*reply.init_joint_angles, 1)});
+    simulation->Apply(sim::JointAngles{.arms = {{"left", RowOf(*reply.init_joint_angles, 0)},
+                                                {"right", RowOf(*reply.init_joint_angles, 1)}}});
   }
   wishes_ = reply.pictures;
   ShowMarkers(reply.draw_markers, simulation);
@@ -407,17 +407,17 @@ void BrainDriver::MakeStep(const StepReply& reply, sim::Simulation* simulation) 
 void BrainDriver::Send(const Motor& motor, sim::Simulation* simulation) {
   const double unit = simulation->scene().meters_per_unit;
   sim::JointVelocities velocities{
-      .left = RowOf(motor.joint_velocities, 0),
-      .right = RowOf(motor.joint_velocities, 1),
-      .grippers = {{scene::FromFileUnits(motor.gripper_velocities[0], unit),
-                    scene::FromFileUnits(motor.gripper_velocities[1], unit)}},
+      .arms = {{"left", RowOf(motor.joint_velocities, 0)},
+               {"right", RowOf(motor.joint_velocities, 1)}},
+      .grippers = {{"left", scene::FromFileUnits(motor.gripper_velocities[0], unit)},
+                   {"right", scene::FromFileUnits(motor.gripper_velocities[1], unit)}},
       .head = motor.head_velocity};
   if (motor.joint_angles) {
     // Angles take precedence over velocities, as in the original. The joints then hold these
     // angles: velocities still in effect would move them on.
-    velocities.left = velocities.right = std::vector<double>(kJointCount, 0.0);
-    const sim::JointAngles angles{.left = RowOf(*motor.joint_angles, 0),
-                                  .right = RowOf(*motor.joint_angles, 1)};
+    velocities.arms["left"] = velocities.arms["right"] = std::vector<double>(kJointCount, 0.0);
+    const sim::JointAngles angles{.arms = {{"left", RowOf(*motor.joint_angles, 0)},
+                                           {"right", RowOf(*motor.joint_angles, 1)}}};
     if (sent_angles_ != angles) simulation->Apply(angles);
     sent_angles_ = angles;
   } else {
@@ -428,9 +428,7 @@ void BrainDriver::Send(const Motor& motor, sim::Simulation* simulation) {
 }
 
 void BrainDriver::StopRobot(sim::Simulation* simulation) {
-  const std::vector<double> still(kJointCount, 0.0);
-  simulation->Apply(
-      sim::JointVelocities{.left = still, .right = still, .grippers = {{0, 0}}, .head = 0.0});
+  simulation->Apply(sim::StillVelocities(simulation->robot()->model()));
 }
 
 void BrainDriver::Show(robot::FaceExpression face_expression, sim::Simulation* simulation) {

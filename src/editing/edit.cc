@@ -158,13 +158,10 @@ bool SpeedUp(double factor, sim::Command* command) {
                                  return move.speed.has_value();
                                },
                                [&](sim::JointVelocities& velocities) {
-                                 for (auto* arm : {&velocities.left, &velocities.right}) {
-                                   if (!*arm) continue;
-                                   for (double& rate : **arm) rate *= factor;
+                                 for (auto& [name, rates] : velocities.arms) {
+                                   for (double& rate : rates) rate *= factor;
                                  }
-                                 if (velocities.grippers) {
-                                   for (double& rate : *velocities.grippers) rate *= factor;
-                                 }
+                                 for (auto& [name, rate] : velocities.grippers) rate *= factor;
                                  if (velocities.head) *velocities.head *= factor;
                                  return true;
                                },

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +10,7 @@
 #include "motion/joint_trajectory.h"
 #include "robot/face_expression.h"
 #include "scene/scene_spec.h"
+#include "sim/by_arm.h"
 #include "sim/command_field.h"
 
 namespace smile::sim {
@@ -207,22 +207,35 @@ struct Loosen {
   bool operator==(const Loosen&) const = default;
 };
 
+/// Visits values of arms as the fields `left`, `right` and `arms`.
+void VisitArms(auto& arms, ValueUnit unit, auto&& visit) {
+  OneArm left{&arms, "left"}, right{&arms, "right"};
+  OtherArms others{&arms};
+  visit(left, CommandField{"left", ValueKind::kJoints,
+                           "arm `left`, or the first one; for Baxter s0 s1 e0 e1 w0 w1 w2", unit,
+                           Presence::kOptional});
+  visit(right, CommandField{"right", ValueKind::kJoints, "arm `right`, or the second one", unit,
+                            Presence::kOptional});
+  visit(others,
+        CommandField{"arms", ValueKind::kArms, "other arms, by name", unit, Presence::kOptional});
+}
+
 /// Sets velocities that the robot keeps until the next command; omitted ones stay unchanged.
 struct JointVelocities {
   static constexpr CommandName kName{"joint_velocities",
                                      "sets the robot's velocities until the next such command"};
-  std::optional<std::vector<double>> left, right;  ///< one per arm joint [rad/s]
-  std::optional<std::array<double, 2>> grippers;   ///< rates of the openings, left, right [m/s]
-  std::optional<double> head;                      ///< [rad/s]
+  ByArm<std::vector<double>> arms;  ///< one per joint of the arm [rad/s; m/s of a sliding joint]
+  /// Rates of the openings [m/s]. A pair `left`, `right` moves those of the two that exist.
+  ByArm<double> grippers;
+  std::optional<double> head;  ///< [rad/s]
 
   static void VisitFields(auto& command, auto&& visit) {
-    visit(command.left, CommandField{"left", ValueKind::kJoints, "left arm, s0 s1 e0 e1 w0 w1 w2",
-                                     ValueUnit::kRadiansPerSecond, Presence::kOptional});
-    visit(command.right, CommandField{"right", ValueKind::kJoints, "right arm",
-                                      ValueUnit::kRadiansPerSecond, Presence::kOptional});
-    visit(command.grippers, CommandField{"grippers", ValueKind::kGrippers,
-                                         "rate of change of each opening, left and right",
-                                         ValueUnit::kUnitsPerSecond, Presence::kOptional});
+    VisitArms(command.arms, ValueUnit::kRadiansPerSecond, visit);
+    visit(command.grippers,
+          CommandField{"grippers", ValueKind::kGrippers,
+                       "rate of change of each opening: of the left and right gripper, or by the "
+                       "name of the arm",
+                       ValueUnit::kUnitsPerSecond, Presence::kOptional});
     visit(command.head, CommandField{"head", ValueKind::kNumber, "pan",
                                      ValueUnit::kRadiansPerSecond, Presence::kOptional});
   }
@@ -232,14 +245,11 @@ struct JointVelocities {
 /// Sets joint angles at once; omitted ones stay unchanged.
 struct JointAngles {
   static constexpr CommandName kName{"joint_angles", "sets the robot's joint angles immediately"};
-  std::optional<std::vector<double>> left, right;  ///< one per arm joint [rad]
-  std::optional<double> head;                      ///< [rad]
+  ByArm<std::vector<double>> arms;  ///< one per joint of the arm [rad; m of a sliding joint]
+  std::optional<double> head;       ///< [rad]
 
   static void VisitFields(auto& command, auto&& visit) {
-    visit(command.left, CommandField{"left", ValueKind::kJoints, "left arm, s0 s1 e0 e1 w0 w1 w2",
-                                     ValueUnit::kRadians, Presence::kOptional});
-    visit(command.right, CommandField{"right", ValueKind::kJoints, "right arm", ValueUnit::kRadians,
-                                      Presence::kOptional});
+    VisitArms(command.arms, ValueUnit::kRadians, visit);
     visit(command.head, CommandField{"head", ValueKind::kNumber, "pan", ValueUnit::kRadians,
                                      Presence::kOptional});
   }
@@ -263,16 +273,17 @@ struct TurnJoint {
   bool operator==(const TurnJoint&) const = default;
 };
 
-/// Opens or closes a gripper.
+/// Opens or closes grippers.
 struct MoveGripper {
   static constexpr CommandName kName{
       "gripper", "opens or closes a gripper of the robot until the next command for it"};
-  enum class Which { kLeft, kRight, kBoth };
-  Which which = Which::kBoth;
-  double velocity = 0;  ///< rate of change of the opening, > 0 opens [m/s]
+  std::string arm = "both";  ///< name of an arm, as in ByArm; `both` (left and right) or `all`
+  double velocity = 0;       ///< rate of change of the opening, > 0 opens [m/s]
 
   static void VisitFields(auto& command, auto&& visit) {
-    visit(command.which, CommandField{"arm", ValueKind::kArm, "left, right or both"});
+    visit(command.arm, CommandField{"arm", ValueKind::kArm,
+                                    "arm of the gripper, like left; both: left and right; all: "
+                                    "all grippers"});
     visit(command.velocity,
           CommandField{"velocity", ValueKind::kNumber,
                        "rate of change of the opening; above 0 opens", ValueUnit::kUnitsPerSecond});

@@ -25,7 +25,8 @@ enum class ValueKind {
   kDirection,  ///< three numbers, not all 0
   kSpeed,      ///< a number above 0
   kJoints,
-  kGrippers,
+  kArms,      ///< numbers of joints, by the name of the arm
+  kGrippers,  ///< two numbers, or numbers by the name of the arm
   kNumber,
   kFlag,
   kFaceExpression,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
@@ -69,6 +70,16 @@ inline bool IsOmissible(bool flag) { return !flag; }
 template <class T>
 bool IsOmissible(const std::optional<T>& value) {
   return !value.has_value();
+}
+inline bool IsOmissible(const ByArm<double>& values) { return values.empty(); }
+template <class Values>
+bool IsOmissible(const OneArm<Values>& arm) {
+  return !arm.values->contains(arm.name);
+}
+template <class Values>
+bool IsOmissible(const OtherArms<Values>& others) {
+  return std::ranges::all_of(
+      *others.values, [](const auto& arm) { return arm.first == "left" || arm.first == "right"; });
 }
 bool IsOmissible(const auto&) { return false; }
 

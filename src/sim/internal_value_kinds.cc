@@ -51,7 +51,7 @@ std::map<ValueKind, Allowed> MakeKinds() {
   const JsonShape text = JsonShape::Text(kMaxText);
   const JsonShape point = JsonShape::List(AnyNumber(), 3, 3);
   const std::string point_words = "three numbers [x, y, z] of at most 1e6";
-  const std::vector<std::string_view> arms(kArmNames.begin(), kArmNames.end());
+  const JsonShape joints = JsonShape::List(AnyNumber(), 1, kMaxJoints);
   return {
       {kHand, HandsAllowed()},
       {kText, {text, "a string of at most 256 characters"}},
@@ -62,8 +62,13 @@ std::map<ValueKind, Allowed> MakeKinds() {
       // The shape cannot express the exception; CheckValue() checks it.
       {kDirection, {point, point_words + ", not all 0"}},
       {kSpeed, {JsonShape::Number(kMinSpeed, kMaxNumber), "a number above 0, from 1e-6 to 1e6"}},
-      {kJoints, {JsonShape::List(AnyNumber(), 1, kMaxJoints), "one number per joint of the arm"}},
-      {kGrippers, {JsonShape::List(AnyNumber(), 2, 2), "two numbers [left, right]"}},
+      {kJoints, {joints, "one number per joint of the arm"}},
+      {kArms,
+       {JsonShape::Map(joints, kMaxArms, kMaxArmName),
+        "at most 16 arms like {\"arm\": [0.1, 0]}, one number per joint"}},
+      {kGrippers,
+       {JsonShape::List(AnyNumber(), 2, 2).Or(JsonShape::Map(AnyNumber(), kMaxArms, kMaxArmName)),
+        "two numbers [left, right], or at most 16 numbers like {\"arm\": 0.1}"}},
       {kNumber, {AnyNumber(), "a number of at most 1e6"}},
       {kFlag, {JsonShape::Flag(), "true or false"}},
       {kFaceExpression, WordOf(robot::kFaceExpressionNames)},
@@ -71,7 +76,7 @@ std::map<ValueKind, Allowed> MakeKinds() {
        {JsonShape::List(JsonShape::Text(demonstrator::kMaxPropertyLength), 0,
                         demonstrator::kMaxProperties),
         "at most 32 names of properties of at most 256 characters"}},
-      {kArm, WordOf(arms)},
+      {kArm, {JsonShape::Text(kMaxArmName), "the name of an arm, both or all"}},
       {kShare, {JsonShape::Number(kMinSpeed, 1), "a number above 0, at most 1"}},
       {kJointNames, {JsonShape::List(text, 1, kMaxJoints), "1 to 64 names of joints"}},
       {kTrajectoryPoints,

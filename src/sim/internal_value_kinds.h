@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "base/json.h"
@@ -8,9 +7,6 @@
 #include "sim/command_field.h"
 
 namespace smile::sim {
-
-/// Values of a gripper's `arm`, in the order of MoveGripper::Which.
-inline constexpr std::array<const char*, 3> kArmNames{"left", "right", "both"};
 
 /// Returns the allowed values of a kind.
 const JsonShape& ShapeOf(ValueKind kind);

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -52,9 +52,6 @@ inline Json Written(HandName hand, const WrittenUnit&) { return ToString(hand); 
 inline Json Written(robot::FaceExpression face_expression, const WrittenUnit&) {
   return ToString(face_expression);
 }
-inline Json Written(MoveGripper::Which which, const WrittenUnit&) {
-  return kArmNames[static_cast<std::size_t>(which)];
-}
 /// Without the scene's name, which a text does not contain.
 inline Json Written(const std::shared_ptr<const scene::SceneSpec>& scene, const WrittenUnit&) {
   return scene_xml::WriteScene(*scene);
@@ -72,6 +69,25 @@ template <class List, class = typename List::const_iterator>
 Json Written(const List& values, const WrittenUnit& unit) {
   Json written = Json::array();
   for (const auto& value : values) written.push_back(Written(value, unit));
+  return written;
+}
+/// A pair is written as a list, which is what earlier versions read.
+inline Json Written(const ByArm<double>& values, const WrittenUnit& unit) {
+  if (IsPair(values)) return {unit.Write(values.at("left")), unit.Write(values.at("right"))};
+  Json written = Json::object();
+  for (const auto& [name, value] : values) written[name] = unit.Write(value);
+  return written;
+}
+template <class Values>
+Json Written(const OneArm<Values>& arm, const WrittenUnit& unit) {
+  return Written(arm.values->at(arm.name), unit);
+}
+template <class Values>
+Json Written(const OtherArms<Values>& others, const WrittenUnit& unit) {
+  Json written = Json::object();
+  for (const auto& [name, value] : *others.values) {
+    if (name != "left" && name != "right") written[name] = Written(value, unit);
+  }
   return written;
 }
 
@@ -94,10 +110,6 @@ inline void Read(const Json& json, const WrittenUnit&, HandName* hand) {
 inline void Read(const Json& json, const WrittenUnit&, robot::FaceExpression* face_expression) {
   *face_expression = *robot::ParseFaceExpression(json.get<std::string>());
 }
-inline void Read(const Json& json, const WrittenUnit&, MoveGripper::Which* which) {
-  const auto name = std::ranges::find(kArmNames, json.get<std::string>());
-  *which = static_cast<MoveGripper::Which>(name - kArmNames.begin());
-}
 /// Parses a scene.
 /// @throws std::invalid_argument if the text is not a scene.
 void Read(const Json& json, const WrittenUnit&, std::shared_ptr<const scene::SceneSpec>* scene);
@@ -114,15 +126,35 @@ template <class T>
 void Read(const Json& json, const WrittenUnit& unit, std::vector<T>* values) {
   for (const Json& value : json) Read(value, unit, &values->emplace_back());
 }
-template <class T, std::size_t N>
-void Read(const Json& json, const WrittenUnit& unit, std::array<T, N>* values) {
-  for (std::size_t i = 0; i < N; ++i) Read(json[i], unit, &(*values)[i]);
+inline void Read(const Json& json, const WrittenUnit& unit, ByArm<double>* values) {
+  if (json.is_array()) {
+    Read(json[0], unit, &(*values)["left"]);
+    Read(json[1], unit, &(*values)["right"]);
+    return;
+  }
+  for (const auto& [name, value] : json.items()) Read(value, unit, &(*values)[name]);
+}
+template <class Values>
+void Read(const Json& json, const WrittenUnit& unit, OneArm<Values>* arm) {
+  Read(json, unit, &(*arm->values)[arm->name]);
+}
+/// @throws std::invalid_argument if an arm already has values.
+template <class Values>
+void Read(const Json& json, const WrittenUnit& unit, OtherArms<Values>* others) {
+  for (const auto& [name, value] : json.items()) {
+    if (others->values->contains(name)) {
+      throw std::invalid_argument("\"arms\" repeats \"" + name + "\", expected each arm once");
+    }
+    Read(value, unit, &(*others->values)[name]);
+  }
 }
 
 /// Rounds to the nearest value that is unchanged by writing and reading.
 template <class T>
 void RoundToFileGrid(double meters_per_unit, T* value) {
-  if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Vector3>) {
+  if constexpr (std::is_same_v<T, ByArm<double>>) {
+    for (auto& [name, number] : *value) RoundToFileGrid(meters_per_unit, &number);
+  } else if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Vector3>) {
     *value = scene::OnFileGrid(*value, meters_per_unit);
   } else if constexpr (requires { value->has_value(); }) {
     if (*value) RoundToFileGrid(meters_per_unit, &**value);

@@ -3,7 +3,8 @@
 
 #include "sim/simulated_robot.h"
 
-#include <array>
+#include <algorithm>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -11,17 +12,64 @@
 
 namespace smile::sim {
 
+JointVelocities StillVelocities(const robot::RobotModel& model) {
+  JointVelocities still;
+  for (const robot::Arm& arm : model.arms) {
+    still.arms[arm.name] = std::vector<double>(arm.joints.size(), 0.0);
+    if (arm.gripper) still.grippers[arm.name] = 0;
+  }
+  if (model.head) still.head = 0;
+  return still;
+}
+
 SimulatedRobot::SimulatedRobot(physics::World* world, std::shared_ptr<const model::Model> model)
     : body_(world, std::move(model)), follower_(&body_) {}
 
+std::optional<int> SimulatedRobot::FindArm(std::string_view name) const {
+  const std::vector<robot::Arm>& arms = body_.model().arms;
+  const auto found = std::ranges::find(arms, name, &robot::Arm::name);
+  if (found != arms.end()) return static_cast<int>(found - arms.begin());
+  // The first and the second arm of any robot.
+  const int side = name == "left" ? 0 : name == "right" ? 1 : body_.num_arms();
+  return side < body_.num_arms() ? std::optional(side) : std::nullopt;
+}
+
+std::optional<int> SimulatedRobot::FindGripper(std::string_view name) const {
+  const std::optional<int> arm = FindArm(name);
+  return arm && body_.model().arms[*arm].gripper ? arm : std::nullopt;
+}
+
+Refusal SimulatedRobot::NoSuchArm(std::string_view name) const {
+  std::vector<std::string_view> names;
+  for (const robot::Arm& arm : body_.model().arms) names.push_back(arm.name);
+  return "the robot has no arm " + Quoted(name) +
+         (names.empty() ? std::string() : ", expected " + OneOf(names));
+}
+
 std::optional<Refusal> SimulatedRobot::RefuseValues(
-    const std::optional<std::vector<double>>& values, int arm) const {
-  if (!values) return std::nullopt;
-  if (arm >= body_.num_arms()) return "the robot has no such arm";
-  const robot::Arm& which = body_.model().arms[arm];
-  if (values->size() == which.joints.size()) return std::nullopt;
-  return "the " + which.name + " arm has " + std::to_string(which.joints.size()) +
-         " joints, found " + std::to_string(values->size()) + " numbers";
+    const ByArm<std::vector<double>>& values) const {
+  std::set<int> arms;
+  for (const auto& [name, numbers] : values) {
+    const std::optional<int> arm = FindArm(name);
+    if (!arm) return NoSuchArm(name);
+    const robot::Arm& which = body_.model().arms[*arm];
+    if (!arms.insert(*arm).second) return "the arm " + Quoted(which.name) + " is named twice";
+    if (numbers.size() == which.joints.size()) continue;
+    return "the " + which.name + " arm has " + std::to_string(which.joints.size()) +
+           " joints, found " + std::to_string(numbers.size()) + " numbers";
+  }
+  return std::nullopt;
+}
+
+std::optional<Refusal> SimulatedRobot::RefuseRates(const ByArm<double>& rates) const {
+  if (IsPair(rates)) return std::nullopt;
+  std::set<int> arms;
+  for (const auto& [name, rate] : rates) {
+    if (!FindArm(name)) return NoSuchArm(name);
+    if (!FindGripper(name)) return "the arm " + Quoted(name) + " has no gripper";
+    if (!arms.insert(*FindArm(name)).second) return "the arm " + Quoted(name) + " is named twice";
+  }
+  return std::nullopt;
 }
 
 void SimulatedRobot::StopFollowingWithArm(int arm) {
@@ -38,20 +86,22 @@ void SimulatedRobot::StopFollowingWithHead() {
   if (body_.model().head) follower_.Leave(body_.model().head->joint);
 }
 
-/// In commands, arm 0 is left and arm 1 is right.
+void SimulatedRobot::SetGripper(int arm, double velocity) {
+  StopFollowingWithGripper(arm);
+  body_.SetGripperVelocity(arm, velocity);
+}
+
 std::optional<Refusal> SimulatedRobot::Execute(const JointVelocities& velocities) {
-  if (auto refusal = RefuseValues(velocities.left, 0)) return refusal;
-  if (auto refusal = RefuseValues(velocities.right, 1)) return refusal;
+  if (auto refusal = RefuseValues(velocities.arms)) return refusal;
+  if (auto refusal = RefuseRates(velocities.grippers)) return refusal;
   // Everything is checked; from here on nothing can be refused.
-  const std::array arms{&velocities.left, &velocities.right};
-  for (int arm = 0; arm < 2; ++arm) {
-    if (!*arms[arm]) continue;
+  for (const auto& [name, numbers] : velocities.arms) {
+    const int arm = *FindArm(name);
     StopFollowingWithArm(arm);
-    body_.SetArmVelocities(arm, **arms[arm]);
+    body_.SetArmVelocities(arm, numbers);
   }
-  for (int arm = 0; velocities.grippers && arm < body_.num_arms() && arm < 2; ++arm) {
-    StopFollowingWithGripper(arm);
-    body_.SetGripperVelocity(arm, (*velocities.grippers)[arm]);
+  for (const auto& [name, rate] : velocities.grippers) {
+    if (const auto arm = FindGripper(name)) SetGripper(*arm, rate);
   }
   if (velocities.head) {
     StopFollowingWithHead();
@@ -61,14 +111,12 @@ std::optional<Refusal> SimulatedRobot::Execute(const JointVelocities& velocities
 }
 
 std::optional<Refusal> SimulatedRobot::Execute(const JointAngles& angles) {
-  if (auto refusal = RefuseValues(angles.left, 0)) return refusal;
-  if (auto refusal = RefuseValues(angles.right, 1)) return refusal;
+  if (auto refusal = RefuseValues(angles.arms)) return refusal;
   // Sets the angles at once, without motion; held objects move along.
-  const std::array arms{&angles.left, &angles.right};
-  for (int arm = 0; arm < 2; ++arm) {
-    if (!*arms[arm]) continue;
+  for (const auto& [name, numbers] : angles.arms) {
+    const int arm = *FindArm(name);
     StopFollowingWithArm(arm);
-    body_.SetArmAngles(arm, **arms[arm]);
+    body_.SetArmAngles(arm, numbers);
   }
   if (angles.head) {
     StopFollowingWithHead();
@@ -95,19 +143,24 @@ std::optional<Refusal> SimulatedRobot::Execute(const TurnJoint& turn) {
 }
 
 std::optional<Refusal> SimulatedRobot::Execute(const MoveGripper& move) {
-  using enum MoveGripper::Which;
-  for (int arm = 0; arm < 2; ++arm) {
-    if (move.which == (arm == 0 ? kRight : kLeft)) continue;
-    // Both grippers are checked before either of them moves.
-    if (arm >= body_.num_arms() || !body_.model().arms[arm].gripper) {
-      return "the robot has no gripper there";
+  std::vector<int> arms;
+  if (move.arm == "all") {
+    for (int arm = 0; arm < body_.num_arms(); ++arm) {
+      if (body_.model().arms[arm].gripper) arms.push_back(arm);
+    }
+    if (arms.empty()) return "the robot has no gripper";
+  } else {
+    const std::vector<std::string_view> names = move.arm == "both"
+                                                    ? std::vector<std::string_view>{"left", "right"}
+                                                    : std::vector<std::string_view>{move.arm};
+    // All are checked before one of them moves.
+    for (const std::string_view name : names) {
+      if (!FindArm(name)) return NoSuchArm(name);
+      if (!FindGripper(name)) return "the arm " + Quoted(name) + " has no gripper";
+      arms.push_back(*FindArm(name));
     }
   }
-  for (int arm = 0; arm < 2; ++arm) {
-    if (move.which == (arm == 0 ? kRight : kLeft)) continue;
-    StopFollowingWithGripper(arm);
-    body_.SetGripperVelocity(arm, move.velocity);
-  }
+  for (const int arm : arms) SetGripper(arm, move.velocity);
   return std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "robot/face_expression.h"
@@ -19,6 +20,9 @@ struct SimulatedRobotState {
   bool is_shown = true;
   robot::FaceExpression face_expression = robot::FaceExpression::kIdle;
 };
+
+/// Returns the command that stops a robot: all arms, grippers and its head.
+JointVelocities StillVelocities(const robot::RobotModel& model);
 
 /// Robot of a simulation: its body, the trajectories it follows, and its appearance.
 class SimulatedRobot {
@@ -58,9 +62,16 @@ class SimulatedRobot {
   void StopFollowingWithArm(int arm);
   void StopFollowingWithGripper(int arm);
   void StopFollowingWithHead();
-  /// Returns the reason why an arm cannot take these values; nullopt if it can or there are none.
-  std::optional<Refusal> RefuseValues(const std::optional<std::vector<double>>& values,
-                                      int arm) const;
+  /// Returns the index of an arm, named as in ByArm; nullopt without such an arm.
+  std::optional<int> FindArm(std::string_view name) const;
+  /// The same for an arm with a gripper.
+  std::optional<int> FindGripper(std::string_view name) const;
+  /// Return the reason why arms or grippers cannot take these values; nullopt if they can.
+  std::optional<Refusal> RefuseValues(const ByArm<std::vector<double>>& values) const;
+  std::optional<Refusal> RefuseRates(const ByArm<double>& rates) const;
+  Refusal NoSuchArm(std::string_view name) const;
+  /// Moves the gripper of an arm.
+  void SetGripper(int arm, double velocity);
 
   world::RobotBody body_;
   TrajectoryFollower follower_;

@@ -38,8 +38,11 @@ void ClearTableAnimation::Tick() {
   // New random velocities four times a second.
   constexpr int kTicksBetween = sim::kTicksPerSecond / 4;
   if (ticks_ % kTicksBetween == 0) {
-    sim::JointVelocities velocities{.left = RandomVelocities(0)};
-    if (copy_.robot()->num_arms() > 1) velocities.right = RandomVelocities(1);
+    sim::JointVelocities velocities;
+    for (int arm = 0; arm < copy_.robot()->num_arms(); ++arm) {
+      velocities.arms[copy_.robot()->model().arms[static_cast<std::size_t>(arm)].name] =
+          RandomVelocities(arm);
+    }
     (void)copy_.Apply(velocities);
   }
   copy_.Tick();

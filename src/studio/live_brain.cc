@@ -71,13 +71,7 @@ void LiveBrain::Stop(sim::Simulation* simulation) {
   Leave();
   was_stopped_ = true;
   // The last velocities would continue otherwise.
-  sim::JointVelocities still{.grippers = {{0, 0}}};
-  const world::RobotBody& robot = *simulation->robot();
-  // Zero velocity for each joint.
-  still.left = std::vector<double>(robot.ArmAngles(0).size());
-  still.right = std::vector<double>(robot.ArmAngles(1).size());
-  if (robot.model().head) still.head = 0;
-  (void)simulation->Apply(still);
+  (void)simulation->Apply(sim::StillVelocities(simulation->robot()->model()));
   // Face and markers are back to their defaults, as if no program had run.
   (void)simulation->Apply(sim::Face{});
   (void)simulation->Apply(sim::Markers{});

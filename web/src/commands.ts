@@ -108,12 +108,14 @@ export interface LoosenCommand {
 /** It sets the robot's velocities until the next such command. */
 export interface JointVelocitiesCommand {
   do: "joint_velocities";
-  /** left arm, s0 s1 e0 e1 w0 w1 w2 [rad/s] */
+  /** arm `left`, or the first one; for Baxter s0 s1 e0 e1 w0 w1 w2 [rad/s] */
   left?: number[];
-  /** right arm [rad/s] */
+  /** arm `right`, or the second one [rad/s] */
   right?: number[];
-  /** rate of change of each opening, left and right [units/s] */
-  grippers?: [number, number];
+  /** other arms, by name [rad/s] */
+  arms?: Record<string, number[]>;
+  /** rate of change of each opening: of the left and right gripper, or by the name of the arm [units/s] */
+  grippers?: [number, number] | Record<string, number>;
   /** pan [rad/s] */
   head?: number;
 }
@@ -121,10 +123,12 @@ export interface JointVelocitiesCommand {
 /** It sets the robot's joint angles immediately. */
 export interface JointAnglesCommand {
   do: "joint_angles";
-  /** left arm, s0 s1 e0 e1 w0 w1 w2 [rad] */
+  /** arm `left`, or the first one; for Baxter s0 s1 e0 e1 w0 w1 w2 [rad] */
   left?: number[];
-  /** right arm [rad] */
+  /** arm `right`, or the second one [rad] */
   right?: number[];
+  /** other arms, by name [rad] */
+  arms?: Record<string, number[]>;
   /** pan [rad] */
   head?: number;
 }
@@ -141,8 +145,8 @@ export interface TurnCommand {
 /** It opens or closes a gripper of the robot until the next command for it. */
 export interface GripperCommand {
   do: "gripper";
-  /** left, right or both */
-  arm: "left" | "right" | "both";
+  /** arm of the gripper, like left; both: left and right; all: all grippers */
+  arm: string;
   /** rate of change of the opening; above 0 opens [units/s] */
   velocity: number;
 }

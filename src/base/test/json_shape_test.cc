@@ -66,6 +66,20 @@ TEST(JsonShape, MayBeNull) {
   EXPECT_EQ(shape.TypeScript(), "{ place: number | null }");
 }
 
+TEST(JsonShape, MayBeOneOfTwo) {
+  const JsonShape shape = JsonShape::List(JsonShape::Number(), 2, 2)
+                              .Or(JsonShape::Map(JsonShape::Number(), /*max_count=*/2,
+                                                 /*max_name=*/4));
+  for (const char* text : {"[1,2]", "{}", R"({"left":1,"b":2})"}) {
+    EXPECT_TRUE(shape.Fits(ParseJson(text))) << text;
+  }
+  for (const char* text : {"[1]", R"({"a":1,"b":2,"c":3})", R"({"right":1})", R"({"a":"1"})"}) {
+    EXPECT_FALSE(shape.Fits(ParseJson(text))) << text;
+  }
+  EXPECT_EQ(shape.TypeScript(), "[number, number] | Record<string, number>");
+  EXPECT_EQ(shape.Schema()["anyOf"][1]["maxProperties"], 2);
+}
+
 TEST(JsonShape, MayBeTrue) {
   const JsonShape shape = JsonShape::Text().OrTrue();
   EXPECT_TRUE(shape.Fits(true));

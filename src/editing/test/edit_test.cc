@@ -135,14 +135,18 @@ TEST_F(EditTest, SpeedIsAlsoThatOfTheRobot) {
   robot.segments[0].commands = {
       {1, 0, sim::TakePose{.name = "ready", .speed = 0.3}},
       {2, 10, sim::FollowTrajectory{{{"head_pan"}, {{0, {0}, {0.1}}, {4, {1}, {0.2}}}}}},
-      {3, 20, sim::JointVelocities{.left = {{0.5}}, .grippers = {{0.1, -0.1}}, .head = 0.2}},
+      {3, 20,
+       sim::JointVelocities{
+           .arms = {{"left", {0.5}}}, .grippers = {{"left", 0.1}, {"right", -0.1}}, .head = 0.2}},
       {4, 30, sim::TurnJoint{.joint = "left_s0", .velocity = 0.3}}};
   const recording::EditableSegment twice = Edited(robot, Speed{2}).segments[0];
   EXPECT_EQ(std::get<sim::TakePose>(twice.commands[0].command).speed, 0.6);
   EXPECT_EQ(std::get<sim::FollowTrajectory>(twice.commands[1].command).trajectory.points,
             (std::vector<motion::TrajectoryPoint>{{0, {0}, {0.2}}, {2, {1}, {0.4}}}));
-  EXPECT_EQ(std::get<sim::JointVelocities>(twice.commands[2].command),
-            (sim::JointVelocities{.left = {{1.0}}, .grippers = {{0.2, -0.2}}, .head = 0.4}));
+  EXPECT_EQ(
+      std::get<sim::JointVelocities>(twice.commands[2].command),
+      (sim::JointVelocities{
+          .arms = {{"left", {1.0}}}, .grippers = {{"left", 0.2}, {"right", -0.2}}, .head = 0.4}));
   EXPECT_EQ(std::get<sim::TurnJoint>(twice.commands[3].command).velocity, 0.6);
   const recording::EditableSegment fastest = Edited(robot, Speed{10}).segments[0];
   EXPECT_EQ(std::get<sim::TakePose>(fastest.commands[0].command).speed, 1);

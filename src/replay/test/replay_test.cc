@@ -111,8 +111,8 @@ TEST_F(ReplayTest, UsesTheKindOfBodyThatTheRobotHad) {
       recorder::Recorder recorder(directory, {}, nullptr, *simulation);
       simulation->AddListener(&recorder);
       // Through the table and its blocks, closing.
-      simulation->Apply(
-          sim::JointVelocities{.left = {{-0.4, 0.5, 0, 0, 0, 0, 0}}, .grippers = {{-0.1, -0.1}}});
+      simulation->Apply(sim::JointVelocities{.arms = {{"left", {-0.4, 0.5, 0, 0, 0, 0, 0}}},
+                                             .grippers = {{"left", -0.1}, {"right", -0.1}}});
       for (int i = 0; i < 120; ++i) simulation->Tick();
       simulation->RemoveListener(&recorder);
     }

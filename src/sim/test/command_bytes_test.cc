@@ -56,20 +56,26 @@ std::vector<Written> ExamplesOfHands() {
 std::vector<Written> OtherExamples() {
   const Vector3 p(0.1 + 0.2, -1.0 / 3, 2e-7);
   return {
-      {JointVelocities{
-           .left = {{0.1, -1.0 / 3}}, .right = {{2}}, .grippers = {{0.1 / 3, -0.2}}, .head = 0.7},
+      {JointVelocities{.arms = {{"left", {0.1, -1.0 / 3}}, {"right", {2}}},
+                       .grippers = {{"left", 0.1 / 3}, {"right", -0.2}},
+                       .head = 0.7},
        R"({"do":"joint_velocities","left":[0.1,-0.3333333333333333],"right":[2.0],"grippers":[0.3333333333333333,-2.0],"head":0.7})"},
       {JointVelocities{}, R"({"do":"joint_velocities"})"},
-      {JointAngles{.left = {{1.5}}, .right = {{0.1 + 0.2, 1}}, .head = -1.0 / 3},
+      {JointVelocities{.arms = {{"right", {2}}, {"ur5e", {0.5, 1}}}, .grippers = {{"ur5e", 0.1}}},
+       R"({"do":"joint_velocities","right":[2.0],"arms":{"ur5e":[0.5,1.0]},"grippers":{"ur5e":1.0}})"},
+      {JointAngles{.arms = {{"a", {1}}, {"b", {2, 3}}}},
+       R"({"do":"joint_angles","arms":{"a":[1.0],"b":[2.0,3.0]}})"},
+      {MoveGripper{.arm = "ur5e"}, R"({"do":"gripper","arm":"ur5e","velocity":0.0})"},
+      {JointAngles{.arms = {{"left", {1.5}}, {"right", {0.1 + 0.2, 1}}}, .head = -1.0 / 3},
        R"({"do":"joint_angles","left":[1.5],"right":[0.30000000000000004,1.0],"head":-0.3333333333333333})"},
       {JointAngles{}, R"({"do":"joint_angles"})"},
       {TurnJoint{.joint = "left_e1", .velocity = 1.0 / 3},
        R"({"do":"turn","joint":"left_e1","velocity":0.3333333333333333})"},
-      {MoveGripper{.which = MoveGripper::Which::kLeft, .velocity = 0.1 / 3},
+      {MoveGripper{.arm = "left", .velocity = 0.1 / 3},
        R"({"do":"gripper","arm":"left","velocity":0.3333333333333333})"},
-      {MoveGripper{.which = MoveGripper::Which::kRight, .velocity = 1},
+      {MoveGripper{.arm = "right", .velocity = 1},
        R"({"do":"gripper","arm":"right","velocity":10.0})"},
-      {MoveGripper{.which = MoveGripper::Which::kBoth, .velocity = -1.0 / 7},
+      {MoveGripper{.arm = "both", .velocity = -1.0 / 7},
        R"({"do":"gripper","arm":"both","velocity":-1.4285714285714284})"},
       {TakePose{.name = "ready"}, R"({"do":"pose","name":"ready","speed":0.5})"},
       {TakePose{.name = "ready", .speed = 1.0 / 3},
@@ -121,7 +127,7 @@ TEST(CommandBytes, AreThoseOfEarlierVersionsInInchesToo) {
       {MoveTo{.hand = kAny, .p_WH = {0.3, 0.1, 1.0 / 3}, .speed = 0.7},
        R"({"hand":"any","do":"move_to","position":[11.811023622047244,3.937007874015748,13.123359580052494],"speed":27.559055118110237})"},
       inch);
-  ExpectBytes({JointVelocities{.grippers = {{0.1 / 3, -0.2}}},
+  ExpectBytes({JointVelocities{.grippers = {{"left", 0.1 / 3}, {"right", -0.2}}},
                R"({"do":"joint_velocities","grippers":[1.3123359580052494,-7.874015748031496]})"},
               inch);
   ExpectBytes({MoveGripper{.velocity = 0.1},

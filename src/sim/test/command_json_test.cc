@@ -51,11 +51,12 @@ TEST(CommandJson, RoundTripsEveryKindToTheLastBit) {
         Trigger{.hand = HandName::kLeft, .control = "S1", .part = "S1-b2"},
         Fasten{.hand = HandName::kLeft, .object = "screw", .p_WQ = point()},
         Loosen{.hand = HandName::kRight, .object = "screw"},
-        JointVelocities{
-            .left = {{number(), number()}}, .grippers = {{number(), number()}}, .head = number()},
-        JointAngles{.right = {{number()}}},
+        JointVelocities{.arms = {{"left", {number(), number()}}},
+                        .grippers = {{"left", number()}, {"right", number()}},
+                        .head = number()},
+        JointAngles{.arms = {{"right", {number()}}}},
         TurnJoint{.joint = "left_e1", .velocity = number()},
-        MoveGripper{.which = MoveGripper::Which::kRight, .velocity = number()},
+        MoveGripper{.arm = "right", .velocity = number()},
         TakePose{.name = "ready", .speed = 0.25},
         FollowTrajectory{{{"left_s0", "left_gripper"},
                           {{0, {number(), number()}, {number(), number()}},
@@ -97,6 +98,12 @@ TEST(CommandJson, ReportsWhatWasFoundAndExpected) {
 }
 
 TEST(CommandJson, RefusesMarkersThatAreNoPoints) {
+  EXPECT_EQ(MessageOf(R"({"do":"joint_angles","left":[1],"arms":{"a":[2],"left":[1]}})"),
+            "\"arms\" repeats \"left\", expected each arm once");
+  EXPECT_EQ(
+      MessageOf(R"({"do":"joint_velocities","grippers":{"a":[1]}})"),
+      "\"grippers\" is {\"a\":[1]}, expected two numbers [left, right], or at most 16 numbers "
+      "like {\"arm\": 0.1}");
   EXPECT_EQ(
       MessageOf(R"({"do":"markers","points":[[1,2]]})"),
       "\"points\" is [[1,2]], expected at most 500 points [x, y, z] of numbers of at most 1e6");

@@ -31,15 +31,16 @@ class ElectricGripper : public SimulationFixture {
     Eigen::VectorXd v = Eigen::VectorXd::Zero(6);
     v[2] = rate;
     const Eigen::VectorXd qdot = J.transpose() * (J * J.transpose()).inverse() * v;
-    simulation_->Apply(JointVelocities{.left = std::vector<double>(qdot.begin(), qdot.end())});
+    simulation_->Apply(
+        JointVelocities{.arms = {{"left", std::vector<double>(qdot.begin(), qdot.end())}}});
     TickSeconds(*simulation_, seconds);
-    simulation_->Apply(JointVelocities{.left = std::vector<double>(7, 0.0)});
+    simulation_->Apply(JointVelocities{.arms = {{"left", std::vector<double>(7, 0.0)}}});
   }
 
   /// Reaches down over the block and closes.
   std::size_t NumHeldAfterClosing() {
     Move(-0.05, 0.9);
-    simulation_->Apply(JointVelocities{.grippers = {{-0.1, 0}}});
+    simulation_->Apply(JointVelocities{.grippers = {{"left", -0.1}, {"right", 0}}});
     TickSeconds(*simulation_, 1);
     return simulation_->robot()->HeldBodies(0).size();
   }

@@ -73,7 +73,7 @@ TEST(Cameras, MoveWithTheirLinks) {
   const RigidTransform eye = pose("eye"), head = pose("head"), left = pose("left_hand"),
                        right = pose("right_hand"), overhead = pose("overhead");
   const std::vector<double> there{0.1, 0.2, 0, 0.3, 0, 0, 0.5};
-  ASSERT_FALSE(simulation.Apply(JointAngles{.left = there, .head = 0.5}));
+  ASSERT_FALSE(simulation.Apply(JointAngles{.arms = {{"left", there}}, .head = 0.5}));
   const Matrix3 R_turn = Eigen::AngleAxisd(0.5, Vector3::UnitZ()).toRotationMatrix();
   EXPECT_LT((pose("eye").rotation() - R_turn * eye.rotation()).norm(), 1e-9);
   EXPECT_LT((pose("head").rotation() - R_turn * head.rotation()).norm(), 1e-9);

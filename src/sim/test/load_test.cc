@@ -25,7 +25,8 @@ class LoadTest : public SimulationFixture {
 TEST_F(LoadTest, ALoadedSceneRunsLikeAFirstScene) {
   const auto simulation = MakeSimulation({BlockAt("a", {0, 0, 0.05})}, /*with_robot=*/true);
   ASSERT_EQ(simulation->Apply(Grasp{.hand = HandName::kLeft, .object = "a"}), std::nullopt);
-  ASSERT_EQ(simulation->Apply(JointVelocities{.left = {{0.3, 0, 0, 0, 0, 0, 0}}}), std::nullopt);
+  ASSERT_EQ(simulation->Apply(JointVelocities{.arms = {{"left", {0.3, 0, 0, 0, 0, 0, 0}}}}),
+            std::nullopt);
   TickSeconds(*simulation, 0.3);
   ASSERT_EQ(simulation->Apply(LoadOf(OtherScene())), std::nullopt);
   Simulation fresh(OtherScene(), RobotPlacement{.model = Baxter()});
@@ -45,7 +46,8 @@ TEST_F(LoadTest, UndoLeadsBackIntoTheSceneThatWasLeftAndRedoIntoTheOther) {
   const auto twin = MakeSimulation({BlockAt("a", {0, 0, 0.4})}, /*with_robot=*/true);
   for (Simulation* one : {simulation.get(), twin.get()}) {
     TickSeconds(*one, 0.1);
-    ASSERT_EQ(one->Apply(JointVelocities{.right = {{0.3, 0, 0, 0, 0, 0, 0}}}), std::nullopt);
+    ASSERT_EQ(one->Apply(JointVelocities{.arms = {{"right", {0.3, 0, 0, 0, 0, 0, 0}}}}),
+              std::nullopt);
     TickSeconds(*one, 0.1);  // the block falls
   }
   ASSERT_EQ(simulation->Apply(LoadOf(OtherScene())), std::nullopt);

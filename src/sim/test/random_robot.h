@@ -16,21 +16,25 @@ class RandomRobot {
   explicit RandomRobot(unsigned seed) : random_(seed) {}
 
   Command Next(const Simulation& simulation) {
-    const std::vector<std::string> poses{"ready", "neutral", "zero", "nowhere"};
+    const std::vector<std::string> poses{"ready", "neutral", "zero", "bent", "nowhere"};
+    const std::vector<std::string> grippers{"left", "right", "both", "all", "rear"};
+    const std::vector<robot::Arm>& arms = simulation.robot()->model().arms;
+    const robot::Arm& arm = arms[random_() % arms.size()];
     switch (random_() % 8) {
       case 0:
-        return JointVelocities{.left = std::vector<double>(7, Uniform(0.5)),
-                               .grippers = {{Uniform(0.1), Uniform(0.1)}}};
+        return JointVelocities{
+            .arms = {{arm.name, std::vector<double>(arm.joints.size(), Uniform(0.5))}},
+            .grippers = {{"left", Uniform(0.1)}, {"right", Uniform(0.1)}}};
       case 1:
         return JointVelocities{.head = Uniform(1)};
       case 2:
-        return JointAngles{.right = std::vector<double>(7, 0.5 + Uniform(0.5))};
+        return JointAngles{
+            .arms = {{arm.name, std::vector<double>(arm.joints.size(), 0.5 + Uniform(0.5))}}};
       case 3:
         return TurnJoint{.joint = random_() % 2 == 0 ? "left_w1" : "right_e9",
                          .velocity = Uniform(2)};
       case 4:
-        return MoveGripper{.which = static_cast<MoveGripper::Which>(random_() % 3),
-                           .velocity = Uniform(0.2)};
+        return MoveGripper{.arm = grippers[random_() % grippers.size()], .velocity = Uniform(0.2)};
       case 5:
         return TakePose{.name = poses[random_() % poses.size()], .speed = 0.2 + Uniform(0.1)};
       default:

@@ -46,10 +46,10 @@ class RobotDynamicsTest : public SimulationFixture {
                                         RobotPlacement{.model = Baxter(), .body = body});
   }
   static void MoveLeft(Simulation& simulation, const std::vector<double>& velocities) {
-    simulation.Apply(JointVelocities{.left = velocities});
+    simulation.Apply(JointVelocities{.arms = {{"left", velocities}}});
   }
   static void Grip(Simulation& simulation, double rate) {
-    simulation.Apply(JointVelocities{.grippers = {{rate, 0}}});
+    simulation.Apply(JointVelocities{.grippers = {{"left", rate}, {"right", 0}}});
   }
   /// Returns joint velocities of the left arm that move its tool with this velocity [m/s], without
   /// rotation.
@@ -114,7 +114,7 @@ class RobotDynamicsTest : public SimulationFixture {
                                                    std::vector<scene::ObjectSpec> others = {},
                                                    double size = 0.1) {
     auto empty = AtATable({}, body);
-    empty->Apply(JointAngles{.left = kOverTable});
+    empty->Apply(JointAngles{.arms = {{"left", kOverTable}}});
     const RigidTransform X_WG = empty->robot()->ToolPose(0);
     const Vector3 across = X_WG.rotation().col(1), p_WG = X_WG.translation();
     scene::ObjectSpec block = BlockAt("held", Vector3::Zero(), mass, Vector3::Constant(size));
@@ -122,7 +122,7 @@ class RobotDynamicsTest : public SimulationFixture {
     block.whole.X_PE = RigidTransform(Quaternion(turn), Vector3(p_WG.x(), p_WG.y(), size / 2));
     others.push_back(block);
     auto simulation = AtATable(std::move(others), body);
-    simulation->Apply(JointAngles{.left = kOverTable});
+    simulation->Apply(JointAngles{.arms = {{"left", kOverTable}}});
     Grip(*simulation, -0.1);
     TickSeconds(*simulation, 2);
     MoveTool(*simulation, {0, 0, 0.05}, 1);
@@ -151,10 +151,11 @@ TEST_F(RobotDynamicsTest, StaysWithinLimitsAndOutOfContactUnderAnyCommand) {
     double deepest = 0;
     for (int tick = 0; tick < 300; ++tick) {
       if (tick % 30 == 0) {
-        JointVelocities wanted{.left = kStill, .right = kStill};
-        for (int i = 0; i < 7; ++i) (*wanted.left)[i] = uniform(i < 4 ? 1.5 : 4);
-        for (int i = 0; i < 7; ++i) (*wanted.right)[i] = uniform(i < 4 ? 1.5 : 4);
-        wanted.grippers = {{uniform(0.2), uniform(0.2)}};
+        JointVelocities wanted{.arms = {{"left", kStill}, {"right", kStill}}};
+        for (int i = 0; i < 7; ++i) wanted.arms["left"][i] = uniform(i < 4 ? 1.5 : 4);
+        for (int i = 0; i < 7; ++i) wanted.arms["right"][i] = uniform(i < 4 ? 1.5 : 4);
+        wanted.grippers["left"] = uniform(0.2);
+        wanted.grippers["right"] = uniform(0.2);
         wanted.head = uniform(1.5);
         ASSERT_EQ(simulation->Apply(wanted), std::nullopt);
       }
@@ -177,7 +178,7 @@ TEST_F(RobotDynamicsTest, StaysWithinLimitsAndOutOfContactUnderAnyCommand) {
 
 TEST_F(RobotDynamicsTest, PressingOnTheTableItStaysAboveAndLeavesAtOnce) {
   auto simulation = AtATable({BlockAt("a", {0.3, 0.2, 0.05}), BlockAt("b", {0.3, 0.2, 0.15})});
-  simulation->Apply(JointAngles{.left = kOverTable});
+  simulation->Apply(JointAngles{.arms = {{"left", kOverTable}}});
   MoveLeft(*simulation, {0, 0.5, 0, 0, 0, 0, 0});
   TickSeconds(*simulation, 5);
   const std::vector<double> pressing = simulation->robot()->ArmAngles(0);
@@ -205,7 +206,8 @@ TEST_F(RobotDynamicsTest, TheForearmSweepsBlocksAsideAndIsNotThrown) {
     auto simulation = AtATable({BlockAt("tall", {-0.10, -0.36, 0.1}, 1, {0.1, 0.1, 0.2}),
                                 BlockAt("a", {0, -0.42, 0.05}), BlockAt("far", {0.6, 0.3, 0.05})},
                                body);
-    simulation->Apply(JointAngles{.left = low, .right = {{0.9, -1, 1.19, 1.94, -0.67, 1.03, 0.5}}});
+    simulation->Apply(
+        JointAngles{.arms = {{"left", low}, {"right", {0.9, -1, 1.19, 1.94, -0.67, 1.03, 0.5}}}});
     TickSeconds(*simulation, 0.5);
     const std::vector<double> before = simulation->robot()->ArmAngles(0);
     MoveLeft(*simulation, {-0.5, 0, 0, 0, 0, 0, 0});
@@ -227,7 +229,7 @@ TEST_F(RobotDynamicsTest, TheForearmSweepsBlocksAsideAndIsNotThrown) {
 
 TEST_F(RobotDynamicsTest, AKinematicArmMovesExactlyAsCommandedThroughTheTable) {
   auto simulation = AtATable({}, kKinematic);
-  simulation->Apply(JointAngles{.left = kOverTable});
+  simulation->Apply(JointAngles{.arms = {{"left", kOverTable}}});
   MoveLeft(*simulation, {0, 0.1, 9, 0, 0, 0, 0});
   TickSeconds(*simulation, 1);
   const std::vector<double> angles = simulation->robot()->ArmAngles(0);
@@ -263,12 +265,12 @@ TEST_F(RobotDynamicsTest, AHeldObjectPushesOthersAndIsStoppedByTheTable) {
 
 TEST_F(RobotDynamicsTest, ItTakesTwoBlocksAtOnceAndAnyOpeningReleasesBoth) {
   auto empty = AtATable({});
-  empty->Apply(JointAngles{.left = kOverTable});
+  empty->Apply(JointAngles{.arms = {{"left", kOverTable}}});
   const Vector3 p = empty->robot()->ToolPose(0).translation();
   const Vector3 size(0.1, 0.1, 0.04);
   auto simulation = AtATable({BlockAt("low", {p.x(), p.y(), 0.02}, 1, size),
                               BlockAt("high", {p.x(), p.y(), 0.06}, 1, size)});
-  simulation->Apply(JointAngles{.left = kOverTable});
+  simulation->Apply(JointAngles{.arms = {{"left", kOverTable}}});
   Grip(*simulation, -0.1);
   TickSeconds(*simulation, 2);
   EXPECT_EQ(simulation->robot()->HeldBodies(0).size(), 2u);

@@ -16,8 +16,9 @@ class SimulationTest : public SimulationFixture {
     for (int i = 0; i < 60; ++i) {
       if (i % 10 == 0) {
         simulation.Apply(JointVelocities{
-            .left = std::vector<double>(7, 0.3 * std::sin(static_cast<double>(first_tick) + i)),
-            .grippers = {{i % 20 == 0 ? -0.1 : 0.1, -0.05}},
+            .arms = {{"left",
+                      std::vector<double>(7, 0.3 * std::sin(static_cast<double>(first_tick) + i))}},
+            .grippers = {{"left", i % 20 == 0 ? -0.1 : 0.1}, {"right", -0.05}},
             .head = 0.2});
       }
       if (i == 20) simulation.Apply(Rotate{.angles_deg = {10, 0, 20}});
@@ -136,9 +137,9 @@ TEST_F(SimulationTest, TheRobotStandsStillWithoutCommands) {
 TEST_F(SimulationTest, JointsFollowTheirVelocities) {
   auto simulation = MakeSimulation({}, true);
   const std::vector<double> before = simulation->robot()->ArmAngles(0);
-  simulation->Apply(JointVelocities{.left = {{0.2, -0.2, 0.1, -0.3, 0.2, -0.1, 0.3}}});
+  simulation->Apply(JointVelocities{.arms = {{"left", {0.2, -0.2, 0.1, -0.3, 0.2, -0.1, 0.3}}}});
   TickSeconds(*simulation, 1);
-  simulation->Apply(JointVelocities{.left = std::vector<double>(7, 0.0)});
+  simulation->Apply(JointVelocities{.arms = {{"left", std::vector<double>(7, 0.0)}}});
   TickSeconds(*simulation, 1);
   const std::vector<double> after = simulation->robot()->ArmAngles(0);
   const double moved[7] = {0.2, -0.2, 0.1, -0.3, 0.2, -0.1, 0.3};
@@ -157,7 +158,9 @@ class GripperTest : public SimulationFixture {
                                   BlockAt("block", p_WG + Vector3(0, 0, 0.001))},
                                  true);
   }
-  void Grip(double rate) { simulation_->Apply(JointVelocities{.grippers = {{rate, 0}}}); }
+  void Grip(double rate) {
+    simulation_->Apply(JointVelocities{.grippers = {{"left", rate}, {"right", 0}}});
+  }
 
   RigidTransform X_WG_;
   std::unique_ptr<Simulation> simulation_;
@@ -170,9 +173,9 @@ TEST_F(GripperTest, ClosingHoldsTheBlockAndOpeningReleasesIt) {
   EXPECT_NEAR(simulation_->robot()->GripperOpening(0), 0.1, 0.012);
 
   const Vector3 start = PositionOf(*simulation_, "block");
-  simulation_->Apply(JointVelocities{.left = {{0, -0.3, 0, 0, 0, 0, 0}}});
+  simulation_->Apply(JointVelocities{.arms = {{"left", {0, -0.3, 0, 0, 0, 0, 0}}}});
   TickSeconds(*simulation_, 1);
-  simulation_->Apply(JointVelocities{.left = std::vector<double>(7, 0.0)});
+  simulation_->Apply(JointVelocities{.arms = {{"left", std::vector<double>(7, 0.0)}}});
   const Vector3 carried = PositionOf(*simulation_, "block");
   EXPECT_GT((carried - start).norm(), 0.02);
 
@@ -189,7 +192,7 @@ TEST_F(GripperTest, AHeldObjectStaysInPlaceInTheGripper) {
     return (simulation_->robot()->ToolPose(0).inverse() * PositionOf(*simulation_, "block")).eval();
   };
   const Vector3 before = in_gripper();
-  simulation_->Apply(JointVelocities{.left = {{0.4, -0.5, 0.2, -0.3, 0.5, 0.2, 0.5}}});
+  simulation_->Apply(JointVelocities{.arms = {{"left", {0.4, -0.5, 0.2, -0.3, 0.5, 0.2, 0.5}}}});
   double worst = 0;
   for (int i = 0; i < 90; ++i) {
     simulation_->Tick();

@@ -27,9 +27,9 @@ function smile_brain()
     switch type
       case message.nothing  % a moment for Ctrl-C
       case message.init
-        [callback, image_seconds] = answer_init(link, message, sequence, values);
+        [callback, image_seconds, arms] = answer_init(link, message, sequence, values);
       case message.step
-        answer_steps(link, message, sequence, values, callback, image_seconds);
+        answer_steps(link, message, sequence, values, callback, image_seconds, arms);
         return
       case message.bye
         return
@@ -76,14 +76,23 @@ function values = hello()
   end
 end
 
-function [callback, image_seconds] = answer_init(link, message, sequence, aux)
+function [callback, image_seconds, arms] = answer_init(link, message, sequence, aux)
   callback = '';
   image_seconds = [];
+  arms = [];
   script = 'agentBehavior';
   try
     [init, callback, files] = load_scripts();
-    still = struct('jointVelocities', zeros(aux.numLimbs, aux.numJoints), ...
-                   'gripperVelocities', zeros(aux.numLimbs, 1));
+    still = struct();
+    if isfield(aux, 'numLimbs')
+      still.jointVelocities = zeros(aux.numLimbs, aux.numJoints);
+      still.gripperVelocities = zeros(aux.numLimbs, 1);
+    end
+    if isfield(aux, 'armNames')
+      aux = smile_arms('describe', aux);
+      arms = aux.arms;
+      still.arms = smile_arms('still', arms);
+    end
     aux.attention = with_properties(aux.attention);
     aux.cameraNames = lines_of(aux.cameraNames);
     assignin('base', 'aux', aux);
@@ -93,14 +102,16 @@ function [callback, image_seconds] = answer_init(link, message, sequence, aux)
     aux = base_aux();
     new_markers(aux);
     if isfield(aux, 'imageSeconds'), image_seconds = aux.imageSeconds; end
-    link('send', message.init_done, sequence, wishes(aux, files));
+    link('send', message.init_done, sequence, wishes(aux, files, arms));
   catch err
-    link('send', message.error, sequence, smile_describe_error(err, script, 'aux'));
+    report = smile_describe_error(err, script, 'aux');
+    if ~isfield(aux, 'numLimbs'), report = smile_arms('hint', report); end
+    link('send', message.error, sequence, report);
   end
   if is_octave(), fflush(stdout); end
 end
 
-function answer_steps(link, message, sequence, sensor, callback, image_seconds)
+function answer_steps(link, message, sequence, sensor, callback, image_seconds, arms)
   % From the first to the last. This is what every step waits for, and to call a function or to ask
   % isfield takes as long as 5 us: hence what is usual stands here, in a line, and what is rare is
   % in functions.
@@ -117,15 +128,19 @@ function answer_steps(link, message, sequence, sensor, callback, image_seconds)
           has_trackers = isfield(sensor, 'trackerNames');
           has_more = isfield(sensor, 'segmentNames') || ...
                      any(strncmp(fieldnames(sensor), 'cameras_', 8));
-          held = two_lines(sensor.heldObject);
+          has_arms = isfield(sensor, 'armJoints');
+          is_classic = isfield(sensor, 'heldObject');
+          if is_classic, held = two_lines(sensor.heldObject); end
         end
-        sensor.heldObject = held;
+        if is_classic, sensor.heldObject = held; end
+        if has_arms, sensor = smile_arms('sense', sensor, arms); end
         if has_trackers, sensor = with_tracker_map(sensor); end
         if has_more, sensor = with_more_to_see(sensor); end
         assignin('base', 'sensor', sensor);
         evalin('base', call);
         answer = evalin('base', '{motor, aux}', '{motor, struct()}');  % aux may have been cleared
         motor = answer{1};
+        if isfield(motor, 'arms'), motor = smile_arms('pack', motor, arms); end
         has = isfield(answer{2}, {'exit', 'drawMarkers', 'imageSeconds'});
         if has(2) || had_markers
           [is_new, markers] = new_markers(answer{2});
@@ -140,7 +155,9 @@ function answer_steps(link, message, sequence, sensor, callback, image_seconds)
         if has(1) && is_exit_requested(answer{2}), type = message.final_motor; end
         link('send', type, sequence, motor);
       catch err
-        link('send', message.error, sequence, describe(err, callback, answer));
+        report = describe(err, callback, answer);
+        if ~is_classic, report = smile_arms('hint', report); end
+        link('send', message.error, sequence, report);
       end
       if needs_flush, fflush(stdout); end
     end
@@ -240,12 +257,15 @@ function aux = base_aux()
   if ~isstruct(aux) || ~isscalar(aux), error('aux is no longer a struct'); end
 end
 
-function values = wishes(aux, values)
+function values = wishes(aux, values, arms)
   for name = {'initJointAngles', 'drawMarkers', 'imageSeconds', 'watch'}
     if isfield(aux, name{1}), values.(name{1}) = aux.(name{1}); end
   end
   for name = {'channels', 'cameras'}
     if isfield(aux, name{1}), values.(name{1}) = in_one_line(aux.(name{1}), name{1}); end
+  end
+  if isfield(aux, 'arms') && isfield(aux.arms, 'initJoints')
+    values = smile_arms('posture', values, {aux.arms.initJoints}, arms, 'initJoints');
   end
 end
 

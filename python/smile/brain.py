@@ -77,7 +77,8 @@ class Program:
         if not callable(getattr(self.module, "step", None)):
             raise NameError("function step(sensor, motor, aux) is missing")
         self.aux = aux_of(values)
-        self.motor = Motor(self.aux.numLimbs, self.aux.numJoints)
+        self.arms = list(self.aux.__dict__.get("arms", []))
+        self.motor = Motor(self.aux)
         if hasattr(self.module, "init"):
             self.module.init(self.aux)
         wishes = wishes_of(self.aux)
@@ -87,7 +88,7 @@ class Program:
 
     def step(self, values):
         """STEP -> MOTOR or FINAL_MOTOR"""
-        self.module.step(sensor_of(values), self.motor, self.aux)
+        self.module.step(sensor_of(values, self.arms), self.motor, self.aux)
         is_last = "exit" in self.aux and bool(np.any(self.aux.exit))
         values = self.motor.values() | self.new_markers() | self.new_image_seconds()
         return FINAL_MOTOR if is_last else MOTOR, values

@@ -112,37 +112,46 @@ std::vector<MeasuredBrain> MeasuredBrains() {
           {"C++", SMILE_CPP_BRAIN}};
 }
 
-/// Returns the sensor values of a step, with a picture of the size of the benchmark unless that is
+/// Questions to a brain: to start, and for one step.
+struct BrainQuestions {
+  brain::Aux aux;
+  brain::Sensor sensor;
+};
+
+/// Returns the questions of a driver, with a picture of the size of the benchmark unless that is
 /// one pixel.
-brain::Sensor SensorOf(const benchmark::State& state) {
+BrainQuestions QuestionsOf(const benchmark::State& state, const std::filesystem::path& brain) {
   const auto simulation = MakeUm({});
   picture::RenderedEye eye({.width_px = static_cast<int>(state.range(0)),
                             .height_px = static_cast<int>(state.range(1))});
-  brain::Sensor sensor;
-  if (state.range(0) > 1)
-    sensor.pictures.push_back({.image = eye.Draw(simulation->model().visual_model(),
-                                                 ViewSampleOf(*simulation, eye.spec()))});
-  return sensor;
+  brain::BrainDriver driver(
+      {.eye = state.range(0) > 1 ? &eye : nullptr,
+       .may_read = {.trackers = false, .arms = brain::WhatMayBeRead(brain).arms}});
+  BrainQuestions questions{.aux =
+                               std::get<brain::Aux>(driver.NextQuestion(simulation.get()).value())};
+  driver.Take(brain::InitReply(), simulation.get());
+  questions.sensor = std::get<brain::Sensor>(driver.NextQuestion(simulation.get()).value());
+  return questions;
 }
 
 /// Measures a round trip with as many bytes as a brain receives and sends.
 void BareRoundTrip(benchmark::State& state) {
   constexpr std::size_t kMotorBytes = 250;
-  Echo echo(brain::EncodeSensor(1, SensorOf(state)).size(), kMotorBytes);
+  Echo echo(brain::EncodeSensor(1, QuestionsOf(state, "").sensor).size(), kMotorBytes);
   for (auto _ : state) echo.RoundTrip();
 }
 
 /// Measures a step of a brain: encoding, both ways through the transport, and decoding.
 void BrainRoundTrip(benchmark::State& state, const MeasuredBrain& measured) {
-  const brain::Sensor sensor = SensorOf(state);
+  const BrainQuestions questions = QuestionsOf(state, measured.brain);
   brain::BrainProcess process(measured.brain, {.transport = measured.transport});
-  auto reply = process.Init({});
+  auto reply = process.Init(questions.aux);
   if (const auto* error = std::get_if<brain::BrainError>(&reply)) {
     // A missing interpreter is not an error of the benchmark.
     state.SkipWithError(ToString(*error).c_str());
     return;
   }
-  for (auto _ : state) benchmark::DoNotOptimize(process.Step(sensor));
+  for (auto _ : state) benchmark::DoNotOptimize(process.Step(questions.sensor));
 }
 
 void RegisterAll() {

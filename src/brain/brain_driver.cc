@@ -1,13 +1,13 @@
 #include "brain/brain_driver.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include "base/files.h"
 #include "brain/brain_messages.h"
+#include "motion/channels.h"
 #include "robot/robot_visuals.h"
 #include "scene/units.h"
 
@@ -16,17 +16,6 @@ namespace {
 
 Eigen::RowVector3d InUnits(const Vector3& p, const sim::Simulation& simulation) {
   return scene::ToFileUnits(p, simulation.scene().meters_per_unit).transpose();
-}
-
-/// Returns values of each arm's joints, one row per arm. `of_arm` selects angles or velocities.
-LimbJoints OfBothArms(const world::RobotBody& robot,
-                      std::vector<double> (world::RobotBody::*of_arm)(int) const) {
-  LimbJoints rows;
-  for (int arm = 0; arm < kLimbCount; ++arm) {
-    const std::vector<double> values = (robot.*of_arm)(arm);
-    for (int i = 0; i < kJointCount; ++i) rows(arm, i) = values[i];
-  }
-  return rows;
 }
 
 /// Returns a pose as a 4x4 matrix with its translation in units.
@@ -60,34 +49,51 @@ Image InUnits(const Image& image, const sim::Channels& channels, double meters_p
   return copy;
 }
 
-/// Returns the object that each gripper holds; the first one if it holds several.
-std::array<std::string, kLimbCount> HeldObjects(const sim::Simulation& simulation) {
-  std::array<std::string, kLimbCount> ids;
-  for (int arm = 0; arm < kLimbCount; ++arm) {
-    const std::vector<physics::BodyId> bodies = simulation.robot()->HeldBodies(arm);
-    if (!bodies.empty()) ids[arm] = simulation.tabletop().Find(bodies.front())->id();
-  }
-  return ids;
+/// Returns the object that a gripper holds; the first one if it holds several, empty if none.
+std::string HeldObject(const sim::Simulation& simulation, int arm) {
+  const std::vector<physics::BodyId> bodies = simulation.robot()->HeldBodies(arm);
+  return bodies.empty() ? "" : simulation.tabletop().Find(bodies.front())->id();
 }
 
-/// Throws std::invalid_argument unless the robot has two arms of seven joints, the shape of all
-/// matrices in the protocol. Checked before the first question only: a model is immutable, so the
-/// arms cannot change during a run.
-void RequireTwoArms(const sim::Simulation& simulation) {
+/// Throws std::invalid_argument unless the robot has arms. Checked before the first question only:
+/// a model is immutable, so the arms cannot change during a run.
+void RequireArms(const sim::Simulation& simulation) {
   const world::RobotBody* robot = simulation.robot();
-  bool has_arms = robot != nullptr && robot->num_arms() == kLimbCount;
-  for (int arm = 0; has_arms && arm < kLimbCount; ++arm) {
-    has_arms = robot->model().arms[arm].joints.size() == kJointCount;
-  }
-  if (!has_arms) {
-    throw std::invalid_argument("a brain drives a robot with two arms of seven joints each");
+  if (robot == nullptr || robot->num_arms() == 0) {
+    throw std::invalid_argument(
+        "a brain drives the arms of a robot, and this simulation has none; arms are named in the "
+        "robot's side file");
   }
 }
 
-/// Returns the values of one arm.
-std::vector<double> RowOf(const LimbJoints& joints, int arm) {
-  const Eigen::Matrix<double, 1, kJointCount> row = joints.row(arm);
-  return {row.data(), row.data() + kJointCount};
+/// Returns true for two arms of seven joints, whose trackers the original has.
+bool IsClassic(const robot::RobotModel& model) {
+  return model.arms.size() == kLimbCount && std::ranges::all_of(model.arms, [](const auto& arm) {
+           return arm.joints.size() == kJointCount;
+         });
+}
+
+/// Returns the constant data of an arm.
+ArmDescription DescribeArm(const robot::RobotModel& model, const robot::Arm& arm,
+                           const sim::Simulation& simulation) {
+  const robot::Frame& tool = model.frames[arm.tool];
+  ArmDescription description{.name = arm.name, .X_LG = MatrixInUnits(tool.X_LF, simulation)};
+  for (const int joint : arm.joints) {
+    const scene::LinkSpec& link = model.links[joint];
+    description.joint_names.push_back(link.joint_name);
+    description.min_joints.push_back(link.lower);
+    description.max_joints.push_back(link.upper);
+    description.max_velocities.push_back(link.max_velocity);
+  }
+  const motion::TrajectoryChannel* gripper = nullptr;
+  const std::vector<motion::TrajectoryChannel> channels = motion::ChannelsOf(model);
+  if (arm.gripper) gripper = motion::FindChannel(channels, arm.name + "_gripper");
+  if (gripper != nullptr) {
+    const double unit = simulation.scene().meters_per_unit;
+    description.gripper = {scene::ToFileUnits(gripper->limits.lower, unit),
+                           scene::ToFileUnits(gripper->limits.upper, unit)};
+  }
+  return description;
 }
 
 /// Returns the named points of the original: shoulders, elbows, wrists, and both ends of each
@@ -126,19 +132,20 @@ std::map<std::string, Eigen::RowVector3d, std::less<>> TrackersOf(
 
 }  // namespace
 
-// Trackers are computed for each step, so they are left out if no script mentions them.
-bool MayReadTrackers(const std::filesystem::path& brain) {
+MayRead WhatMayBeRead(const std::filesystem::path& brain) {
   constexpr std::size_t kMaxScriptBytes = 4u << 20;
   std::error_code error;
-  // Python files and executables are not searched: there, trackers cost little.
-  if (!std::filesystem::is_directory(brain, error)) return true;
+  // Python files and executables are not searched: there, these values cost little.
+  if (!std::filesystem::is_directory(brain, error)) return {};
+  MayRead read{.trackers = false, .arms = false};
   for (const auto& entry : std::filesystem::directory_iterator(brain, error)) {
     if (entry.path().extension() != ".m" || !entry.is_regular_file(error)) continue;
-    if (entry.file_size(error) > kMaxScriptBytes) return true;
+    if (entry.file_size(error) > kMaxScriptBytes) return {};
     const std::string script = ReadFile(entry.path(), kMaxScriptBytes);
-    if (script.find("trackerLoc") != std::string::npos) return true;
+    if (script.find("trackerLoc") != std::string::npos) read.trackers = true;
+    if (script.find(".arms") != std::string::npos) read.arms = true;
   }
-  return false;
+  return read;
 }
 
 std::string_view ToString(BrainStatus status) {
@@ -164,7 +171,7 @@ BrainStatus BrainDriver::Drive(BrainProcess* process, sim::Simulation* simulatio
 
 std::optional<BrainQuestion> BrainDriver::NextQuestion(sim::Simulation* simulation) {
   if (status_ == BrainStatus::kStarting) {
-    RequireTwoArms(*simulation);
+    RequireArms(*simulation);
     Show(options_.demonstration.empty() ? robot::FaceExpression::kIdle
                                         : robot::FaceExpression::kWatching,
          simulation);
@@ -187,19 +194,20 @@ BrainStatus BrainDriver::Take(BrainAnswer answer, sim::Simulation* simulation) {
   return status_;
 }
 
+// The classic variables say the same of a classic robot.
+bool BrainDriver::SendsArms(const robot::RobotModel& model) const {
+  return options_.may_read.arms || !IsClassic(model);
+}
+
 // Everything here is constant during a run, except for the pose of the camera, which each picture
 // repeats. Angles and velocities are in SI units, lengths in units.
 Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
   const robot::RobotModel& model = simulation.robot()->model();
   Aux aux;
-  for (int arm = 0; arm < kLimbCount; ++arm) {
-    for (int i = 0; i < kJointCount; ++i) {
-      const scene::LinkSpec& link = model.links[model.arms[arm].joints[i]];
-      aux.min_joint_angles(arm, i) = link.lower;
-      aux.max_joint_angles(arm, i) = link.upper;
-      aux.max_joint_velocities(arm, i) = link.max_velocity;
-    }
+  for (const robot::Arm& arm : model.arms) {
+    aux.arms.push_back(DescribeArm(model, arm, simulation));
   }
+  aux.sends_arms = SendsArms(model);
   aux.meters_per_unit = simulation.scene().meters_per_unit;
   aux.X_WBase = MatrixInUnits(simulation.robot()->base_pose(), simulation);
   aux.robot_files = simulation.model().robot_placement()->files;
@@ -221,16 +229,21 @@ Sensor BrainDriver::SenseBody(const sim::Simulation& simulation) {
   const world::RobotBody& robot = *simulation.robot();
   Sensor sensor{.time_elapsed = SecondsSinceStep(simulation), .sim_time = simulation.seconds()};
   last_step_tick_ = simulation.tick();
-  sensor.joint_angles = OfBothArms(robot, &world::RobotBody::ArmAngles);
-  for (int arm = 0; arm < kLimbCount; ++arm) {
-    sensor.end_effector_positions.row(arm) = InUnits(robot.ToolPose(arm).translation(), simulation);
-    sensor.gripper_openings(arm) =
+  for (int arm = 0; arm < robot.num_arms(); ++arm) {
+    ArmSensor& sensed =
+        sensor.arms.emplace_back(ArmSensor{.joints = robot.ArmAngles(arm),
+                                           .velocities = robot.ArmVelocities(arm),
+                                           .X_WG = MatrixInUnits(robot.ToolPose(arm), simulation),
+                                           .held_object = HeldObject(simulation, arm)});
+    if (!robot.model().arms[arm].gripper) continue;
+    sensed.gripper =
         scene::ToFileUnits(robot.GripperOpening(arm), simulation.scene().meters_per_unit);
   }
-  if (options_.has_trackers) sensor.tracker_locations = TrackersOf(simulation);
-  sensor.joint_velocities = OfBothArms(robot, &world::RobotBody::ArmVelocities);
+  sensor.sends_arms = SendsArms(robot.model());
+  if (options_.may_read.trackers && IsClassic(robot.model())) {
+    sensor.tracker_locations = TrackersOf(simulation);
+  }
   sensor.head_angle = robot.HeadAngle();
-  sensor.held_objects = HeldObjects(simulation);
   return sensor;
 }
 
@@ -353,10 +366,12 @@ void BrainDriver::AddPictures(const sim::Simulation& simulation, Sensor* sensor)
 
 void BrainDriver::Begin(const InitReply& reply, sim::Simulation* simulation) {
   status_ = BrainStatus::kRunning;
-  if (reply.init_joint_angles) {
-    simulation->Apply(sim::JointAngles{.arms = {{"left", RowOf(*reply.init_joint_angles, 0)},
-                                                {"right", RowOf(*reply.init_joint_angles, 1)}}});
+  sim::JointAngles angles;
+  const std::vector<robot::Arm>& arms = simulation->robot()->model().arms;
+  for (std::size_t k = 0; k < reply.init_joints.size(); ++k) {
+    if (reply.init_joints[k]) angles.arms[arms[k].name] = *reply.init_joints[k];
   }
+  if (!angles.arms.empty()) simulation->Apply(angles);
   wishes_ = reply.pictures;
   ShowMarkers(reply.draw_markers, simulation);
   begin_tick_ = simulation->tick();
@@ -405,26 +420,33 @@ void BrainDriver::MakeStep(const StepReply& reply, sim::Simulation* simulation) 
 /// motion is one line of the log. Converts gripper velocities from units/s to m/s; joints are in
 /// radians on both sides.
 void BrainDriver::Send(const Motor& motor, sim::Simulation* simulation) {
+  const robot::RobotModel& model = simulation->robot()->model();
   const double unit = simulation->scene().meters_per_unit;
-  sim::JointVelocities velocities{
-      .arms = {{"left", RowOf(motor.joint_velocities, 0)},
-               {"right", RowOf(motor.joint_velocities, 1)}},
-      .grippers = {{"left", scene::FromFileUnits(motor.gripper_velocities[0], unit)},
-                   {"right", scene::FromFileUnits(motor.gripper_velocities[1], unit)}},
-      .head = motor.head_velocity};
-  if (motor.joint_angles) {
+  sim::JointVelocities velocities = sim::StillVelocities(model);
+  velocities.head = motor.head_velocity;
+  sim::JointAngles angles;
+  for (std::size_t k = 0; k < motor.arms.size(); ++k) {
+    const ArmMotor& commanded = motor.arms[k];
+    const robot::Arm& arm = model.arms[k];
+    if (arm.gripper) {
+      velocities.grippers[arm.name] = scene::FromFileUnits(commanded.gripper_velocity, unit);
+    }
     // Angles take precedence over velocities, as in the original. The joints then hold these
     // angles: velocities still in effect would move them on.
-    velocities.arms["left"] = velocities.arms["right"] = std::vector<double>(kJointCount, 0.0);
-    const sim::JointAngles angles{.arms = {{"left", RowOf(*motor.joint_angles, 0)},
-                                           {"right", RowOf(*motor.joint_angles, 1)}}};
-    if (sent_angles_ != angles) simulation->Apply(angles);
-    sent_angles_ = angles;
-  } else {
+    if (commanded.joints) {
+      angles.arms[arm.name] = *commanded.joints;
+    } else {
+      velocities.arms[arm.name] = commanded.velocities;
+    }
+  }
+  if (angles.arms.empty()) {
     sent_angles_.reset();
+  } else {
+    if (sent_angles_ != angles) simulation->Apply(angles);
+    sent_angles_ = std::move(angles);
   }
   if (sent_velocities_ != velocities) simulation->Apply(velocities);
-  sent_velocities_ = velocities;
+  sent_velocities_ = std::move(velocities);
 }
 
 void BrainDriver::StopRobot(sim::Simulation* simulation) {

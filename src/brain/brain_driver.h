@@ -13,19 +13,29 @@
 
 namespace smile::brain {
 
+/// Values that a brain may read and that cost Octave time at each step: a map of trackers more than
+/// the rest of a step, arms a fifth. They are sent only to scripts that may read them.
+struct MayRead {
+  bool trackers = true;  ///< `sensor.trackerLoc`
+  /// `sensor.arms`, beside the classic variables; other robots than classic ones always send it.
+  bool arms = true;
+
+  bool operator==(const MayRead&) const = default;
+};
+
+/// Searches the scripts of a folder for `trackerLoc` and `.arms`; brains of other kinds may read
+/// everything.
+MayRead WhatMayBeRead(const std::filesystem::path& brain);
+
 struct BrainDriverOptions {
   sim::Eye* eye = nullptr;      ///< renders its pictures; nullptr for a brain without pictures
   double image_seconds = 0.25;  ///< between pictures, unless the brain requests another period
-  bool has_trackers = true;     ///< include `sensor.trackerLoc`; see MayReadTrackers()
+  MayRead may_read;             ///< values that the brain may read; see WhatMayBeRead()
   std::filesystem::path demonstration;  ///< the recording to imitate; empty for none
   DemonstrationFrames frames;           ///< of that recording; called if a brain requests to watch
   Attention attention;                  ///< of it
   SensorNoise noise;                    ///< in all sensor values
 };
-
-/// Returns false for a folder without a script that contains `trackerLoc`. In Octave, its map costs
-/// more time than the rest of a step, so it is sent only to scripts that may read it.
-bool MayReadTrackers(const std::filesystem::path& brain);
 
 enum class BrainStatus { kStarting, kRunning, kExited, kFailed };
 std::string_view ToString(BrainStatus status);
@@ -53,7 +63,7 @@ class BrainDriver {
 
   /// Returns the question that is due, while the brain is starting or running; nullopt between two
   /// frames of the demonstration, and within a chunk, whose command of this tick it applies.
-  /// @throws std::invalid_argument if the simulation has no robot with two arms of seven joints.
+  /// @throws std::invalid_argument if the simulation has no robot with arms.
   std::optional<BrainQuestion> NextQuestion(sim::Simulation* simulation);
   /// Applies the answer: the initial posture of the robot, or the motion of a step. When the brain
   /// ends, for any reason, the robot stops.
@@ -66,6 +76,8 @@ class BrainDriver {
   std::uint64_t watched_ticks() const { return watched_ticks_; }
 
  private:
+  /// Returns true if the general form of arms is sent.
+  bool SendsArms(const robot::RobotModel& model) const;
   Aux Describe(const sim::Simulation& simulation) const;
   /// Returns the robot's own sensor values, without pictures.
   Sensor SenseBody(const sim::Simulation& simulation);

@@ -14,13 +14,13 @@
 #include <stdexcept>
 
 #include "base/wording.h"
+#include "brain/internal_matrix_reader.h"
+#include "brain/internal_motor_reader.h"
 #include "sim/tick.h"
 
 namespace smile::brain {
 namespace {
 
-/// Limit of all numbers from brains, far beyond any table [units].
-constexpr double kFarthest = 1e6;
 // Limits on what a brain can make the simulator print, render or wait for.
 constexpr std::size_t kMaxErrorLetters = 2'000;
 constexpr std::size_t kMaxExtraCameras = 8;
@@ -217,165 +217,110 @@ std::size_t PictureBytes(const Sensor& sensor) {
   return bytes;
 }
 
-void AddHeld(MessageWriter& writer, const Sensor& sensor) {
+/// Returns the classic variable of joints: one row per arm. `values` is a member of its elements.
+template <class Arm>
+Eigen::MatrixXd LimbJoints(const std::vector<Arm>& arms, std::vector<double> Arm::*values) {
+  Eigen::MatrixXd rows(arms.size(), kJointCount);
+  for (std::size_t arm = 0; arm < arms.size(); ++arm) {
+    const std::vector<double>& row = arms[arm].*values;
+    rows.row(static_cast<Eigen::Index>(arm)) =
+        Eigen::Map<const Eigen::RowVectorXd>(row.data(), kJointCount);
+  }
+  return rows;
+}
+
+/// Adds values of all arms' joints, arm by arm, as one row.
+template <class Arm>
+void AddJoints(MessageWriter& writer, std::string_view name, const std::vector<Arm>& arms,
+               std::vector<double> Arm::*values) {
+  std::vector<double> row;
+  for (const Arm& arm : arms) row.insert(row.end(), (arm.*values).begin(), (arm.*values).end());
+  writer.AddDoubles(name, std::array{1u, static_cast<std::uint32_t>(row.size())}, row);
+}
+
+/// Adds a 4x4 matrix of each arm: 4x4xN.
+template <class Arm>
+void AddPoses(MessageWriter& writer, std::string_view name, const std::vector<Arm>& arms,
+              Eigen::Matrix4d Arm::*pose) {
+  std::vector<double> numbers;
+  for (const Arm& arm : arms) {
+    const double* column_major = (arm.*pose).data();
+    numbers.insert(numbers.end(), column_major, column_major + 16);
+  }
+  writer.AddDoubles(name, std::array{4u, 4u, static_cast<std::uint32_t>(arms.size())}, numbers);
+}
+
+/// Adds the description of arms in the general form: joints arm by arm, of which `armJointCounts`
+/// belong to each.
+void AddArms(MessageWriter& writer, const std::vector<ArmDescription>& arms) {
+  std::vector<std::string> names, joint_names;
+  Eigen::RowVectorXd counts(arms.size());
+  // Not a number stands for no gripper: messages have no empty elements.
+  Eigen::MatrixXd grippers =
+      Eigen::MatrixXd::Constant(2, static_cast<Eigen::Index>(arms.size()), std::nan(""));
+  for (std::size_t k = 0; k < arms.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    names.push_back(arms[k].name);
+    joint_names.insert(joint_names.end(), arms[k].joint_names.begin(), arms[k].joint_names.end());
+    counts[column] = arms[k].num_joints();
+    if (arms[k].gripper) grippers.col(column) = *arms[k].gripper;
+  }
+  AddLines(writer, "armNames", names);
+  AddMatrix(writer, "armJointCounts", counts);
+  AddLines(writer, "armJointNames", joint_names);
+  AddJoints(writer, "armMinJoints", arms, &ArmDescription::min_joints);
+  AddJoints(writer, "armMaxJoints", arms, &ArmDescription::max_joints);
+  AddJoints(writer, "armMaxVelocities", arms, &ArmDescription::max_velocities);
+  AddMatrix(writer, "armGrippers", grippers);
+  AddPoses(writer, "armToolPoses", arms, &ArmDescription::X_LG);
+}
+
+/// Adds the state of arms in the general form.
+void AddArms(MessageWriter& writer, const std::vector<ArmSensor>& arms) {
+  std::vector<std::string> held;
+  Eigen::RowVectorXd grippers(arms.size());
+  for (std::size_t k = 0; k < arms.size(); ++k) {
+    held.push_back(arms[k].held_object);
+    grippers[static_cast<Eigen::Index>(k)] = arms[k].gripper.value_or(std::nan(""));
+  }
+  AddJoints(writer, "armJoints", arms, &ArmSensor::joints);
+  AddJoints(writer, "armVelocities", arms, &ArmSensor::velocities);
+  AddMatrix(writer, "armGrippers", grippers);
+  AddPoses(writer, "armEndEffectors", arms, &ArmSensor::X_WG);
+  AddLines(writer, "armHeldObjects", held);
+}
+
+/// Returns true for the state of two arms of seven joints.
+bool IsClassic(const std::vector<ArmSensor>& arms) {
+  return arms.size() == kLimbCount && std::ranges::all_of(arms, [](const ArmSensor& arm) {
+           return arm.joints.size() == kJointCount;
+         });
+}
+
+/// Adds the classic variables of where the arms are.
+void AddClassicPosition(MessageWriter& writer, const std::vector<ArmSensor>& arms) {
+  Eigen::Matrix<double, kLimbCount, 3> positions;
+  Eigen::RowVector2d openings;
+  for (int arm = 0; arm < kLimbCount; ++arm) {
+    positions.row(arm) = arms[arm].X_WG.topRightCorner<3, 1>().transpose();
+    openings[arm] = arms[arm].gripper.value_or(0);
+  }
+  AddMatrix(writer, "jointAngles", LimbJoints(arms, &ArmSensor::joints));
+  AddMatrix(writer, "endEffPos", positions);
+  AddMatrix(writer, "gripperOpening", openings);
+}
+
+void AddHeld(MessageWriter& writer, const std::vector<ArmSensor>& arms) {
   // `isHolding` repeats what the names show: in a script, a logical array is easier to test than
   // texts.
-  const std::array dims{1u, static_cast<std::uint32_t>(kLimbCount)};
+  const std::array dims{1u, static_cast<std::uint32_t>(arms.size())};
   const auto flags = writer.AddSpace("isHolding", ElementType::kLogical, false, dims);
-  for (std::size_t arm = 0; arm < flags.size(); ++arm) {
-    flags[arm] = std::byte{!sensor.held_objects[arm].empty()};
+  std::vector<std::string> held;
+  for (std::size_t arm = 0; arm < arms.size(); ++arm) {
+    flags[arm] = std::byte{!arms[arm].held_object.empty()};
+    held.push_back(arms[arm].held_object);
   }
-  AddLines(writer, "heldObject", sensor.held_objects);
-}
-
-/// Reader of matrices from a brain. Numbers beyond kFarthest are errors, as they could be logged
-/// but not read again. `prefix` is the name of the variable in the script, for example `motor.`.
-class MatrixReader {
- public:
-  explicit MatrixReader(std::string prefix) : prefix_(std::move(prefix)) {}
-
-  /// Reads an array of exactly `rows` x `cols`; -1 as `rows` takes any number of them.
-  /// On failure the first error is kept and zeros are returned.
-  Eigen::MatrixXd Read(const NamedArray& array, int rows, int cols) {
-    const std::string expected =
-        (rows < 0 ? std::string("N") : std::to_string(rows)) + "x" + std::to_string(cols);
-    const auto zeros = Eigen::MatrixXd::Zero(std::max(rows, 0), cols);
-    const auto numbers = array.Numbers();
-    if (!numbers) {
-      Fail(array.name + " is text, expected a " + expected + " matrix");
-      return zeros;
-    }
-    if (array.dims.size() != 2 || static_cast<int>(array.dims[1]) != cols ||
-        (rows >= 0 && static_cast<int>(array.dims[0]) != rows)) {
-      Fail(array.name + " is " + ShapeText(array.dims) + ", expected " + expected);
-      return zeros;
-    }
-    return Checked(array, *numbers).reshaped(array.dims[0], cols);
-  }
-
-  /// Reads the values of successive ticks, `rows` x `cols` each: an array with time as its last
-  /// dimension, of 1 to kMaxChunkTicks. An array of `rows` x `cols` is the value of one tick.
-  /// @returns one column of rows * cols numbers per tick; one of zeros on failure.
-  Eigen::MatrixXd ReadTicks(const NamedArray& array, int rows, int cols) {
-    const int size = rows * cols;
-    // Values of one column need no third dimension: 2xN.
-    const std::size_t time = cols == 1 ? 1 : 2;
-    const bool has_time = array.type != ElementType::kText && array.dims.size() == time + 1 &&
-                          static_cast<int>(array.dims[0]) == rows &&
-                          (cols == 1 || static_cast<int>(array.dims[1]) == cols);
-    if (!has_time) return Read(array, rows, cols).reshaped(size, 1);
-    if (array.dims[time] < 1 || array.dims[time] > kMaxChunkTicks) {
-      Fail(array.name + " is " + ShapeText(array.dims) + ", expected values for 1 to " +
-           std::to_string(kMaxChunkTicks) + " ticks");
-      return Eigen::MatrixXd::Zero(size, 1);
-    }
-    return Checked(array, array.Numbers().value()).reshaped(size, array.dims[time]);
-  }
-
-  /// Reads a whole number from 1 to `max`; 1 on failure.
-  int ReadCount(const NamedArray& array, int max) {
-    const double count = Read(array, 1, 1)(0, 0);
-    if (count >= 1 && count <= max && count == std::floor(count)) return static_cast<int>(count);
-    Fail(array.name + " is " + NumberText(count) + ", expected a whole number from 1 to " +
-         std::to_string(max));
-    return 1;
-  }
-
-  void Fail(const std::string& message) {
-    if (error_.message.empty()) error_.message = prefix_ + message;
-  }
-  bool ok() const { return error_.message.empty(); }
-  const WireError& error() const { return error_; }
-
- private:
-  /// Returns the numbers of an array in column-major order, after a check of each.
-  Eigen::VectorXd Checked(const NamedArray& array, const std::vector<double>& numbers) {
-    Eigen::VectorXd columns(static_cast<Eigen::Index>(numbers.size()));
-    const auto bytes = std::as_bytes(std::span(numbers));
-    const auto to = std::as_writable_bytes(std::span(columns.data(), numbers.size()));
-    if (array.is_row_major) {
-      // A brain may send either order, whatever was negotiated for pictures. An array by rows is
-      // one by columns with its dimensions reversed.
-      const std::vector<std::uint32_t> reversed(array.dims.rbegin(), array.dims.rend());
-      wire::CopyToRowMajor(reversed, sizeof(double), bytes, to);
-    } else {
-      std::ranges::copy(bytes, to.begin());
-    }
-    for (Eigen::Index i = 0; i < columns.size(); ++i) {
-      // The comparison is also false for NaN.
-      if (std::abs(columns[i]) <= kFarthest) continue;
-      Fail(array.name + PlaceText(i, array.dims) + " is " + NumberText(columns[i]) + ", expected " +
-           (std::isfinite(columns[i]) ? "at most " + NumberText(kFarthest) : "a finite number"));
-      break;
-    }
-    return columns;
-  }
-
-  /// Returns an element's place in a column-major array, with indices from 1 as in scripts:
-  /// `(2,3)`.
-  static std::string PlaceText(Eigen::Index element, std::span<const std::uint32_t> dims) {
-    std::string text;
-    for (const std::uint32_t dim : dims) {
-      text += (text.empty() ? "(" : ",") + std::to_string(element % dim + 1);
-      element /= dim;
-    }
-    return text + ")";
-  }
-
-  std::string prefix_;
-  WireError error_;
-};
-
-/// Fields of a motor message; those with velocities have one column per tick.
-struct MotorFields {
-  Eigen::MatrixXd joint_velocities = Eigen::MatrixXd::Zero(kLimbCount * kJointCount, 1);
-  Eigen::MatrixXd gripper_velocities = Eigen::MatrixXd::Zero(kLimbCount, 1);
-  std::optional<Eigen::MatrixXd> head_velocities;
-  std::optional<LimbJoints> joint_angles;
-  std::optional<int> ticks;
-};
-
-void ReadMotorField(MatrixReader& reader, const NamedArray& field, MotorFields* motor) {
-  if (field.name == "jointVelocities") {
-    motor->joint_velocities = reader.ReadTicks(field, kLimbCount, kJointCount);
-  } else if (field.name == "gripperVelocities") {
-    // A row is accepted as well, since sensor.gripperOpening is one.
-    const bool is_row = field.dims.size() == 2 && field.dims[0] == 1 && field.dims[1] == kLimbCount;
-    motor->gripper_velocities = is_row ? Eigen::MatrixXd(reader.Read(field, 1, 2).transpose())
-                                       : reader.ReadTicks(field, kLimbCount, 1);
-  } else if (field.name == "jointAngles") {
-    motor->joint_angles = reader.Read(field, kLimbCount, kJointCount);
-  } else if (field.name == "headVelocity") {
-    motor->head_velocities = reader.ReadTicks(field, 1, 1);
-  } else if (field.name == "ticks") {
-    motor->ticks = reader.ReadCount(field, kMaxChunkTicks);
-  } else {
-    reader.Fail(field.name +
-                " is unknown, expected jointVelocities, gripperVelocities, jointAngles, "
-                "headVelocity or ticks");
-  }
-}
-
-/// Sets the commands of a reply, tick by tick, and their duration. The last value of each field
-/// remains in effect while others change.
-void SetMotors(const MotorFields& fields, StepReply* reply) {
-  const Eigen::Index head_ticks = fields.head_velocities ? fields.head_velocities->cols() : 0;
-  const Eigen::Index longest =
-      std::max({fields.joint_velocities.cols(), fields.gripper_velocities.cols(), head_ticks});
-  reply->ticks = fields.ticks.value_or(static_cast<int>(longest));
-  const auto at = [](const Eigen::MatrixXd& values, Eigen::Index tick) {
-    return values.col(std::min(tick, values.cols() - 1));
-  };
-  reply->motors.clear();
-  // A chunk may be longer than its `ticks`: the brain replans before its end.
-  for (Eigen::Index tick = 0; tick < std::min<Eigen::Index>(longest, reply->ticks); ++tick) {
-    Motor motor{
-        .joint_velocities = at(fields.joint_velocities, tick).reshaped(kLimbCount, kJointCount),
-        .gripper_velocities = at(fields.gripper_velocities, tick),
-        .joint_angles = fields.joint_angles};
-    if (fields.head_velocities) motor.head_velocity = at(*fields.head_velocities, tick)[0];
-    reply->motors.push_back(std::move(motor));
-  }
+  AddLines(writer, "heldObject", held);
 }
 
 /// Returns the words of a text from a brain, separated by line breaks, commas or blanks.
@@ -511,13 +456,16 @@ std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::st
                                  std::string_view robot) {
   MessageWriter writer(MessageType::kInit, sequence);
   writer.AddText("path", path);
-  writer.AddScalar("numLimbs", kLimbCount);
-  writer.AddScalar("numJoints", kJointCount);
-  AddMatrix(writer, "minJointAngles", aux.min_joint_angles);
-  AddMatrix(writer, "maxJointAngles", aux.max_joint_angles);
   // Field names are fixed by docs/brain-protocol.md; clients of other versions read them by name,
   // so new fields may follow anywhere.
-  AddMatrix(writer, "maxJointVelocities", aux.max_joint_velocities);
+  if (IsClassic(aux.arms)) {
+    writer.AddScalar("numLimbs", kLimbCount);
+    writer.AddScalar("numJoints", kJointCount);
+    AddMatrix(writer, "minJointAngles", LimbJoints(aux.arms, &ArmDescription::min_joints));
+    AddMatrix(writer, "maxJointAngles", LimbJoints(aux.arms, &ArmDescription::max_joints));
+    AddMatrix(writer, "maxJointVelocities", LimbJoints(aux.arms, &ArmDescription::max_velocities));
+  }
+  if (aux.sends_arms) AddArms(writer, aux.arms);
   writer.AddScalar("tickSeconds", 1.0 / sim::kTicksPerSecond);
   writer.AddScalar("maxTicks", kMaxChunkTicks);
   writer.AddScalar("unit", aux.meters_per_unit);
@@ -536,14 +484,16 @@ std::vector<std::byte> EncodeSensor(std::uint32_t sequence, const Sensor& sensor
   MessageWriter writer(MessageType::kStep, sequence, 2000 + PictureBytes(sensor));
   writer.AddScalar("timeElapsed", sensor.time_elapsed);
   writer.AddScalar("simTime", sensor.sim_time);
-  AddMatrix(writer, "jointAngles", sensor.joint_angles);
-  AddMatrix(writer, "endEffPos", sensor.end_effector_positions);
-  AddMatrix(writer, "gripperOpening", sensor.gripper_openings);
+  const bool is_classic = IsClassic(sensor.arms);
+  if (is_classic) AddClassicPosition(writer, sensor.arms);
   writer.AddLogical("demoCue", sensor.demo_cue);
   if (!sensor.tracker_locations.empty()) AddTrackers(writer, sensor);
-  AddMatrix(writer, "jointVelocities", sensor.joint_velocities);
+  if (is_classic) {
+    AddMatrix(writer, "jointVelocities", LimbJoints(sensor.arms, &ArmSensor::velocities));
+  }
   writer.AddScalar("headAngle", sensor.head_angle);
-  AddHeld(writer, sensor);
+  if (is_classic) AddHeld(writer, sensor.arms);
+  if (sensor.sends_arms) AddArms(writer, sensor.arms);
   for (const CameraPicture& picture : sensor.pictures) AddPicture(writer, picture, order);
   if (!sensor.segment_names.empty()) AddLines(writer, "segmentNames", sensor.segment_names);
   return writer.Finish();
@@ -552,9 +502,7 @@ std::vector<std::byte> EncodeSensor(std::uint32_t sequence, const Sensor& sensor
 std::variant<InitReply, WireError> DecodeInitReply(const Message& message, const Aux& aux) {
   MatrixReader reader("aux.");
   InitReply reply;
-  if (const NamedArray* angles = message.Find("initJointAngles")) {
-    reply.init_joint_angles = reader.Read(*angles, kLimbCount, kJointCount);
-  }
+  reply.init_joints = MotorReader::ReadPosture(message, aux.arms, &reader);
   if (const NamedArray* markers = message.Find("drawMarkers")) {
     reply.draw_markers = ReadMarkers(*markers, reader);
   }
@@ -566,10 +514,11 @@ std::variant<InitReply, WireError> DecodeInitReply(const Message& message, const
   return reply;
 }
 
-std::variant<StepReply, WireError> DecodeStepReply(const Message& message) {
+std::variant<StepReply, WireError> DecodeStepReply(const Message& message,
+                                                   std::span<const ArmDescription> arms) {
   MatrixReader reader("motor."), aux_reader("aux.");
+  MotorReader motor(arms, &reader);
   StepReply reply;
-  MotorFields fields;
   // The end of a brain is a type of message, not a field: a client cannot forget to reset it.
   reply.exit = message.type == MessageType::kFinalMotor;
   // Unknown fields are errors, so that misspelled ones are noticed.
@@ -579,17 +528,12 @@ std::variant<StepReply, WireError> DecodeStepReply(const Message& message) {
     } else if (field.name == "imageSeconds") {
       reply.image_seconds = ReadImageSeconds(field, aux_reader);
     } else {
-      ReadMotorField(reader, field, &fields);
+      motor.Take(field);
     }
   }
-  // With `jointAngles` the velocities are ignored, so only then may they be absent.
-  if (!message.Find("jointVelocities") && !fields.joint_angles) {
-    reader.Fail("jointVelocities is missing, expected 2x7");
-  }
-  if (!message.Find("gripperVelocities")) reader.Fail("gripperVelocities is missing, expected 2x1");
+  motor.Finish(&reply);
   if (!reader.ok()) return reader.error();
   if (!aux_reader.ok()) return aux_reader.error();
-  SetMotors(fields, &reply);
   return reply;
 }
 

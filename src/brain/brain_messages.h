@@ -45,7 +45,9 @@ std::vector<std::byte> EncodeSensor(std::uint32_t sequence, const Sensor& sensor
 std::variant<InitReply, WireError> DecodeInitReply(const Message& message, const Aux& aux);
 
 /// Decodes kMotor or kFinalMotor.
-std::variant<StepReply, WireError> DecodeStepReply(const Message& message);
+/// @param arms  as sent in Aux.
+std::variant<StepReply, WireError> DecodeStepReply(const Message& message,
+                                                   std::span<const ArmDescription> arms);
 
 /// Decodes kError; its file is as the brain named it.
 BrainError DecodeError(const Message& message);

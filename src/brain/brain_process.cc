@@ -132,6 +132,7 @@ class BrainProcess::Impl {
   std::uint32_t sequence_ = 0;
   bool has_guard_ = false;  ///< SIGUSR2 raises an error within the program
   PixelOrder pixel_order_ = PixelOrder::kColumns;
+  std::vector<ArmDescription> arms_;       ///< as sent
   std::string init_file_, callback_file_;  ///< as named by the brain; empty if unknown
 
   std::optional<Rendezvous> rendezvous_;
@@ -157,6 +158,7 @@ OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
   init_file_ = message.TextOf("initFile");
   callback_file_ = message.TextOf("callbackFile");
   auto reply = DecodeInitReply(message, aux);
+  arms_ = aux.arms;
   if (const auto* error = std::get_if<WireError>(&reply)) {
     return EndWith(ErrorIn(Phase::kInit, error->message));
   }
@@ -182,7 +184,7 @@ OrError<StepReply> BrainProcess::Impl::Step(const Sensor& sensor) {
       Exchange(EncodeSensor(++sequence_, sensor, pixel_order_), MessageType::kMotor,
                Phase::kCallback, LimitOf(options_.callback_seconds), options_.callback_seconds);
   if (auto* error = std::get_if<BrainError>(&answer)) return EndWith(std::move(*error));
-  auto reply = DecodeStepReply(std::get<Message>(answer));
+  auto reply = DecodeStepReply(std::get<Message>(answer), arms_);
   if (const auto* error = std::get_if<WireError>(&reply)) {
     return EndWith(ErrorIn(Phase::kCallback, error->message));
   }

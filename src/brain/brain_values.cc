@@ -1,6 +1,14 @@
 #include "brain/brain_values.h"
 
+#include <algorithm>
+
 namespace smile::brain {
+
+bool IsClassic(std::span<const ArmDescription> arms) {
+  return arms.size() == kLimbCount && std::ranges::all_of(arms, [](const ArmDescription& arm) {
+           return arm.num_joints() == kJointCount;
+         });
+}
 
 std::string ToString(const BrainError& error) {
   // The form `file:line: message` is that of compilers; editors and terminals make it a link.

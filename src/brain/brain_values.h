@@ -1,11 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -16,17 +16,19 @@
 #include "sim/eye.h"
 
 /// Values sent to a brain and its answers, exactly as its scripts see them: lengths are in
-/// file units (1 unit = 0.1 m) in the world frame of the scene file, angles in radians, row 1 of a
-/// matrix is the left arm. This is the boundary; code that fills these values converts.
+/// file units (1 unit = 0.1 m) in the world frame of the scene file, angles in radians. This is the
+/// boundary; code that fills these values converts.
+///
+/// Arms are in the order of the robot's model. Messages also contain the classic variables, 2x7
+/// matrices whose row 1 is the left arm, if the robot has exactly that shape: see IsClassic().
 namespace smile::brain {
 
+/// Shape of the classic variables.
 inline constexpr int kLimbCount = 2;
 inline constexpr int kJointCount = 7;
 /// Maximum length of a chunk: the ticks that one answer may cover.
 inline constexpr int kMaxChunkTicks = 600;
 
-using LimbJoints = Eigen::Matrix<double, kLimbCount, kJointCount>;
-using LimbPoints = Eigen::Matrix<double, kLimbCount, 3>;
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
 /// Camera, as described in `aux` and `sensor`.
@@ -61,13 +63,29 @@ using DemonstrationFrames = std::function<std::optional<DemonstrationFrame>()>;
 /// demonstrator.
 using Attention = std::map<std::string, std::vector<std::string>>;
 
+/// Arm, as described in `aux.arms`.
+struct ArmDescription {
+  std::string name;
+  std::vector<std::string> joint_names;
+  std::vector<double> min_joints, max_joints;  ///< limits [rad; m of a sliding joint]
+  std::vector<double> max_velocities;          ///< [rad/s; m/s]
+  /// Openings of the closed and the open gripper [units]; nullopt without a gripper.
+  std::optional<Eigen::Vector2d> gripper;
+  /// Tool G in the frame of the last link L, translation in units.
+  Eigen::Matrix4d X_LG = Eigen::Matrix4d::Identity();
+
+  int num_joints() const { return static_cast<int>(joint_names.size()); }
+};
+
+/// Returns true for two arms of seven joints.
+bool IsClassic(std::span<const ArmDescription> arms);
+
 /// Values sent once, before the program starts. (BrainProcess adds `aux.path`, and `aux.robot`: the
 /// path of the robot's files.)
 struct Aux {
-  LimbJoints min_joint_angles = LimbJoints::Zero();      ///< [rad]
-  LimbJoints max_joint_angles = LimbJoints::Zero();      ///< [rad]
-  LimbJoints max_joint_velocities = LimbJoints::Zero();  ///< [rad/s]
-  std::optional<CameraDescription> camera;               ///< nullopt without images
+  std::vector<ArmDescription> arms;
+  bool sends_arms = true;                     ///< false: only as classic variables; see MayRead()
+  std::optional<CameraDescription> camera;    ///< nullopt without images
   std::vector<std::string> camera_names;      ///< of all cameras that a program may request
   std::vector<robot::RobotFile> robot_files;  ///< the URDF first
   std::string robot_gripper;                  ///< see robot::RobotReading
@@ -78,31 +96,42 @@ struct Aux {
   Attention attention;        ///< of that demonstration
 };
 
+/// State of an arm.
+struct ArmSensor {
+  std::vector<double> joints;      ///< [rad; m of a sliding joint]
+  std::vector<double> velocities;  ///< [rad/s; m/s]
+  std::optional<double> gripper;   ///< opening [units]; nullopt without a gripper
+  /// Pose of the tool G in the world, translation in units.
+  Eigen::Matrix4d X_WG = Eigen::Matrix4d::Identity();
+  std::string held_object;  ///< its id; empty: none
+};
+
 /// Values sent at every step.
 struct Sensor {
-  double time_elapsed = 0;                       ///< since the previous step [s]
-  double sim_time = 0;                           ///< since the start of the simulation [s]
-  LimbJoints joint_angles = LimbJoints::Zero();  ///< [rad]
-  LimbPoints end_effector_positions = LimbPoints::Zero();            ///< gripper origins [units]
-  Eigen::RowVector2d gripper_openings = Eigen::RowVector2d::Zero();  ///< left, right [units]
+  double time_elapsed = 0;      ///< since the previous step [s]
+  double sim_time = 0;          ///< since the start of the simulation [s]
+  std::vector<ArmSensor> arms;  ///< as in Aux
+  bool sends_arms = true;       ///< as in Aux
   std::map<std::string, Eigen::RowVector3d, std::less<>> tracker_locations;  ///< [units]
-  bool demo_cue = false;                             ///< the picture is of the demonstration
-  LimbJoints joint_velocities = LimbJoints::Zero();  ///< [rad/s]
-  double head_angle = 0;                             ///< [rad]
-  /// Id of the object in each gripper; empty: none.
-  std::array<std::string, kLimbCount> held_objects;
+  bool demo_cue = false;  ///< the picture is of the demonstration
+  double head_angle = 0;  ///< [rad]
   /// New pictures, in the order in which they were requested; that of the eye first.
   std::vector<CameraPicture> pictures;
   /// Names for the ids in pictures, from 1 on; empty unless segmentation was requested.
   std::vector<std::string> segment_names;
 };
 
+/// Motor command of an arm.
+struct ArmMotor {
+  std::vector<double> velocities;             ///< of its joints [rad/s; m/s]
+  double gripper_velocity = 0;                ///< rate of change of the opening [units/s]
+  std::optional<std::vector<double>> joints;  ///< immediate posture in place of velocities [rad; m]
+};
+
 /// Motor command, in effect until the next one.
 struct Motor {
-  LimbJoints joint_velocities = LimbJoints::Zero();              ///< [rad/s]
-  Eigen::Vector2d gripper_velocities = Eigen::Vector2d::Zero();  ///< left, right [units/s]
-  std::optional<LimbJoints> joint_angles;  ///< immediate posture in place of velocities [rad]
-  std::optional<double> head_velocity;     ///< [rad/s]
+  std::vector<ArmMotor> arms;           ///< as in Aux; empty: all arms stand still
+  std::optional<double> head_velocity;  ///< [rad/s]
 };
 
 /// Pictures that a program requests.
@@ -116,8 +145,9 @@ struct PictureWishes {
 
 /// Answer of the init script.
 struct InitReply {
-  std::optional<LimbJoints> init_joint_angles;  ///< initial posture [rad]
-  Points draw_markers = Points(0, 3);           ///< points to show to people [units]
+  /// Initial posture of the arms that have one [rad; m]; as in Aux, or empty.
+  std::vector<std::optional<std::vector<double>>> init_joints;
+  Points draw_markers = Points(0, 3);  ///< points to show to people [units]
   PictureWishes pictures;
   bool watch = false;  ///< request to watch the demonstration first
 };

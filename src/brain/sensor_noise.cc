@@ -91,10 +91,8 @@ void AddNoise(const SensorNoise& noise, std::uint64_t tick, Sensor* sensor) {
   };
   if (noise.joints > 0) {
     Gaussian errors = gaussian(Measurement::kJoints, 0);
-    for (int arm = 0; arm < kLimbCount; ++arm) {
-      for (int i = 0; i < kJointCount; ++i) {
-        sensor->joint_angles(arm, i) += noise.joints * errors.Next();
-      }
+    for (ArmSensor& arm : sensor->arms) {
+      for (double& joint : arm.joints) joint += noise.joints * errors.Next();
     }
   }
   for (std::size_t k = 0; k < sensor->pictures.size(); ++k) {

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "brain_client/internal_arms.h"
 #include "brain_client/simulator_connection.h"
 
 namespace smile::brain_client {
@@ -32,7 +33,7 @@ void AddTicks(MessageWriter& writer, std::string_view name, const Eigen::MatrixX
               std::vector<std::uint32_t> dims) {
   Eigen::Index size = 1;
   for (const std::uint32_t dim : dims) size *= dim;
-  if (values.rows() % dims.front() != 0 || values.size() % size != 0) {
+  if (size == 0 || values.rows() % dims.front() != 0 || values.size() % size != 0) {
     return AddMatrix(writer, name, values);
   }
   const auto ticks = static_cast<std::uint32_t>(values.size() / size);
@@ -87,13 +88,19 @@ class ProtocolSession {
     aux_ = Aux(std::move(message));
     // Outputs have their full size and are zero from the start, so that a brain may set single
     // elements.
-    limbs_ = static_cast<std::uint32_t>(aux_.Number("numLimbs"));
-    joints_ = static_cast<std::uint32_t>(aux_.Number("numJoints"));
-    motor_.joint_velocities.setZero(limbs_, joints_);
     // The same object for all steps: values stay until the brain changes them.
-    motor_.gripper_velocities.setZero(limbs_);
+    if (aux_.Has("numLimbs")) {
+      limbs_ = static_cast<std::uint32_t>(aux_.Number("numLimbs"));
+      joints_ = static_cast<std::uint32_t>(aux_.Number("numJoints"));
+      motor_.joint_velocities.setZero(limbs_, joints_);
+      motor_.gripper_velocities.setZero(limbs_);
+    }
+    aux_.arms = ArmsOf(aux_);
+    arms_ = aux_.arms;
+    motor_.arms = StillArms(arms_);
     brain_->Init(aux_);
     if (aux_.init_joint_angles) AddMatrix(writer, "initJointAngles", *aux_.init_joint_angles);
+    AddInitJoints(writer, arms_, aux_);
     if (!aux_.channels.empty()) writer.AddText("channels", InOneLine(aux_.channels));
     if (!aux_.cameras.empty()) writer.AddText("cameras", InOneLine(aux_.cameras));
     AddNewImageSeconds(&writer);
@@ -104,12 +111,21 @@ class ProtocolSession {
 
   std::vector<std::byte> Step(wire::Message message) {
     const std::uint32_t sequence = message.sequence;
-    brain_->Step(Sensor(std::move(message)), motor_, aux_);
+    Sensor sensor(std::move(message));
+    sensor.arms = SensedArms(sensor, arms_);
+    brain_->Step(sensor, motor_, aux_);
     // After the step, since it is the step that sets `exit`.
     MessageWriter writer(aux_.exit ? MessageType::kFinalMotor : MessageType::kMotor, sequence);
-    AddTicks(writer, "jointVelocities", motor_.joint_velocities, {limbs_, joints_});
-    AddTicks(writer, "gripperVelocities", motor_.gripper_velocities, {limbs_});
-    if (motor_.joint_angles) AddMatrix(writer, "jointAngles", *motor_.joint_angles);
+    const bool sets_arms = limbs_ == 0 || AreSet(motor_.arms);
+    if (sets_arms) AddArms(writer, arms_, motor_.arms);
+    // Beside arms that are set, only what the simulator must refuse.
+    if (!sets_arms || !motor_.joint_velocities.isZero(0) || motor_.joint_angles) {
+      AddTicks(writer, "jointVelocities", motor_.joint_velocities, {limbs_, joints_});
+      if (motor_.joint_angles) AddMatrix(writer, "jointAngles", *motor_.joint_angles);
+    }
+    if (!sets_arms || !motor_.gripper_velocities.isZero(0)) {
+      AddTicks(writer, "gripperVelocities", motor_.gripper_velocities, {limbs_});
+    }
     if (motor_.head_velocity) writer.AddScalar("headVelocity", *motor_.head_velocity);
     if (motor_.ticks) writer.AddScalar("ticks", *motor_.ticks);
     AddNewImageSeconds(&writer);
@@ -137,7 +153,8 @@ class ProtocolSession {
   SimulatorConnection* connection_;
   Aux aux_;
   Motor motor_;
-  std::uint32_t limbs_ = 0, joints_ = 0;
+  std::vector<Arm> arms_;                 ///< as received: `aux_` belongs to the brain
+  std::uint32_t limbs_ = 0, joints_ = 0;  ///< of the classic variables; 0: there are none
   std::optional<double> sent_image_seconds_;
   Eigen::MatrixX3d sent_markers_ = Eigen::MatrixX3d(0, 3);
 };

@@ -10,9 +10,22 @@
 /// A brain's side of the protocol with the simulator. docs/brains.md has an example.
 namespace smile::brain_client {
 
+/// Arm of the robot.
+struct Arm {
+  std::string name;
+  std::vector<std::string> joints;             ///< their names, from the shoulder to the wrist
+  Eigen::VectorXd min_joints, max_joints;      ///< limits [rad; m of a sliding joint]
+  Eigen::VectorXd max_velocities;              ///< [rad/s; m/s]
+  std::optional<Eigen::Vector2d> gripper;      ///< openings, closed and open [units]; or none
+  Eigen::Matrix4d tool_pose;                   ///< in the frame of the last link [units]
+  std::optional<Eigen::VectorXd> init_joints;  ///< set in Init(): initial posture [rad; m]
+};
+
 /// What the simulator describes once, and the settings that a brain may change.
 struct Aux : Fields {
   using Fields::Fields;
+
+  std::vector<Arm> arms;  ///< all arms, in the order of Sensor and Motor
 
   std::optional<Eigen::MatrixXd> init_joint_angles;  ///< in Init(): limbs x joints [rad]
   std::vector<std::string> channels;                 ///< in Init(): `rgb`, `depth`, `segmentation`
@@ -23,14 +36,36 @@ struct Aux : Fields {
   bool exit = false;                                 ///< ends the brain after the step that sets it
 };
 
+/// State of an arm.
+struct ArmSensor {
+  Eigen::VectorXd joints;         ///< [rad; m of a sliding joint]
+  Eigen::VectorXd velocities;     ///< [rad/s; m/s]
+  std::optional<double> gripper;  ///< opening [units]; nullopt without a gripper
+  Eigen::Matrix4d end_effector;   ///< pose of the tool in the world, translation in units
+  std::string held_object;        ///< id; empty: none
+};
+
 /// Inputs of a step.
-using Sensor = Fields;
+struct Sensor : Fields {
+  using Fields::Fields;
+
+  std::vector<ArmSensor> arms;  ///< as in Aux
+};
+
+/// Command for an arm.
+struct ArmMotor {
+  Eigen::MatrixXd velocities;             ///< joints x 1, or joints x N for N ticks [rad/s; m/s]
+  Eigen::VectorXd gripper_velocity;       ///< one number, or N [units/s]
+  std::optional<Eigen::VectorXd> joints;  ///< sets the joints at once [rad; m]
+};
 
 /// Outputs of a step. Each keeps its value until the brain changes it.
 ///
-/// Velocities may be those of N successive ticks, one block after the other: joint_velocities then
+/// A brain sets either `arms` or, for two arms of seven joints, the matrices below. Their
+/// velocities may be those of N successive ticks, one block after the other: joint_velocities then
 /// is limbs x (joints * N), gripper_velocities has limbs * N numbers.
 struct Motor {
+  std::vector<ArmMotor> arms;                   ///< as in Aux
   Eigen::MatrixXd joint_velocities;             ///< limbs x joints [rad/s]
   Eigen::VectorXd gripper_velocities;           ///< for each limb [units/s]
   std::optional<Eigen::MatrixXd> joint_angles;  ///< sets the joints at once [rad]

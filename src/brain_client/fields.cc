@@ -15,6 +15,26 @@ namespace {
                               expected);
 }
 
+/// Returns a hint for a classic variable, which exists for robots with two arms of seven joints
+/// only; otherwise an empty text.
+std::string CounterpartOf(std::string_view name) {
+  static const std::map<std::string_view, const char*> kInstead = {
+      {"numLimbs", "aux.arms.size()"},
+      {"numJoints", "aux.arms[k].joints.size()"},
+      {"minJointAngles", "aux.arms[k].min_joints"},
+      {"maxJointAngles", "aux.arms[k].max_joints"},
+      {"maxJointVelocities", "aux.arms[k].max_velocities"},
+      {"jointAngles", "sensor.arms[k].joints"},
+      {"jointVelocities", "sensor.arms[k].velocities"},
+      {"gripperOpening", "sensor.arms[k].gripper"},
+      {"endEffPos", "sensor.arms[k].end_effector"},
+      {"isHolding", "sensor.arms[k].held_object"},
+      {"heldObject", "sensor.arms[k].held_object"}};
+  const auto found = kInstead.find(name);
+  if (found == kInstead.end()) return "";
+  return std::string("; it is for two arms of seven joints, use ") + found->second;
+}
+
 }  // namespace
 
 const wire::NamedArray& Fields::At(std::string_view name) const {
@@ -25,7 +45,7 @@ const wire::NamedArray& Fields::At(std::string_view name) const {
     names += (names.empty() ? "" : ", ") + array.name;
   }
   throw std::invalid_argument(std::string(name) + " is missing, found " +
-                              (names.empty() ? "nothing" : names));
+                              (names.empty() ? "nothing" : names) + CounterpartOf(name));
 }
 
 double Fields::Number(std::string_view name) const {
@@ -45,6 +65,17 @@ Eigen::MatrixXd Fields::Matrix(std::string_view name) const {
         numbers->data(), array.dims[0], array.dims[1]);
   }
   return Eigen::Map<const Eigen::MatrixXd>(numbers->data(), array.dims[0], array.dims[1]);
+}
+
+std::vector<Eigen::Matrix4d> Fields::Poses(std::string_view name) const {
+  const wire::NamedArray& array = At(name);
+  const auto numbers = array.Numbers();
+  if (!numbers || array.dims.size() != 3 || array.dims[0] != 4 || array.dims[1] != 4) {
+    Reject(array, "4x4xN");
+  }
+  std::vector<Eigen::Matrix4d> poses;
+  for (std::size_t k = 0; k < array.dims[2]; ++k) poses.emplace_back(numbers->data() + 16 * k);
+  return poses;
 }
 
 std::string Fields::Text(std::string_view name) const {

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "image/image.h"
 #include "wire/wire.h"
@@ -24,6 +25,8 @@ class Fields {
   double Number(std::string_view name) const;
   Eigen::MatrixXd Matrix(std::string_view name) const;
   std::string Text(std::string_view name) const;
+  /// Returns an array of 4x4xN as N matrices.
+  std::vector<Eigen::Matrix4d> Poses(std::string_view name) const;
   /// Returns colors row by row from the top: height x width x 3 bytes.
   Image Picture(std::string_view name) const;
 

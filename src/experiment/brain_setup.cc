@@ -12,7 +12,7 @@ brain::BrainDriverOptions DriverOptionsFor(const std::filesystem::path& brain,
   // Frames are not read before the brain asks for them, see FramesOf(); attention goes to the brain
   // with its first message.
   brain::BrainDriverOptions options{
-      .eye = eye, .has_trackers = brain::MayReadTrackers(brain), .demonstration = demonstration};
+      .eye = eye, .may_read = brain::WhatMayBeRead(brain), .demonstration = demonstration};
   if (!demonstration.empty()) {
     options.attention = recording::AttentionOf(recording::OpenRecording(demonstration));
     options.frames = FramesOf(demonstration, eye);

@@ -1,6 +1,8 @@
 #include "brain_input.h"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <span>
 
 #include "brain/brain_messages.h"
@@ -22,24 +24,47 @@ bool IsPrintable(const std::string& text) {
   return text.find_first_of(std::string("\0\a\b\n\r\x1b\x7f", 7)) == std::string::npos;
 }
 
+bool IsFinite(const std::vector<double>& numbers) {
+  return std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
+}
+
 bool IsFinite(const brain::Motor& motor) {
-  return motor.joint_velocities.allFinite() && motor.gripper_velocities.allFinite() &&
-         (!motor.joint_angles || motor.joint_angles->allFinite()) &&
+  return std::ranges::all_of(motor.arms,
+                             [](const brain::ArmMotor& arm) {
+                               return IsFinite(arm.velocities) &&
+                                      std::isfinite(arm.gripper_velocity) &&
+                                      (!arm.joints || IsFinite(*arm.joints));
+                             }) &&
          (!motor.head_velocity || std::isfinite(*motor.head_velocity));
 }
 
+/// Returns arms of `joints` joints each, the last one without a gripper.
+std::vector<brain::ArmDescription> Arms(std::initializer_list<std::size_t> joints) {
+  std::vector<brain::ArmDescription> arms;
+  for (const std::size_t count : joints) {
+    arms.push_back({.name = "arm",
+                    .joint_names = std::vector<std::string>(count, "joint"),
+                    .gripper = Eigen::Vector2d(0, 1)});
+  }
+  if (arms.size() != brain::kLimbCount) arms.back().gripper.reset();
+  return arms;
+}
+
 /// Whatever kind of answer it says it is: a program lies.
-std::string FaultWithAnswer(const wire::Message& message) {
-  const auto init = brain::DecodeInitReply(message, {.camera_names = {"eye", "overhead"}});
+std::string FaultWithAnswer(const wire::Message& message,
+                            const std::vector<brain::ArmDescription>& arms) {
+  const auto init =
+      brain::DecodeInitReply(message, {.arms = arms, .camera_names = {"eye", "overhead"}});
   if (const auto* error = std::get_if<wire::WireError>(&init)) {
     if (error->message.empty()) return "an init is refused without a reason";
   } else {
     const auto& reply = std::get<brain::InitReply>(init);
-    if (reply.init_joint_angles && !reply.init_joint_angles->allFinite())
-      return "angles: no number";
+    for (const auto& joints : reply.init_joints) {
+      if (joints && !IsFinite(*joints)) return "angles: no number";
+    }
     if (!reply.draw_markers.allFinite()) return "a marker is no number";
   }
-  const auto step = brain::DecodeStepReply(message);
+  const auto step = brain::DecodeStepReply(message, arms);
   if (const auto* error = std::get_if<wire::WireError>(&step)) {
     if (error->message.empty()) return "a motor is refused without a reason";
   } else {
@@ -49,6 +74,7 @@ std::string FaultWithAnswer(const wire::Message& message) {
       return "a chunk is too short or too long";
     }
     for (const brain::Motor& motor : reply.motors) {
+      if (motor.arms.size() != arms.size()) return "a motor command has too few arms";
       if (!IsFinite(motor)) return "a motor command contains a number that is not finite";
     }
   }
@@ -75,7 +101,8 @@ std::string FaultWithBrainMessage(std::string_view bytes) {
   const auto again = wire::DecodeFrame(Encode(message));
   const auto* same = std::get_if<wire::Message>(&again);
   if (same == nullptr || *same != message) return "a message comes back differently";
-  return FaultWithAnswer(message);
+  const std::string fault = FaultWithAnswer(message, Arms({7, 7}));
+  return fault.empty() ? FaultWithAnswer(message, Arms({1, 3, 2})) : fault;
 }
 
 }  // namespace smile::fuzz

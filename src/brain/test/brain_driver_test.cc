@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "base/files.h"
+#include "classic_arms.h"
+#include "robot/test/generated_robot.h"
 #include "robot/urdf_reader.h"
 
 namespace smile::brain {
@@ -72,8 +74,7 @@ class BrainDriverTest : public ::testing::Test {
                     .ticks = ticks};
     for (int k = 0; k < num_motors; ++k) {
       Motor& motor = reply.motors[static_cast<std::size_t>(k)];
-      motor.joint_velocities = LimbJoints::Constant(0.01 * (k + 1));
-      motor.gripper_velocities << 0.1 * k, -0.1;
+      motor = MotorOf(LimbJoints::Constant(0.01 * (k + 1)), {0.1 * k, -0.1});
       motor.head_velocity = 0.02 * k;
     }
     return reply;
@@ -81,7 +82,7 @@ class BrainDriverTest : public ::testing::Test {
   /// An answer that turns all joints.
   static StepReply Turning() {
     StepReply reply;
-    reply.motors.front().joint_velocities.setConstant(0.5);
+    reply.motors.front() = MotorOf(LimbJoints::Constant(0.5));
     return reply;
   }
 
@@ -136,7 +137,64 @@ TEST_F(BrainDriverTest, AChunkIsRecordedLikeItsCommandsOneByOne) {
   }
   EXPECT_EQ(of_chunk.commands, of_single.commands);
   EXPECT_EQ(of_chunk.hashes, of_single.hashes);
-  EXPECT_GT(next.joint_velocities.norm(), 0.01);
+  EXPECT_GT(VelocitiesOf(next).norm(), 0.01);
+}
+
+/// One motor command for three arms: of each, the first joint turns; the gripper of the last one
+/// closes.
+Motor TurningArms(const std::vector<ArmDescription>& arms) {
+  Motor motor;
+  for (const ArmDescription& arm : arms) {
+    ArmMotor& one = motor.arms.emplace_back();
+    one.velocities.assign(arm.joint_names.size(), 0);
+    one.velocities[0] = 0.3;
+  }
+  motor.arms.back().gripper_velocity = 1;
+  return motor;
+}
+
+TEST_F(BrainDriverTest, DrivesAnyArms) {
+  sim::Simulation simulation(scene::SceneSpec{.name = "test"},
+                             sim::RobotPlacement{.model = robot::ThreeArms().Model()});
+  BrainDriver driver({.may_read = {.trackers = true, .arms = false}});
+  const Aux aux = std::get<Aux>(driver.NextQuestion(&simulation).value());
+  ASSERT_EQ(aux.arms.size(), 3u);
+  EXPECT_TRUE(aux.sends_arms) << "there are no classic variables";
+  EXPECT_EQ(aux.arms[0].name, "front");
+  EXPECT_EQ(aux.arms[2].joint_names.size(), 7u);
+  EXPECT_EQ(aux.arms[0].max_velocities, std::vector<double>(4, 2.0));
+  EXPECT_NEAR(aux.arms[0].gripper.value()[1], 1, 1e-12) << "in units";
+  EXPECT_FALSE(aux.arms[1].gripper);
+  EXPECT_NEAR(aux.arms[1].X_LG(2, 3), 1, 1e-12) << "in units";
+
+  driver.Take(InitReply{.init_joints = {std::nullopt, std::vector<double>(6, 0.1), std::nullopt}},
+              &simulation);
+  const Sensor first = std::get<Sensor>(driver.NextQuestion(&simulation).value());
+  EXPECT_EQ(first.arms[1].joints, std::vector<double>(6, 0.1));
+  EXPECT_EQ(first.arms[0].joints, (std::vector{0.0, 0.5, 0.5, 0.5}));
+  EXPECT_TRUE(first.tracker_locations.empty()) << "these are points of the classic robot";
+  EXPECT_EQ(first.arms[0].gripper, 0.0);
+  const RigidTransform X_WG = simulation.robot()->ToolPose(2);
+  EXPECT_NEAR(first.arms[2].X_WG(2, 3), 10 * X_WG.translation().z(), 1e-9);
+
+  driver.Take(StepReply{.motors = {TurningArms(aux.arms)}, .ticks = 30}, &simulation);
+  simulation.Tick();
+  for (int tick = 1; tick < 30; ++tick) {
+    EXPECT_FALSE(driver.NextQuestion(&simulation));
+    simulation.Tick();
+  }
+  const Sensor last = std::get<Sensor>(driver.NextQuestion(&simulation).value());
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(last.arms[k].joints[0] - first.arms[k].joints[0], 0.15, 0.01) << k;
+  }
+  EXPECT_NEAR(last.arms[2].gripper.value(), 0.5, 0.05);
+  EXPECT_NEAR(last.arms[0].gripper.value(), 0, 0.01);
+}
+
+TEST_F(BrainDriverTest, NeedsARobotWithArms) {
+  sim::Simulation simulation(scene::SceneSpec{.name = "test"});
+  BrainDriver driver({});
+  EXPECT_THROW(driver.NextQuestion(&simulation), std::invalid_argument);
 }
 
 TEST_F(BrainDriverTest, AChunkEndsWhenTheClockJumps) {
@@ -201,7 +259,7 @@ TEST_F(BrainDriverTest, ShowsTheDemonstrationFrameByFrameOnRequest) {
     EXPECT_NEAR(sensor->pictures[0].camera.X_WC(0, 3), 1, 1e-12) << "in units";
     EXPECT_EQ(sensor->time_elapsed, (std::array{1., 15., 3.}[ticks.size() - 1] / 60));
     EXPECT_EQ(sensor->sim_time, 1 + tick / 60.);
-    EXPECT_EQ(sensor->joint_velocities, LimbJoints(LimbJoints::Zero())) << "the robot rests";
+    EXPECT_TRUE(VelocitiesOf(*sensor).isZero(0)) << "the robot rests";
   }
   EXPECT_EQ(ticks, (std::vector<int>{0, 15, 18}));
   const Sensor first = Step(Turning()).value();
@@ -211,7 +269,7 @@ TEST_F(BrainDriverTest, ShowsTheDemonstrationFrameByFrameOnRequest) {
   EXPECT_EQ(first.pictures[0].image.color[0], 128) << "of its own eye";
   EXPECT_EQ(driver_.watched_ticks(), 19u);
   EXPECT_TRUE(Step(Turning()).value().pictures.empty()) << "its own come at their rate";
-  EXPECT_GT(Step().value().joint_velocities.norm(), 0.01) << "now it moves";
+  EXPECT_GT(VelocitiesOf(Step().value()).norm(), 0.01) << "now it moves";
   EXPECT_EQ(driver_.watched_ticks(), 19u);
 }
 
@@ -222,7 +280,7 @@ TEST_F(BrainDriverTest, ShowsThePicturesAsRecordedWhenSensorsAreNoisy) {
   Start({.watch = true});
   const Sensor sensor = Step().value();
   EXPECT_EQ(sensor.pictures.at(0).image.color, (std::vector<std::uint8_t>{100, 0, 0}));
-  EXPECT_GT(sensor.joint_angles.norm(), 0.01);
+  EXPECT_GT(JointsOf(sensor).norm(), 0.01);
 }
 
 TEST_F(BrainDriverTest, ADemonstrationIsShownOnlyOnRequest) {

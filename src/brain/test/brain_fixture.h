@@ -11,6 +11,7 @@
 
 #include "base/files.h"
 #include "brain/brain_process.h"
+#include "classic_arms.h"
 
 namespace smile::brain {
 
@@ -94,14 +95,14 @@ inline std::string ErrorIn(const OrError<Reply>& reply) {
 }
 
 inline InitReply Started(BrainProcess& brain, const Aux& aux = {}) {
-  auto reply = brain.Init(aux);
+  auto reply = brain.Init(Classic(aux));
   EXPECT_EQ(ErrorIn(reply), "no error");
   return testing::Test::HasFailure() ? InitReply{} : std::get<InitReply>(reply);
 }
 
 inline StepReply Stepped(BrainProcess& brain, const Sensor& sensor = {}) {
   if (!brain.is_running()) return {};
-  auto reply = brain.Step(sensor);
+  auto reply = brain.Step(Classic(sensor));
   EXPECT_EQ(ErrorIn(reply), "no error");
   return testing::Test::HasFailure() ? StepReply{} : std::get<StepReply>(reply);
 }
@@ -110,14 +111,14 @@ inline std::string ErrorOfStep(const fs::path& folder, const BrainOptions& optio
   BrainProcess brain(folder, options);
   Started(brain);
   if (testing::Test::HasFailure()) return "did not start";
-  const std::string error = ErrorIn(brain.Step({}));
+  const std::string error = ErrorIn(brain.Step(Classic(Sensor())));
   EXPECT_FALSE(brain.is_running());
   return error;
 }
 
 inline std::string ErrorOfInit(const fs::path& folder, const BrainOptions& options = {}) {
   BrainProcess brain(folder, options);
-  const std::string error = ErrorIn(brain.Init({}));
+  const std::string error = ErrorIn(brain.Init(Classic(Aux())));
   EXPECT_FALSE(brain.is_running());
   return error;
 }

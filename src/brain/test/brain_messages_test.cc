@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "classic_arms.h"
 #include "wire/test/wire_verbs.h"
 
 namespace smile::brain {
@@ -46,7 +47,9 @@ class MotorMessage {
   std::string Error() { return std::get<WireError>(Decode()).message; }
 
  private:
-  std::variant<StepReply, WireError> Decode() { return DecodeStepReply(Decoded(writer_.Finish())); }
+  std::variant<StepReply, WireError> Decode() {
+    return DecodeStepReply(Decoded(writer_.Finish()), ClassicArms());
+  }
 
   MessageWriter writer_{MessageType::kMotor, 1};
 };
@@ -55,10 +58,10 @@ TEST(DecodeStepReply, ReadsColumnMajorVelocities) {
   std::array<double, 14> velocities{};
   velocities[1] = 2;  // the right arm's first joint
   const StepReply reply = MotorMessage().Velocities(kTwoBySeven, velocities).Grippers().Reply();
-  EXPECT_EQ(reply.motors.front().joint_velocities(1, 0), 2);
-  EXPECT_EQ(reply.motors.front().joint_velocities.norm(), 2);
-  EXPECT_EQ(reply.motors.front().gripper_velocities, Eigen::Vector2d(0.5, -0.5));
-  EXPECT_FALSE(reply.motors.front().joint_angles);
+  EXPECT_EQ(VelocitiesOf(reply.motors.front())(1, 0), 2);
+  EXPECT_EQ(VelocitiesOf(reply.motors.front()).norm(), 2);
+  EXPECT_EQ(GrippersOf(reply.motors.front()), Eigen::Vector2d(0.5, -0.5));
+  EXPECT_FALSE(reply.motors.front().arms[0].joints);
   EXPECT_FALSE(reply.motors.front().head_velocity);
   EXPECT_FALSE(reply.exit);
 }
@@ -66,7 +69,7 @@ TEST(DecodeStepReply, ReadsColumnMajorVelocities) {
 TEST(DecodeStepReply, AlsoAcceptsGripperVelocitiesAsARow) {
   const std::array dims{1u, 2u};
   const StepReply reply = MotorMessage().Velocities().Grippers(dims, std::array{3.0, 4.0}).Reply();
-  EXPECT_EQ(reply.motors.front().gripper_velocities, Eigen::Vector2d(3, 4));
+  EXPECT_EQ(GrippersOf(reply.motors.front()), Eigen::Vector2d(3, 4));
 }
 
 TEST(DecodeStepReply, TakesTheHead) {
@@ -99,9 +102,9 @@ TEST(DecodeStepReply, ReadsAChunkTickByTick) {
   ASSERT_EQ(reply.motors.size(), 3u);
   for (int tick = 0; tick < 3; ++tick) {
     const Motor& motor = reply.motors[static_cast<std::size_t>(tick)];
-    EXPECT_EQ(motor.joint_velocities(1, 0), 14 * tick + 1);
-    EXPECT_EQ(motor.joint_velocities(0, 6), 14 * tick + 12);
-    EXPECT_EQ(motor.gripper_velocities[1], tick == 0 ? 1 : 3) << "the last value remains";
+    EXPECT_EQ(VelocitiesOf(motor)(1, 0), 14 * tick + 1);
+    EXPECT_EQ(VelocitiesOf(motor)(0, 6), 14 * tick + 12);
+    EXPECT_EQ(GrippersOf(motor)[1], tick == 0 ? 1 : 3) << "the last value remains";
     EXPECT_EQ(motor.head_velocity, 0.5);
   }
 }
@@ -112,10 +115,10 @@ TEST(DecodeStepReply, ReadsAChunkInRowMajorOrder) {
   const auto space = writer.AddSpace("jointVelocities", ElementType::kDouble, false, dims, true);
   std::memcpy(space.data(), Counted(28).data(), space.size());
   writer.AddDoubles("gripperVelocities", kTwoByOne, std::array{0.0, 0.0});
-  const auto reply = std::get<StepReply>(DecodeStepReply(Decoded(writer.Finish())));
+  const auto reply = std::get<StepReply>(DecodeStepReply(Decoded(writer.Finish()), ClassicArms()));
   ASSERT_EQ(reply.motors.size(), 2u);
-  EXPECT_EQ(reply.motors[1].joint_velocities(0, 0), 1);
-  EXPECT_EQ(reply.motors[0].joint_velocities(1, 2), 14 + 4);
+  EXPECT_EQ(VelocitiesOf(reply.motors[1])(0, 0), 1);
+  EXPECT_EQ(VelocitiesOf(reply.motors[0])(1, 2), 14 + 4);
 }
 
 TEST(DecodeStepReply, TicksHoldACommandOrCutAChunk) {
@@ -185,32 +188,120 @@ TEST(DecodeStepReply, RefusesNumbersThatAreNotFinite) {
 TEST(DecodeStepReply, RefusesUnknownAndMissingFields) {
   EXPECT_EQ(MotorMessage().Velocities().Grippers().Scalar("jointVelocity", 1).Error(),
             "motor.jointVelocity is unknown, expected jointVelocities, gripperVelocities, "
-            "jointAngles, headVelocity or ticks");
+            "jointAngles, arms, headVelocity or ticks");
   EXPECT_EQ(MotorMessage().Grippers().Error(), "motor.jointVelocities is missing, expected 2x7");
   EXPECT_EQ(MotorMessage().Velocities().Error(),
             "motor.gripperVelocities is missing, expected 2x1");
+}
+
+/// A motor message in the general form, for tests to spoil.
+class ArmsMessage {
+ public:
+  ArmsMessage& Array(std::string_view name, std::uint32_t rows, std::uint32_t cols,
+                     std::span<const double> values) {
+    writer_.AddDoubles(name, std::array{rows, cols}, values);
+    return *this;
+  }
+  ArmsMessage& Still() { return Array("armVelocities", 4, 1, std::array<double, 4>{}).Grippers(); }
+  ArmsMessage& Grippers() { return Array("armGripperVelocities", 2, 1, std::array<double, 2>{}); }
+  StepReply Reply() { return std::get<StepReply>(Decode()); }
+  std::string Error() { return std::get<WireError>(Decode()).message; }
+
+ private:
+  std::variant<StepReply, WireError> Decode() {
+    return DecodeStepReply(Decoded(writer_.Finish()), RailAndArm());
+  }
+
+  MessageWriter writer_{MessageType::kMotor, 1};
+};
+
+TEST(DecodeStepReply, ReadsAnyArms) {
+  const StepReply reply = ArmsMessage()
+                              .Array("armVelocities", 4, 2, Counted(8))
+                              .Array("armGripperVelocities", 2, 1, std::array{3.0, 0.0})
+                              .Array("armJoints", 4, 1, std::array{0.5, 1.0, 2.0, 3.0})
+                              .Array("armsAtJoints", 2, 1, std::array{1.0, 0.0})
+                              .Reply();
+  ASSERT_EQ(reply.motors.size(), 2u);
+  const std::vector<ArmMotor>& arms = reply.motors[1].arms;
+  ASSERT_EQ(arms.size(), 2u);
+  EXPECT_EQ(arms[0].velocities, std::vector{4.0});
+  EXPECT_EQ(arms[1].velocities, (std::vector{5.0, 6.0, 7.0}));
+  EXPECT_EQ(arms[0].gripper_velocity, 3);
+  EXPECT_EQ(arms[0].joints, std::vector{0.5});
+  EXPECT_EQ(arms[1].joints, std::nullopt);
+}
+
+TEST(DecodeStepReply, NamesTheArmOfAMistake) {
+  const std::array nan{0.0, 0.0, 0.0, std::numeric_limits<double>::quiet_NaN()};
+  EXPECT_EQ(ArmsMessage().Array("armVelocities", 4, 1, nan).Grippers().Error(),
+            "motor.arms(2).velocities(3) is NaN, expected a finite number");
+  EXPECT_EQ(ArmsMessage()
+                .Array("armVelocities", 4, 2, std::array{0.0, 0.0, 0.0, 0.0, 0.0, 1e9, 0.0, 0.0})
+                .Grippers()
+                .Error(),
+            "motor.arms(2).velocities(1,2) is 1e+09, expected at most 1e+06");
+  EXPECT_EQ(ArmsMessage()
+                .Array("armVelocities", 4, 1, Counted(4))
+                .Array("armGripperVelocities", 2, 1, std::array{0.0, 1.0})
+                .Error(),
+            "motor.arms(2).gripperVelocity is set, but the arm \"arm\" has no gripper");
+  EXPECT_EQ(ArmsMessage().Array("armVelocities", 5, 1, Counted(5)).Grippers().Error(),
+            "motor.armVelocities is 5x1, expected 4x1");
+  EXPECT_EQ(ArmsMessage().Grippers().Error(),
+            "motor.arms is missing, expected an element for each arm");
+}
+
+TEST(DecodeStepReply, NamesWhatReplacesAClassicVariable) {
+  EXPECT_EQ(ArmsMessage().Array("jointVelocities", 2, 7, Counted(14)).Error(),
+            "motor.jointVelocities is for two arms of seven joints, but this robot has rail (1 "
+            "joint), arm (3 joints): use motor.arms(k).velocities");
+  EXPECT_EQ(ArmsMessage().Still().Array("velocities", 1, 1, Counted(1)).Error(),
+            "motor.velocities is unknown, expected arms, headVelocity or ticks");
+  MessageWriter both(MessageType::kMotor, 1);
+  both.AddDoubles("jointVelocities", kTwoBySeven, std::array<double, 14>{});
+  both.AddDoubles("armVelocities", std::array{14u, 1u}, std::array<double, 14>{});
+  EXPECT_EQ(std::get<WireError>(DecodeStepReply(Decoded(both.Finish()), ClassicArms())).message,
+            "motor.jointVelocities and motor.arms are both set, expected one of them");
+}
+
+TEST(DecodeInitReply, TakesThePosturesOfSomeArms) {
+  MessageWriter writer(MessageType::kInitDone, 1);
+  writer.AddDoubles("armJoints", std::array{4u, 1u}, std::array{0.0, 1.0, 2.0, 3.0});
+  writer.AddDoubles("armsAtJoints", std::array{2u, 1u}, std::array{0.0, 1.0});
+  const auto reply =
+      std::get<InitReply>(DecodeInitReply(Decoded(writer.Finish()), {.arms = RailAndArm()}));
+  ASSERT_EQ(reply.init_joints.size(), 2u);
+  EXPECT_EQ(reply.init_joints[0], std::nullopt);
+  EXPECT_EQ(reply.init_joints[1], (std::vector{1.0, 2.0, 3.0}));
+  MessageWriter classic(MessageType::kInitDone, 1);
+  classic.AddDoubles("initJointAngles", kTwoBySeven, std::array<double, 14>{});
+  EXPECT_EQ(std::get<WireError>(DecodeInitReply(Decoded(classic.Finish()), {.arms = RailAndArm()}))
+                .message,
+            "aux.initJointAngles is for two arms of seven joints, but this robot has rail (1 "
+            "joint), arm (3 joints): use aux.arms(k).initJoints");
 }
 
 TEST(DecodeInitReply, TakesMarkersAndAngles) {
   MessageWriter writer(MessageType::kInitDone, 1);
   writer.AddDoubles("initJointAngles", kTwoBySeven, std::array<double, 14>{1, 2});
   writer.AddDoubles("drawMarkers", std::array{2u, 3u}, std::array<double, 6>{1, 2, 3, 4, 5, 6});
-  const auto reply = std::get<InitReply>(DecodeInitReply(Decoded(writer.Finish()), {}));
-  EXPECT_EQ((*reply.init_joint_angles)(1, 0), 2);
+  const auto reply = std::get<InitReply>(DecodeInitReply(Decoded(writer.Finish()), Classic(Aux())));
+  EXPECT_EQ(JointsOf(reply)(1, 0), 2);
   EXPECT_EQ(reply.draw_markers.row(1), Eigen::RowVector3d(2, 4, 6));
 }
 
 TEST(DecodeInitReply, TakesAnEmptyMatrixAsNoMarkers) {
   MessageWriter writer(MessageType::kInitDone, 1);
   writer.AddDoubles("drawMarkers", std::array{0u, 0u}, {});
-  const auto reply = std::get<InitReply>(DecodeInitReply(Decoded(writer.Finish()), {}));
+  const auto reply = std::get<InitReply>(DecodeInitReply(Decoded(writer.Finish()), Classic(Aux())));
   EXPECT_EQ(reply.draw_markers.rows(), 0);
 }
 
 TEST(DecodeInitReply, RefusesMarkersThatAreNotPoints) {
   MessageWriter writer(MessageType::kInitDone, 1);
   writer.AddDoubles("drawMarkers", std::array{1u, 4u}, std::array<double, 4>{});
-  const auto reply = DecodeInitReply(Decoded(writer.Finish()), {});
+  const auto reply = DecodeInitReply(Decoded(writer.Finish()), Classic(Aux()));
   EXPECT_EQ(std::get<WireError>(reply).message, "aux.drawMarkers is 1x4, expected Nx3");
 }
 
@@ -299,7 +390,7 @@ TEST(DecodeStepReply, TakesMarkersThatChanged) {
   writer.AddDoubles("jointVelocities", kTwoBySeven, std::array<double, 14>{});
   writer.AddDoubles("gripperVelocities", kTwoByOne, std::array{0.0, 0.0});
   writer.AddDoubles("drawMarkers", std::array{1u, 3u}, std::array{1.0, 2.0, 3.0});
-  const auto reply = std::get<StepReply>(DecodeStepReply(Decoded(writer.Finish())));
+  const auto reply = std::get<StepReply>(DecodeStepReply(Decoded(writer.Finish()), ClassicArms()));
   ASSERT_TRUE(reply.draw_markers);
   EXPECT_EQ(reply.draw_markers->row(0), Eigen::RowVector3d(1, 2, 3));
 }
@@ -328,7 +419,7 @@ TEST(EncodeSensor, TurnsRowsOfPixelsIntoPlanesOfColumns) {
 TEST(EncodeSensor, LeavesRowsAsTheyAreForWhoTakesThem) {
   Image image{.width_px = 2, .height_px = 1, .color = {10, 20, 30, 40, 50, 60}, .depth = {3, 4}};
   const Message message =
-      Decoded(EncodeSensor(1, {.pictures = {{.image = image}}}, PixelOrder::kRows));
+      Decoded(EncodeSensor(1, Classic(Sensor{.pictures = {{.image = image}}}), PixelOrder::kRows));
   const NamedArray* color = message.Find("rgbVision");
   ASSERT_NE(color, nullptr);
   EXPECT_TRUE(color->is_row_major);
@@ -366,8 +457,8 @@ TEST(DecodeStepReply, ReadsRowMajorVelocities) {
   const double second = 2;
   std::memcpy(&space[sizeof second], &second, sizeof second);
   writer.AddDoubles("gripperVelocities", kTwoByOne, std::array{0.0, 0.0});
-  const auto reply = std::get<StepReply>(DecodeStepReply(Decoded(writer.Finish())));
-  EXPECT_EQ(reply.motors.front().joint_velocities(0, 1), 2) << "the left arm's second joint";
+  const auto reply = std::get<StepReply>(DecodeStepReply(Decoded(writer.Finish()), ClassicArms()));
+  EXPECT_EQ(VelocitiesOf(reply.motors.front())(0, 1), 2) << "the left arm's second joint";
 }
 
 TEST(EncodeSensor, SendsAnImageOnlyIfOneWasTaken) {
@@ -381,7 +472,7 @@ TEST(EncodeSensor, RefusesAnImageThatDoesNotFitItsSize) {
 
 TEST(EncodeSensor, NamesTheChannelsOfEachCamera) {
   Image image{.width_px = 2, .height_px = 2, .depth = {1, 2, 3, 4}, .ids = {0, 1, 2, 1}};
-  Sensor sensor{.segment_names = {"table", "a"}};
+  Sensor sensor = Classic(Sensor{.segment_names = {"table", "a"}});
   sensor.pictures = {{.image = image}, {.camera = {.fx = 7}, .image = image, .name = "left_hand"}};
   const Message message = Decoded(EncodeSensor(1, sensor));
   EXPECT_EQ(message.Find("depthVision")->Numbers(), (std::vector{1.0, 3.0, 2.0, 4.0}));
@@ -395,8 +486,8 @@ TEST(EncodeSensor, NamesTheChannelsOfEachCamera) {
 }
 
 TEST(EncodeSensor, ReportsHeldObjects) {
-  Sensor sensor;
-  sensor.held_objects[1] = "cube";
+  Sensor sensor = Classic(Sensor());
+  sensor.arms[1].held_object = "cube";
   const Message message = Decoded(EncodeSensor(1, sensor));
   EXPECT_EQ(message.Find("isHolding")->Numbers(), (std::vector{0.0, 1.0}));
   EXPECT_EQ(message.TextOf("heldObject"), "\ncube");
@@ -406,7 +497,7 @@ TEST(EncodeAux, DescribesTheCamera) {
   const CameraDescription camera{
       .width_px = 640, .height_px = 480, .fx = 400, .fy = 401, .cx = 320, .cy = 240};
   const Message message =
-      Decoded(EncodeAux(1, {.camera = camera, .demonstration = "out/demo"}, "wave/"));
+      Decoded(EncodeAux(1, Classic(Aux{.camera = camera, .demonstration = "out/demo"}), "wave/"));
   EXPECT_EQ(message.Find("path")->Text(), "wave/");
   EXPECT_EQ(message.Find("demonstration")->Text(), "out/demo");
   EXPECT_EQ(message.Find("numJoints")->Numbers(), std::vector{7.0});
@@ -414,6 +505,33 @@ TEST(EncodeAux, DescribesTheCamera) {
   EXPECT_EQ(message.Find("cameraIntrinsics")->Numbers(),
             (std::vector{400.0, 0.0, 0.0, 0.0, 401.0, 0.0, 320.0, 240.0, 1.0}));
   EXPECT_EQ(ShapeText(message.Find("cameraPose")->dims), "4x4");
+}
+
+TEST(EncodeAux, DescribesAnyArms) {
+  const Message message = Decoded(EncodeAux(1, {.arms = RailAndArm()}, "wave/"));
+  EXPECT_EQ(message.TextOf("armNames"), "rail\narm");
+  EXPECT_EQ(message.TextOf("armJointNames"), "slide\na\nb\nc");
+  EXPECT_EQ(message.Find("armJointCounts")->Numbers(), (std::vector{1.0, 3.0}));
+  EXPECT_EQ(message.Find("armMinJoints")->Numbers(), (std::vector{-1.0, -1.0, -2.0, -3.0}));
+  const auto grippers = *message.Find("armGrippers")->Numbers();
+  EXPECT_EQ(grippers[1], 2);
+  EXPECT_TRUE(std::isnan(grippers[2]));
+  EXPECT_EQ((*message.Find("armToolPoses")->Numbers())[16 + 14], 0.7);
+  EXPECT_EQ(message.Find("numLimbs"), nullptr);
+  EXPECT_EQ(Decoded(EncodeAux(1, Classic(Aux{.sends_arms = false}), "")).Find("armNames"), nullptr);
+}
+
+TEST(EncodeSensor, ReportsAnyArms) {
+  Sensor sensor;
+  sensor.arms = RailAndArmSensed();
+  const Message message = Decoded(EncodeSensor(1, sensor));
+  EXPECT_EQ(message.Find("armJoints")->Numbers(), (std::vector{1.0, 2.0, 3.0, 4.0}));
+  EXPECT_EQ(ShapeText(message.Find("armEndEffectors")->dims), "4x4x2");
+  EXPECT_EQ(message.TextOf("armHeldObjects"), "cube\n");
+  EXPECT_EQ((*message.Find("armGrippers")->Numbers())[0], 0.5);
+  for (const char* classic : {"jointAngles", "gripperOpening", "endEffPos", "heldObject"}) {
+    EXPECT_EQ(message.Find(classic), nullptr) << classic;
+  }
 }
 
 TEST(EncodeAux, ReportsAttention) {

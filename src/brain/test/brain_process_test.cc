@@ -39,11 +39,11 @@ TEST_F(BrainProcessTest, MovesJointsByWhatItSenses) {
                            "motor.jointVelocities = gain * sensor.jointAngles;\n"
                            "motor.gripperVelocities = [1; -1];"));
   Started(brain);
-  Sensor sensor;
-  sensor.joint_angles(1, 2) = 0.5;
+  Sensor sensor = Classic(Sensor());
+  sensor.arms[1].joints[2] = 0.5;
   const StepReply reply = Stepped(brain, sensor);
-  EXPECT_EQ(reply.motors.front().joint_velocities, LimbJoints(2 * sensor.joint_angles));
-  EXPECT_EQ(reply.motors.front().gripper_velocities, Eigen::Vector2d(1, -1));
+  EXPECT_EQ(VelocitiesOf(reply.motors.front()), LimbJoints(2 * JointsOf(sensor)));
+  EXPECT_EQ(GrippersOf(reply.motors.front()), Eigen::Vector2d(1, -1));
   EXPECT_FALSE(reply.exit);
 }
 
@@ -55,14 +55,14 @@ TEST_F(BrainProcessTest, KeepsVariablesAndMotorBetweenSteps) {
   Started(brain);
   Stepped(brain);
   const StepReply reply = Stepped(brain);
-  EXPECT_EQ(reply.motors.front().gripper_velocities(0), 2);
-  EXPECT_EQ(reply.motors.front().joint_velocities(0, 0), 3);
+  EXPECT_EQ(GrippersOf(reply.motors.front())(0), 2);
+  EXPECT_EQ(VelocitiesOf(reply.motors.front())(0, 0), 3);
 }
 
 TEST_F(BrainProcessTest, SendsAuxAndReadsTheReply) {
-  Aux aux;
-  aux.min_joint_angles.setConstant(-1);
-  aux.max_joint_angles(1, 6) = 3;
+  Aux aux = Classic(Aux());
+  for (ArmDescription& arm : aux.arms) arm.min_joints.assign(kJointCount, -1);
+  aux.arms[1].max_joints[6] = 3;
   aux.camera = CameraDescription{.width_px = 200, .height_px = 150, .fx = 130};
   aux.demonstration = "out/demo";
   aux.attention = {{"a", {"color", "size"}}, {"b", {"shape"}}};
@@ -77,9 +77,9 @@ TEST_F(BrainProcessTest, SendsAuxAndReadsTheReply) {
             "aux.drawMarkers = [1 2 3; 4 5 6];",
             "assert(isfield(aux, 'drawMarkers'));"));
   const InitReply reply = Started(brain, aux);
-  ASSERT_TRUE(reply.init_joint_angles);
-  EXPECT_EQ((*reply.init_joint_angles)(1, 6), 2);
-  EXPECT_EQ((*reply.init_joint_angles)(0, 0), -1);
+  ASSERT_FALSE(reply.init_joints.empty());
+  EXPECT_EQ(JointsOf(reply)(1, 6), 2);
+  EXPECT_EQ(JointsOf(reply)(0, 0), -1);
   EXPECT_EQ(reply.draw_markers, (Eigen::Matrix<double, 2, 3>() << 1, 2, 3, 4, 5, 6).finished());
   Stepped(brain);
 }
@@ -95,9 +95,11 @@ TEST_F(BrainProcessTest, SensorHasTheShapesOfTheScripts) {
             "assert(keys(sensor.trackerLoc), {'l-S1', 'r-S1'});\n"
             "assert(!isfield(sensor, 'rgbVision'));"));
   Started(brain);
-  Sensor sensor{.time_elapsed = 0.25, .sim_time = 2, .demo_cue = true};
-  sensor.end_effector_positions << 1, 2, 3, 4, 5, 6;
-  sensor.gripper_openings << 0.5, 2;
+  Sensor sensor = Classic(Sensor{.time_elapsed = 0.25, .sim_time = 2, .demo_cue = true});
+  sensor.arms[0].X_WG.topRightCorner<3, 1>() << 1, 2, 3;
+  sensor.arms[1].X_WG.topRightCorner<3, 1>() << 4, 5, 6;
+  sensor.arms[0].gripper = 0.5;
+  sensor.arms[1].gripper = 2;
   sensor.tracker_locations = {{"l-S1", {1, 1, 1}}, {"r-S1", {7, 8, 9}}};
   Stepped(brain, sensor);
 }
@@ -110,17 +112,17 @@ TEST_F(BrainProcessTest, EndsOnRequestOfTheScript) {
   EXPECT_FALSE(Stepped(brain, {.sim_time = 1}).exit);
   const StepReply last = Stepped(brain, {.sim_time = 2});
   EXPECT_TRUE(last.exit);
-  EXPECT_EQ(last.motors.front().gripper_velocities(0), 5);
+  EXPECT_EQ(GrippersOf(last.motors.front())(0), 5);
   EXPECT_FALSE(brain.is_running());
-  EXPECT_THROW(static_cast<void>(brain.Step({})), std::logic_error);
+  EXPECT_THROW(static_cast<void>(brain.Step(Classic(Sensor{}))), std::logic_error);
 }
 
 TEST_F(BrainProcessTest, SurvivesAScriptThatClearsEverything) {
   BrainProcess brain(
       Brain("clear all; close all; k = 1;", "clear functions; motor.gripperVelocities = [k; k];"));
   Started(brain);
-  EXPECT_EQ(Stepped(brain).motors.front().gripper_velocities(0), 1);
-  EXPECT_EQ(Stepped(brain).motors.front().gripper_velocities(0), 1);
+  EXPECT_EQ(GrippersOf(Stepped(brain).motors.front())(0), 1);
+  EXPECT_EQ(GrippersOf(Stepped(brain).motors.front())(0), 1);
 }
 
 TEST_F(BrainProcessTest, TakesABreakOutsideALoopAsTheEndOfTheScript) {
@@ -128,8 +130,8 @@ TEST_F(BrainProcessTest, TakesABreakOutsideALoopAsTheEndOfTheScript) {
                            "motor.gripperVelocities = [1; 1];\nif true, break; end\n"
                            "motor.gripperVelocities = [2; 2];"));
   Started(brain);
-  EXPECT_EQ(Stepped(brain).motors.front().gripper_velocities(0), 1);
-  EXPECT_EQ(Stepped(brain).motors.front().gripper_velocities(0), 1);
+  EXPECT_EQ(GrippersOf(Stepped(brain).motors.front())(0), 1);
+  EXPECT_EQ(GrippersOf(Stepped(brain).motors.front())(0), 1);
 }
 
 TEST_F(BrainProcessTest, BothTransportsGiveTheSameAnswer) {
@@ -139,20 +141,95 @@ TEST_F(BrainProcessTest, BothTransportsGiveTheSameAnswer) {
             "motor.jointVelocities(1, 1:4) = [size(v, 1) size(v, 2) v(2, 3, 1) v(20, 30, 3)];\n"
             "motor.jointVelocities(2, 1:3) = [sum(v(:)) std(v(:)) sensor.simTime / 3];\n"
             "motor.headVelocity = single(0.25); motor.gripperVelocities = sensor.gripperOpening;");
-  Sensor sensor{.sim_time = 1.0, .pictures = {{.image = Gradient(200, 150)}}};
-  sensor.gripper_openings << 1.0 / 3, 2;
+  Sensor sensor = Classic(Sensor{.sim_time = 1.0, .pictures = {{.image = Gradient(200, 150)}}});
+  sensor.arms[0].gripper = 1.0 / 3;
+  sensor.arms[1].gripper = 2;
   std::vector<Motor> motors;
   for (const auto transport : {BrainTransport::kMex, BrainTransport::kPlain}) {
     BrainProcess brain(folder, {.transport = transport});
     Started(brain);
     motors.push_back(Stepped(brain, sensor).motors.front());
   }
-  EXPECT_EQ(motors[0].joint_velocities, motors[1].joint_velocities);
-  EXPECT_EQ(motors[0].gripper_velocities, motors[1].gripper_velocities);
+  EXPECT_EQ(VelocitiesOf(motors[0]), VelocitiesOf(motors[1]));
+  EXPECT_EQ(GrippersOf(motors[0]), GrippersOf(motors[1]));
   EXPECT_EQ(motors[0].head_velocity, motors[1].head_velocity);
-  EXPECT_EQ(motors[0].joint_velocities(0, 0), 150);
+  EXPECT_EQ(VelocitiesOf(motors[0])(0, 0), 150);
   // Row 2, column 3, red: the 202nd pixel of the image.
-  EXPECT_EQ(motors[0].joint_velocities(0, 2), (3 * 202 * 7 % 256) / 255.0);
+  EXPECT_EQ(VelocitiesOf(motors[0])(0, 2), (3 * 202 * 7 % 256) / 255.0);
+}
+
+TEST_F(BrainProcessTest, BothTransportsDriveAnyArms) {
+  const fs::path folder = Brain(
+      "assert({aux.arms.name}, {'rail', 'arm'}); assert(aux.arms(2).joints, {'a', 'b', 'c'});\n"
+      "assert(aux.arms(2).minJoints, [-1 -2 -3]); assert(aux.arms(2).maxVelocities, [4 5 6]);\n"
+      "assert(aux.arms(1).gripper, [0 2]); assert(isempty(aux.arms(2).gripper));\n"
+      "assert(aux.arms(2).toolPose(3, 4), 0.7); assert(!isfield(aux, 'numLimbs'));\n"
+      "aux.arms(2).initJoints = [0.1 0.2 0.3];",
+      "assert(sensor.arms(1).joints, 1); assert(sensor.arms(1).velocities, 0.1);\n"
+      "assert(sensor.arms(1).gripper, 0.5); assert(isempty(sensor.arms(2).gripper));\n"
+      "assert(sensor.arms(2).endEffector(1, 4), 9);\n"
+      "assert({sensor.arms.heldObject}, {'cube', ''}); assert(!isfield(sensor, 'jointAngles'));\n"
+      "motor.arms(2).velocities = 2 * sensor.arms(2).joints;\n"
+      "motor.arms(1).gripperVelocity = -1;\n"
+      "if sensor.simTime > 0, motor.arms(2).velocities = reshape(0:5, 3, 2); end\n"
+      "if sensor.simTime > 1, motor.arms(1).joints = 0.5; end\n"
+      "if sensor.simTime > 2, motor.arms(1).joints = []; end\n"
+      "if sensor.simTime > 3, motor.arms(2).velocities = [1 2]; end\n");
+  for (const auto transport : {BrainTransport::kMex, BrainTransport::kPlain}) {
+    BrainProcess brain(folder, {.transport = transport});
+    const InitReply reply = Started(brain, {.arms = RailAndArm()});
+    ASSERT_EQ(reply.init_joints.size(), 2u);
+    EXPECT_EQ(reply.init_joints[0], std::nullopt);
+    EXPECT_EQ(reply.init_joints[1], (std::vector{0.1, 0.2, 0.3}));
+    std::vector<StepReply> replies;
+    Sensor sensor{.arms = RailAndArmSensed()};
+    for (; sensor.sim_time < 4; ++sensor.sim_time) replies.push_back(Stepped(brain, sensor));
+    ASSERT_EQ(replies[1].motors.size(), 2u);
+    EXPECT_EQ(replies[0].motors.at(0).arms.at(1).velocities, (std::vector{4.0, 6.0, 8.0}));
+    EXPECT_EQ(replies[0].motors.at(0).arms.at(0).gripper_velocity, -1);
+    EXPECT_EQ(replies[1].motors[1].arms[1].velocities, (std::vector{3.0, 4.0, 5.0}));
+    EXPECT_EQ(replies[1].motors[1].arms[0].gripper_velocity, -1) << "the last value remains";
+    EXPECT_EQ(replies[2].motors.at(0).arms[0].joints, std::vector{0.5});
+    EXPECT_EQ(replies[3].motors.at(0).arms[0].joints, std::nullopt);
+    EXPECT_EQ(ErrorIn(brain.Step(sensor)),
+              "brain/act.m: motor.arms(2).velocities is 1x2, expected 1x3 or 3xN");
+  }
+}
+
+TEST_F(BrainProcessTest, ScriptsMayUseArmsOfTheClassicRobot) {
+  BrainProcess brain(Brain("assert(numel(aux.arms), 2);",
+                           "if sensor.simTime == 0, motor.jointVelocities(2, 7) = 0.7; end\n"
+                           "if sensor.simTime == 1\n"
+                           "  motor.jointVelocities(:) = 0;\n"
+                           "  motor.arms(2).velocities(7) = 0.7;\n"
+                           "end\n"
+                           "if sensor.simTime == 2, motor.jointVelocities(1) = 1; end\n"));
+  Started(brain);
+  const LimbJoints classic = VelocitiesOf(Stepped(brain).motors.front());
+  EXPECT_EQ(classic(1, 6), 0.7);
+  EXPECT_EQ(VelocitiesOf(Stepped(brain, {.sim_time = 1}).motors.front()), classic);
+  EXPECT_EQ(ErrorIn(brain.Step(Classic(Sensor{.sim_time = 2}))),
+            "brain/act.m: motor.jointVelocities and motor.arms are both set, expected one of them");
+}
+
+TEST_F(BrainProcessTest, NamesTheGeneralFormOfAClassicVariable) {
+  const auto error_of = [&](const char* line) {
+    BrainProcess brain(Brain("", std::string("x = 1;\n") + line));
+    Started(brain, {.arms = RailAndArm()});
+    return ErrorIn(brain.Step({.arms = RailAndArmSensed()}));
+  };
+  const std::string sensed = error_of("y = sensor.jointAngles(1);");
+  EXPECT_TRUE(sensed.starts_with("brain/act.m:2: ")) << sensed;
+  EXPECT_TRUE(sensed.ends_with(
+      "; sensor.jointAngles is for two arms of seven joints, use sensor.arms(k).joints"))
+      << sensed;
+  EXPECT_EQ(
+      error_of("motor.jointVelocities = zeros(2, 7);"),
+      "brain/act.m: motor.jointVelocities is for two arms of seven joints, but this robot has "
+      "rail (1 joint), arm (3 joints): use motor.arms(k).velocities");
+  EXPECT_EQ(error_of("motor.arms(2).velocity = 1;"),
+            "brain/act.m: motor.arms(k).velocity is unknown, expected velocities, gripperVelocity "
+            "or joints");
 }
 
 TEST_F(BrainProcessTest, BothTransportsBringChunks) {
@@ -167,12 +244,13 @@ TEST_F(BrainProcessTest, BothTransportsBringChunks) {
     for (const bool is_first : {true, false}) {
       const StepReply chunk = Stepped(brain);
       ASSERT_EQ(chunk.motors.size(), 2u);
-      EXPECT_EQ(chunk.motors[1].joint_velocities(1, 0), 14 + 1);
-      EXPECT_EQ(chunk.motors[1].gripper_velocities, Eigen::Vector2d(1, 3));
+      EXPECT_EQ(VelocitiesOf(chunk.motors[1])(1, 0), 14 + 1);
+      EXPECT_EQ(GrippersOf(chunk.motors[1]), Eigen::Vector2d(1, 3));
       EXPECT_EQ(chunk.image_seconds, is_first ? std::optional(5.0) : std::nullopt);
     }
-    EXPECT_NE(ErrorIn(brain.Step({.sim_time = 1})).find("motor.jointVelocities is 2x3x7"),
-              std::string::npos);
+    EXPECT_NE(
+        ErrorIn(brain.Step(Classic(Sensor{.sim_time = 1}))).find("motor.jointVelocities is 2x3x7"),
+        std::string::npos);
   }
 }
 
@@ -202,9 +280,9 @@ TEST_F(BrainProcessTest, BothTransportsBringTheRequestedPictures) {
   aux.meters_per_unit = 0.5;
   aux.demonstration = "out/demo";
   const Image image{.width_px = 2, .height_px = 2, .depth = {1, 2, 3, 4}, .ids = {0, 1, 2, 1}};
-  Sensor sensor{.head_angle = 0.25};
-  sensor.joint_velocities(1, 6) = 3;
-  sensor.held_objects[1] = "cube";
+  Sensor sensor = Classic(Sensor{.head_angle = 0.25});
+  sensor.arms[1].velocities[6] = 3;
+  sensor.arms[1].held_object = "cube";
   Sensor seeing = sensor;
   seeing.pictures = {{.image = image}, {.camera = {.fx = 7}, .image = image, .name = "overhead"}};
   seeing.segment_names = {"table", "cube"};
@@ -233,12 +311,12 @@ TEST_F(BrainProcessTest, BothTransportsDistinguishValuesOfEqualLength) {
     Started(brain);
     const char* held[] = {"", "ab", "cd", "ab"};
     for (const int time : {1, 2, 3}) {
-      Sensor sensor{.sim_time = static_cast<double>(time)};
-      sensor.joint_angles.setConstant(time);
-      sensor.held_objects[0] = held[time];
+      Sensor sensor = Classic(Sensor{.sim_time = static_cast<double>(time)});
+      for (ArmSensor& arm : sensor.arms) arm.joints.assign(kJointCount, time);
+      sensor.arms[0].held_object = held[time];
       if (time == 2) sensor.tracker_locations = {{"l-S1", {1, 1, 1}}};
       const StepReply reply = Stepped(brain, sensor);
-      EXPECT_EQ(reply.motors.front().joint_velocities, sensor.joint_angles);
+      EXPECT_EQ(VelocitiesOf(reply.motors.front()), JointsOf(sensor));
       EXPECT_EQ(reply.draw_markers.has_value(), time == 2);
       EXPECT_EQ(reply.motors.front().head_velocity, time == 1 ? std::nullopt : std::optional(2.0));
     }
@@ -350,7 +428,7 @@ TEST_F(BrainProcessTest, ReportsHowACrashedProgramEnded) {
 TEST_F(BrainProcessTest, ShowsTheLastLinesBesideAnError) {
   BrainProcess brain(Brain("", "disp('nearly there'); error('oh');"));
   Started(brain);
-  const auto reply = brain.Step({});
+  const auto reply = brain.Step(Classic(Sensor{}));
   ASSERT_TRUE(std::holds_alternative<BrainError>(reply));
   const auto& output = std::get<BrainError>(reply).output;
   ASSERT_FALSE(output.empty());
@@ -441,7 +519,7 @@ TEST_F(BrainProcessTest, AnExecutableMayUseTheProtocol) {
                      kOverPipes);
   Started(brain);
   const StepReply reply = Stepped(brain);
-  EXPECT_EQ(reply.motors.front().joint_velocities(0, 0), 1);
+  EXPECT_EQ(VelocitiesOf(reply.motors.front())(0, 0), 1);
   EXPECT_TRUE(reply.exit);
 }
 
@@ -500,10 +578,10 @@ TEST_F(BrainProcessTest, ReportsAMissingOctave) {
 
 TEST_F(BrainProcessTest, TheWaveExampleWaves) {
   BrainProcess brain(fs::path(SMILE_SOURCE_DIR) / "matlab/examples/wave/");
-  EXPECT_TRUE(Started(brain).init_joint_angles);
+  EXPECT_FALSE(Started(brain).init_joints.empty());
   const StepReply reply = Stepped(brain);
-  EXPECT_EQ(reply.motors.front().joint_velocities(0, 0), 0.4);
-  EXPECT_EQ(reply.motors.front().joint_velocities(1, 0), -0.4);
+  EXPECT_EQ(VelocitiesOf(reply.motors.front())(0, 0), 0.4);
+  EXPECT_EQ(VelocitiesOf(reply.motors.front())(1, 0), -0.4);
 }
 
 }  // namespace

@@ -22,19 +22,19 @@ TEST_F(BrainThreadTest, AnswersInItsOwnTime) {
                              "  if sensor.simTime == 1: motor.headVelocity = 0.25\n"
                              "  if sensor.simTime == 2: undefined\n"),
                      {}, nullptr);
-  thread.Submit(Aux{});
+  thread.Submit(Classic(Aux{}));
   EXPECT_TRUE(std::holds_alternative<InitReply>(AnswerOf(&thread)));
   EXPECT_FALSE(thread.WaitForAnswer(0s).has_value());
-  thread.Submit(Sensor{.sim_time = 1});
+  thread.Submit(Classic(Sensor{.sim_time = 1}));
   const BrainAnswer step = AnswerOf(&thread);
   ASSERT_TRUE(std::holds_alternative<StepReply>(step));
   EXPECT_EQ(std::get<StepReply>(step).motors.front().head_velocity, 0.25);
-  thread.Submit(Sensor{.sim_time = 2});
+  thread.Submit(Classic(Sensor{.sim_time = 2}));
   const BrainAnswer failure = AnswerOf(&thread);
   ASSERT_TRUE(std::holds_alternative<BrainError>(failure));
   EXPECT_EQ(std::get<BrainError>(failure).line, 3);
   // A forbidden operation on a process is an error, too.
-  thread.Submit(Sensor{});
+  thread.Submit(Classic(Sensor{}));
   EXPECT_TRUE(std::holds_alternative<BrainError>(AnswerOf(&thread)));
 }
 
@@ -54,7 +54,7 @@ TEST_F(BrainThreadTest, StartsWhenTheOneBeforeHasEnded) {
                                                          "atexit.register(leave)\n"
                                                          "def step(sensor, motor, aux): pass\n"),
                                              BrainOptions{}, nullptr);
-  first->Submit(Aux{});
+  first->Submit(Classic(Aux{}));
   EXPECT_TRUE(std::holds_alternative<InitReply>(AnswerOf(first.get())));
   first->Leave();
   EXPECT_THROW(BrainThread(root_ / "nothing", {}, std::move(first)), std::exception);
@@ -66,7 +66,7 @@ TEST_F(BrainThreadTest, StartsWhenTheOneBeforeHasEnded) {
                                  "')\n"
                                  "def step(sensor, motor, aux): pass\n"),
                      {}, std::move(first));
-  second.Submit(Aux{});
+  second.Submit(Classic(Aux{}));
   const BrainAnswer answer = AnswerOf(&second);
   const auto* error = std::get_if<BrainError>(&answer);
   EXPECT_EQ(error ? ToString(*error) : "", "");
@@ -78,13 +78,13 @@ TEST_F(BrainThreadTest, LeavesWhileItStartsOrComputes) {
                                    "def init(aux): time.sleep(1000)\n"
                                    "def step(sensor, motor, aux): pass\n");
   auto starting = std::make_unique<BrainThread>(endless, BrainOptions{}, nullptr);
-  starting->Submit(Aux{});
+  starting->Submit(Classic(Aux{}));
   EXPECT_FALSE(starting->WaitForAnswer(300ms).has_value());
   starting->Leave();
   // No thread lived long enough to be asked.
   for (int i = 0; i < 20; ++i) {
     starting = std::make_unique<BrainThread>(endless, BrainOptions{}, std::move(starting));
-    starting->Submit(Aux{});
+    starting->Submit(Classic(Aux{}));
     starting->Leave();
   }
 }

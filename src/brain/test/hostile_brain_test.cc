@@ -126,9 +126,9 @@ class HostileBrains : public BrainProcessTest, public testing::WithParamInterfac
     BrainProcess brain(Program(is_raw ? "hostile" : "hostile.py", hostile.text),
                        {.start_seconds = is_late("the start took longer") ? 3.0 : 20.0,
                         .callback_seconds = is_late("took longer") ? 0.5 : 20.0});
-    const auto begun = brain.Init({});
+    const auto begun = brain.Init(Classic(Aux()));
     if (std::holds_alternative<BrainError>(begun)) return ErrorIn(begun);
-    const Sensor sensor{.pictures = {{.image = Gradient(640, 480)}}};
+    const Sensor sensor = Classic(Sensor{.pictures = {{.image = Gradient(640, 480)}}});
     auto reply = brain.Step(sensor);
     if (std::holds_alternative<StepReply>(reply)) reply = brain.Step(sensor);
     EXPECT_FALSE(brain.is_running());

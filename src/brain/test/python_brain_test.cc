@@ -28,16 +28,16 @@ TEST_F(PythonBrainTest, MovesJointsByWhatItSenses) {
              "  if sensor.simTime > 0: motor.headVelocity = 0.25\n"
              "  if sensor.simTime > 1: motor.jointAngles = np.ones((2, 7)); aux.exit = True\n"));
   Started(brain);
-  Sensor sensor;
-  sensor.joint_angles(1, 2) = 0.5;
+  Sensor sensor = Classic(Sensor());
+  sensor.arms[1].joints[2] = 0.5;
   const Motor first = Stepped(brain, sensor).motors.front();
-  EXPECT_EQ(first.joint_velocities(1, 2), 1);
-  EXPECT_EQ(first.gripper_velocities, Eigen::Vector2d(1, -1));
-  EXPECT_FALSE(first.head_velocity || first.joint_angles);
+  EXPECT_EQ(VelocitiesOf(first)(1, 2), 1);
+  EXPECT_EQ(GrippersOf(first), Eigen::Vector2d(1, -1));
+  EXPECT_FALSE(first.head_velocity || first.arms[0].joints);
   sensor.sim_time = 2;
   const StepReply last = Stepped(brain, sensor);
   EXPECT_EQ(last.motors.front().head_velocity, 0.25);
-  EXPECT_EQ(*last.motors.front().joint_angles, LimbJoints::Ones());
+  EXPECT_EQ(JointsOf(last.motors.front()), LimbJoints::Ones());
   EXPECT_TRUE(last.exit);
   EXPECT_FALSE(brain.is_running());
 }
@@ -55,20 +55,21 @@ TEST_F(PythonBrainTest, AnswersWithChunks) {
   const StepReply chunk = Stepped(brain);
   ASSERT_EQ(chunk.motors.size(), 3u);
   EXPECT_EQ(chunk.ticks, 3);
-  EXPECT_EQ(chunk.motors[2].joint_velocities(1, 0), 21 + 2);
-  EXPECT_EQ(chunk.motors[1].gripper_velocities, Eigen::Vector2d(1, 3));
+  EXPECT_EQ(VelocitiesOf(chunk.motors[2])(1, 0), 21 + 2);
+  EXPECT_EQ(GrippersOf(chunk.motors[1]), Eigen::Vector2d(1, 3));
   EXPECT_EQ(chunk.motors[1].head_velocity, 0.2);
   EXPECT_EQ(chunk.image_seconds, 5.0);
   const StepReply held = Stepped(brain, {.sim_time = 1});
   EXPECT_EQ(held.ticks, 30);
   EXPECT_EQ(held.image_seconds, std::nullopt) << "sent when it changes";
-  EXPECT_NE(ErrorIn(brain.Step({.sim_time = 2})).find("motor.ticks is 2, expected one number"),
+  EXPECT_NE(ErrorIn(brain.Step(Classic(Sensor{.sim_time = 2})))
+                .find("motor.ticks is 2, expected one number"),
             std::string::npos);
 }
 
 TEST_F(PythonBrainTest, ReceivesTheSameValuesAsScripts) {
-  Aux aux;
-  aux.max_joint_angles(1, 6) = 3;
+  Aux aux = Classic(Aux());
+  aux.arms[1].max_joints[6] = 3;
   aux.camera = CameraDescription{.width_px = 4, .height_px = 3};
   aux.camera_names = {"eye", "overhead"};
   aux.robot_files = {{"r.urdf", std::make_shared<const std::string>("<robot/>")}};
@@ -104,20 +105,100 @@ TEST_F(PythonBrainTest, ReceivesTheSameValuesAsScripts) {
                                            .cameras = {"overhead"},
                                            .image_seconds = 2}));
   EXPECT_TRUE(reply.watch);
-  ASSERT_TRUE(reply.init_joint_angles);
-  EXPECT_EQ(*reply.init_joint_angles, aux.max_joint_angles);
+  ASSERT_FALSE(reply.init_joints.empty());
+  EXPECT_EQ(reply.init_joints[1], aux.arms[1].max_joints);
   EXPECT_EQ(reply.draw_markers, Eigen::RowVector3d(1, 2, 3));
 
-  Sensor sensor{.time_elapsed = 0.25, .sim_time = 2, .demo_cue = true};
-  sensor.end_effector_positions << 1, 2, 3, 4, 5, 6;
+  Sensor sensor = Classic(Sensor{.time_elapsed = 0.25, .sim_time = 2, .demo_cue = true});
+  sensor.arms[0].X_WG.topRightCorner<3, 1>() << 1, 2, 3;
+  sensor.arms[1].X_WG.topRightCorner<3, 1>() << 4, 5, 6;
   sensor.tracker_locations = {{"l-S1", {1, 1, 1}}, {"r-S1", {7, 8, 9}}};
-  sensor.held_objects[1] = "cube";
+  sensor.arms[1].held_object = "cube";
   const Image image = Gradient(200, 150);
   sensor.pictures = {{.image = image}, {.camera = {.fx = 7}, .image = image, .name = "overhead"}};
   sensor.segment_names = {"table", "cube"};
   const StepReply step = Stepped(brain, sensor);
   ASSERT_TRUE(step.draw_markers);
   EXPECT_EQ(step.draw_markers->rows(), 0);
+}
+
+TEST_F(PythonBrainTest, DrivesAnyArms) {
+  BrainProcess brain(
+      Python("def init(aux):\n"
+             "  rail, arm = aux.arms\n"
+             "  assert (rail.name, arm.name) == ('rail', 'arm') and arm.joints == ['a', 'b', 'c']\n"
+             "  assert arm.minJoints.tolist() == [-1, -2, -3] and arm.maxVelocities[2] == 6\n"
+             "  assert rail.gripper.tolist() == [0, 2] and arm.gripper is None\n"
+             "  assert arm.toolPose[2, 3] == 0.7 and 'numLimbs' not in aux\n"
+             "  arm.initJoints = [0.1, 0.2, 0.3]\n"
+             "def step(sensor, motor, aux):\n"
+             "  rail, arm = sensor.arms\n"
+             "  assert 'arms' in sensor and 'jointAngles' not in sensor\n"
+             "  assert rail.joints.tolist() == [1] and rail.velocities.tolist() == [0.1]\n"
+             "  assert rail.gripper == 0.5 and arm.gripper is None\n"
+             "  assert arm.endEffector[0, 3] == 9 and rail.heldObject == 'cube'\n"
+             "  motor.arms[1].velocities = 2 * arm.joints\n"
+             "  motor.arms[0].gripperVelocity = -1\n"
+             "  if sensor.simTime > 0: motor.arms[1].velocities = np.arange(6).reshape(3, 2)\n"
+             "  if sensor.simTime > 1: motor.arms[0].joints = 0.5\n"));
+  const InitReply reply = Started(brain, {.arms = RailAndArm()});
+  ASSERT_EQ(reply.init_joints.size(), 2u);
+  EXPECT_EQ(reply.init_joints[0], std::nullopt);
+  EXPECT_EQ(reply.init_joints[1], (std::vector{0.1, 0.2, 0.3}));
+  Sensor sensor{.arms = RailAndArmSensed()};
+  const StepReply first = Stepped(brain, sensor);
+  EXPECT_EQ(first.motors.at(0).arms.at(1).velocities, (std::vector{4.0, 6.0, 8.0}));
+  EXPECT_EQ(first.motors.at(0).arms.at(0).gripper_velocity, -1);
+  EXPECT_EQ(first.motors.at(0).arms.at(0).velocities, std::vector{0.0});
+  sensor.sim_time = 1;
+  const StepReply chunk = Stepped(brain, sensor);
+  ASSERT_EQ(chunk.motors.size(), 2u);
+  EXPECT_EQ(chunk.motors[1].arms[1].velocities, (std::vector{1.0, 3.0, 5.0}));
+  EXPECT_EQ(chunk.motors[1].arms[0].gripper_velocity, -1) << "the last value remains";
+  sensor.sim_time = 2;
+  const StepReply last = Stepped(brain, sensor);
+  EXPECT_EQ(last.motors.at(0).arms[0].joints, std::vector{0.5});
+  EXPECT_EQ(last.motors.at(0).arms[1].joints, std::nullopt);
+}
+
+TEST_F(PythonBrainTest, MayUseArmsOfTheClassicRobot) {
+  BrainProcess brain(
+      Step("  if sensor.simTime == 0: motor.jointVelocities[1] = sensor.arms[1].joints\n"
+           "  if sensor.simTime == 1:\n"
+           "    motor.jointVelocities[:] = 0\n"
+           "    motor.arms[1].velocities = sensor.arms[1].joints\n"
+           "  if sensor.simTime == 2: motor.jointVelocities[0, 0] = 1\n"));
+  Started(brain);
+  Sensor sensor = Classic(Sensor());
+  sensor.arms[1].joints[6] = 0.7;
+  const Motor classic = Stepped(brain, sensor).motors.front();
+  EXPECT_EQ(VelocitiesOf(classic)(1, 6), 0.7);
+  sensor.sim_time = 1;
+  EXPECT_EQ(VelocitiesOf(Stepped(brain, sensor).motors.front()), VelocitiesOf(classic));
+  sensor.sim_time = 2;
+  EXPECT_EQ(ErrorIn(brain.Step(sensor)),
+            "brain/think.py: motor.jointVelocities and motor.arms are both set, expected one of "
+            "them");
+}
+
+TEST_F(PythonBrainTest, NamesTheGeneralFormOfAClassicVariable) {
+  const auto error_of = [&](const char* line) {
+    BrainProcess brain(Step(std::string("  ") + line + "\n"));
+    Started(brain, {.arms = RailAndArm()});
+    return ErrorIn(brain.Step({.arms = RailAndArmSensed()}));
+  };
+  EXPECT_TRUE(error_of("sensor.jointAngles")
+                  .ends_with("; it is for two arms of seven joints, use sensor.arms[k].joints"));
+  EXPECT_TRUE(error_of("motor.jointVelocities[:] = 0")
+                  .ends_with("; it is for two arms of seven joints, use motor.arms[k].velocities"));
+  EXPECT_EQ(error_of("motor.arms[1].velocities = [1, 2]"),
+            "brain/think.py:3: ValueError: motor.arms[1].velocities is 2, expected 3");
+  EXPECT_EQ(error_of("motor.arms[1].velocities[2] = np.nan"),
+            "brain/think.py: ValueError: motor.arms[1].velocities[2] is nan, expected a finite "
+            "number");
+  EXPECT_EQ(error_of("motor.arms[1].gripperVelocity = 1"),
+            "brain/think.py: motor.arms(2).gripperVelocity is set, but the arm \"arm\" has no "
+            "gripper");
 }
 
 TEST_F(PythonBrainTest, DistinguishesValuesOfEqualLength) {
@@ -134,9 +215,9 @@ TEST_F(PythonBrainTest, DistinguishesValuesOfEqualLength) {
   Started(brain);
   const char* held[] = {"", "ab", "cd", "ab"};
   for (const int time : {1, 2, 3}) {
-    Sensor sensor{.sim_time = static_cast<double>(time)};
-    sensor.joint_angles.setConstant(time);
-    sensor.held_objects[0] = held[time];
+    Sensor sensor = Classic(Sensor{.sim_time = static_cast<double>(time)});
+    for (ArmSensor& arm : sensor.arms) arm.joints.assign(kJointCount, time);
+    sensor.arms[0].held_object = held[time];
     const auto velocity = Stepped(brain, sensor).motors.front().head_velocity;
     EXPECT_EQ(velocity, time == 2 ? std::optional(2.0) : std::nullopt);
   }
@@ -194,7 +275,7 @@ TEST_F(PythonBrainTest, StopsEndlessLoopsAndNamesTheirLine) {
 TEST_F(PythonBrainTest, ShowsWhatItPrintsAndItsTraceback) {
   BrainProcess brain(Step("  print('nearly there')\n  lost()\n"));
   Started(brain);
-  const auto reply = brain.Step({});
+  const auto reply = brain.Step(Classic(Sensor{}));
   ASSERT_TRUE(std::holds_alternative<BrainError>(reply));
   const auto& output = std::get<BrainError>(reply).output;
   ASSERT_GE(output.size(), 4u);
@@ -212,7 +293,7 @@ TEST_F(PythonBrainTest, ReportsMissingPythonModules) {
     const fs::path bare = Program("bare", "#!/bin/sh\n" + command + " \"$@\"\n");
     ::setenv("SMILE_PYTHON", bare.c_str(), 1);
     BrainProcess brain(Step("  pass\n"));
-    const auto reply = brain.Init({});
+    const auto reply = brain.Init(Classic(Aux()));
     ::unsetenv("SMILE_PYTHON");
     ASSERT_TRUE(std::holds_alternative<BrainError>(reply));
     std::string output;
@@ -223,10 +304,10 @@ TEST_F(PythonBrainTest, ReportsMissingPythonModules) {
 
 TEST_F(PythonBrainTest, TheWaveExampleWaves) {
   BrainProcess brain(fs::path(SMILE_SOURCE_DIR) / "python/examples/wave.py");
-  EXPECT_TRUE(Started(brain).init_joint_angles);
+  EXPECT_FALSE(Started(brain).init_joints.empty());
   const StepReply reply = Stepped(brain);
-  EXPECT_EQ(reply.motors.front().joint_velocities(0, 0), 0.4);
-  EXPECT_EQ(reply.motors.front().joint_velocities(1, 0), -0.4);
+  EXPECT_EQ(VelocitiesOf(reply.motors.front())(0, 0), 0.4);
+  EXPECT_EQ(VelocitiesOf(reply.motors.front())(1, 0), -0.4);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "classic_arms.h"
+
 namespace smile::brain {
 namespace {
 
@@ -14,7 +16,7 @@ Sensor GraySensor() {
   image.color.assign(200 * 100 * 3, 128);
   image.depth.assign(200 * 100, 10.0F);
   for (int v = 0; v < 100; ++v) std::fill_n(image.depth.begin() + v * 200, 100, 0.0F);
-  return {.pictures = {{.image = image}, {.image = image, .name = "overhead"}}};
+  return Classic(Sensor{.pictures = {{.image = image}, {.image = image, .name = "overhead"}}});
 }
 
 Sensor Noisy(const SensorNoise& noise, std::uint64_t tick) {
@@ -35,9 +37,11 @@ TEST(SensorNoise, HasTheRequestedDeviations) {
   const SensorNoise noise{.joints = 0.01, .image = 0.05, .depth = 0.2, .seed = 3};
   std::vector<double> angles;
   for (std::uint64_t tick = 0; tick < 1000; ++tick) {
-    Sensor sensor;
+    Sensor sensor = Classic(Sensor());
     AddNoise(noise, tick, &sensor);
-    angles.insert(angles.end(), sensor.joint_angles.data(), sensor.joint_angles.data() + 14);
+    for (const ArmSensor& arm : sensor.arms) {
+      angles.insert(angles.end(), arm.joints.begin(), arm.joints.end());
+    }
   }
   EXPECT_NEAR(Deviation(angles, 0), 0.01, 2e-4);
   const Image image = Noisy(noise, 0).pictures[0].image;
@@ -53,22 +57,22 @@ TEST(SensorNoise, HasTheRequestedDeviations) {
 TEST(SensorNoise, DependsOnSeedTickAndSensorAlone) {
   const SensorNoise noise{.joints = 0.01, .image = 0.05, .seed = 3};
   const Sensor sensor = Noisy(noise, 7);
-  EXPECT_EQ(Noisy(noise, 7).joint_angles, sensor.joint_angles);
+  EXPECT_EQ(JointsOf(Noisy(noise, 7)), JointsOf(sensor));
   EXPECT_EQ(Noisy(noise, 7).pictures[1].image, sensor.pictures[1].image);
   EXPECT_NE(sensor.pictures[1].image, sensor.pictures[0].image);
-  EXPECT_NE(Noisy(noise, 8).joint_angles, sensor.joint_angles);
+  EXPECT_NE(JointsOf(Noisy(noise, 8)), JointsOf(sensor));
   SensorNoise other = noise;
   other.seed = 4;
-  EXPECT_NE(Noisy(other, 7).joint_angles, sensor.joint_angles);
+  EXPECT_NE(JointsOf(Noisy(other, 7)), JointsOf(sensor));
   other = noise;
   other.image = 0;
-  EXPECT_EQ(Noisy(other, 7).joint_angles, sensor.joint_angles) << "sensors share no noise";
+  EXPECT_EQ(JointsOf(Noisy(other, 7)), JointsOf(sensor)) << "sensors share no noise";
 }
 
 TEST(SensorNoise, IsZeroByDefault) {
   const Sensor sensor = Noisy({.seed = 9}, 1);
   EXPECT_EQ(sensor.pictures[0].image, GraySensor().pictures[0].image);
-  EXPECT_TRUE(sensor.joint_angles.isZero());
+  EXPECT_TRUE(JointsOf(sensor).isZero());
 }
 
 }  // namespace

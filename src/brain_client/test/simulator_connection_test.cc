@@ -227,6 +227,64 @@ TEST_F(SimulatorConnectionTest, ABrainInCppSendsItsSettingsAndAnswers) {
   ::unsetenv("SMILE_BRAIN_ADDRESS");
 }
 
+/// Turns each joint by its angle.
+class Mirror : public Brain {
+ public:
+  void Init(Aux& aux) override { aux.arms.at(1).init_joints = aux.arms[1].max_joints; }
+  void Step(const Sensor& sensor, Motor& motor, Aux&) override {
+    for (std::size_t k = 0; k < 2; ++k) motor.arms.at(k).velocities = sensor.arms.at(k).joints;
+    if (sensor.arms[0].gripper) motor.arms[0].gripper_velocity[0] = *sensor.arms[0].gripper;
+    if (sensor.arms[1].gripper) throw std::runtime_error("the second arm has no gripper");
+    if (sensor.Number("simTime") > 0) (void)sensor.Matrix("jointAngles");
+  }
+};
+
+TEST_F(SimulatorConnectionTest, ABrainInCppDrivesAnyArms) {
+  ::setenv("SMILE_BRAIN_ADDRESS", Address().c_str(), 1);
+  Mirror brain;
+  std::thread thread([&] { brain_client::Run(brain); });
+  Accept();
+  Receive();
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const std::array row_of_three{1u, 3u}, row_of_two{1u, 2u};
+  MessageWriter init(MessageType::kInit, 1);
+  init.AddText("armNames", "rail\narm");
+  init.AddText("armJointNames", "slide\na\nb");
+  init.AddDoubles("armJointCounts", row_of_two, std::array{1.0, 2.0});
+  for (const char* name : {"armMinJoints", "armMaxJoints", "armMaxVelocities"}) {
+    init.AddDoubles(name, row_of_three, std::array{1.0, 2.0, 3.0});
+  }
+  init.AddDoubles("armGrippers", std::array{2u, 2u}, std::array{0.0, 1.0, kNone, kNone});
+  init.AddDoubles("armToolPoses", std::array{4u, 4u, 2u}, std::array<double, 32>{});
+  Say(init.Finish());
+  const wire::Message settings = Receive();
+  EXPECT_EQ(settings.Find("armJoints")->Numbers(), (std::vector{0.0, 2.0, 3.0}));
+  EXPECT_EQ(settings.Find("armsAtJoints")->Numbers(), (std::vector{0.0, 1.0}));
+  for (const double time : {0.0, 1.0}) {
+    MessageWriter step(MessageType::kStep, 2);
+    step.AddScalar("simTime", time);
+    step.AddDoubles("armJoints", row_of_three, std::array{0.1, 0.2, 0.3});
+    step.AddDoubles("armVelocities", row_of_three, std::array<double, 3>{});
+    step.AddDoubles("armGrippers", row_of_two, std::array{0.5, kNone});
+    step.AddDoubles("armEndEffectors", std::array{4u, 4u, 2u}, std::array<double, 32>{});
+    step.AddText("armHeldObjects", "\n");
+    Say(step.Finish());
+    const wire::Message motor = Receive();
+    if (time > 0) {
+      EXPECT_TRUE(motor.TextOf("message").ends_with(
+          "; it is for two arms of seven joints, use sensor.arms[k].joints"))
+          << motor.TextOf("message");
+    } else {
+      EXPECT_EQ(motor.Find("armVelocities")->Numbers(), (std::vector{0.1, 0.2, 0.3}));
+      EXPECT_EQ(motor.Find("armGripperVelocities")->Numbers(), (std::vector{0.5, 0.0}));
+      EXPECT_EQ(motor.Find("jointVelocities"), nullptr);
+    }
+  }
+  HangUp();
+  thread.join();
+  ::unsetenv("SMILE_BRAIN_ADDRESS");
+}
+
 TEST(MessageOutline, ChangesWithAllButNumbers) {
   MessageOutline outline;
   const auto changes = [&outline](double time, const char* held, std::uint32_t columns,

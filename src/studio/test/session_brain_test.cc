@@ -321,7 +321,7 @@ TEST_F(SessionBrainTest, ARunWithoutWaitingIsTheSameRun) {
   sim::Simulation simulation(scene_xml::LoadScene(root_ / "scenes/pair.xml", {}), Baxter());
   const std::filesystem::path program = root_ / "brains/dance.py";
   brain::BrainProcess process(program);
-  brain::BrainDriver driver({.has_trackers = brain::MayReadTrackers(program)});
+  brain::BrainDriver driver({.may_read = brain::WhatMayBeRead(program)});
   driver.Drive(&process, &simulation);
   while (driver.Drive(&process, &simulation) == brain::BrainStatus::kRunning) simulation.Tick();
   while (simulation.tick() < 36) simulation.Tick();

@@ -4,7 +4,7 @@ function pose = smileForward(robot, arm, q)
 %   pose = smileForward(robot, arm, q)
 %
 %   robot  from smileRobot
-%   arm    'left' or 'right'
+%   arm    its name
 %   q      1x7 angles [rad]
 %   pose   4x4, of the tool in the world [units]: z is the approach direction, y goes across the
 %          fingers

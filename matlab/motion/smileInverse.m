@@ -1,17 +1,21 @@
-function q = smileInverse(robot, arm, goal, qStart, varargin)
+function [q, reason] = smileInverse(robot, arm, goal, qStart, varargin)
 %SMILEINVERSE  Joint angles that put an arm's tool at a pose.
 %
 %   q = smileInverse(robot, arm, goal, qStart)
 %   q = smileInverse(robot, arm, goal, qStart, 'anyTurn', true)
+%   [q, reason] = smileInverse(...)
 %
 %   robot   from smileRobot
-%   arm     'left' or 'right'
+%   arm     its name
 %   goal    4x4, wanted pose of the tool in the world [units]
-%   qStart  1x7 angles at which the search starts [rad]
-%   q       1x7 within the limits [rad]; [] if no solution is found
+%   qStart  1xn positions at which the search starts [rad; m]
+%   q       1xn within the limits [rad; m]; [] if no solution is found
+%   reason  '', or why no solution is found: whether another rotation of the tool would be reached
 %
 %   Options, by name:
 %     anyTurn            false   any rotation of the tool about its own axis z is accepted
+%     anyRotation        false   any rotation of the tool is accepted, only its position matters: arms
+%                                of fewer than six joints cannot take every rotation
 %     positionTolerance  1e-6    [units]
 %     angleTolerance     1e-6    [rad]
 %     maxIterations      2000    limit for all attempts together
@@ -19,5 +23,9 @@ function q = smileInverse(robot, arm, goal, qStart, varargin)
 %
 %   Equal inputs give equal results, also in C++ and Python.
   if nargin < 4, error('smileInverse: expected robot, arm, goal, qStart'); end
-  q = smilemotion('smileInverse', robot, arm, goal, qStart, varargin{:});
+  if nargout < 2
+    q = smilemotion('smileInverse', robot, arm, goal, qStart, varargin{:});
+  else
+    [q, reason] = smilemotion('smileInverse', robot, arm, goal, qStart, varargin{:});
+  end
 end

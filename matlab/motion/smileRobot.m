@@ -7,11 +7,14 @@ function robot = smileRobot(aux, base, unit, gripper)
 %                                          unit in meters per unit
 %   robot = smileRobot(file, base, unit, gripper)   name of its gripper; '' for the default
 %
-%   robot.minJointAngles, robot.maxJointAngles   2x7 limits [rad]; row 1 left, row 2 right
-%   robot.poses.untucked, ...                    2x7 named poses of the robot [rad]
+%   robot.arms                                   names of the arms
+%   robot.minJointAngles, robot.maxJointAngles   limits [rad; m], a row for each arm
+%   robot.poses.untucked, ...                    named poses of the robot, likewise
+%   If the arms have different numbers of joints, these are one row, arm after arm.
 %
 %   Lengths are in the scene's unit, angles in radians. A pose is 4x4, of the tool in the world: z is
-%   the approach direction, y goes across the fingers. Arms are 'left' and 'right'.
+%   the approach direction, y goes across the fingers. Baxter's arms are 'left' and 'right'; the arm
+%   'both' means all arms.
   if nargin < 1, error('smileRobot: expected aux, or file, base, unit'); end
   if isstruct(aux)
     for name = {'robot', 'robotBase', 'unit'}

@@ -119,7 +119,7 @@ std::vector<double> ConfigurationFrom(const mxArray* value, const std::string& n
   return RowByRow(mxGetPr(value), shape);
 }
 
-/// K x 7 for an arm, 2 x 7 x K for both.
+/// K x n for an arm, N x n x K for N arms.
 std::vector<std::vector<double>> WaypointsFrom(const mxArray* value, Shape shape) {
   const double* numbers = NumbersFrom(value, "waypoints");
   const mwSize num_dimensions = mxGetNumberOfDimensions(value);
@@ -170,7 +170,7 @@ mxArray* ConfigurationOf(const std::vector<double>& values, Shape shape) {
           static_cast<Eigen::Index>(shape.columns)));
 }
 
-/// Configurations in the shape of waypoints: Kx7 for one arm, 2x7xK for both.
+/// Configurations in the shape of waypoints: Kxn for one arm, NxnxK for N arms.
 mxArray* ConfigurationsOf(const std::vector<std::vector<double>>& configurations, Shape shape) {
   const std::size_t count = configurations.size();
   const std::array<mwSize, 3> dims{static_cast<mwSize>(shape.rows),
@@ -381,6 +381,7 @@ void Robot(const Call& call) {
                               {"base", MatrixOf(base)},
                               {"unit", mxCreateDoubleScalar(unit)},
                               {"gripper", mxCreateString(gripper.c_str())},
+                              {"arms", NamesOf(robot.ArmNames())},
                               {"jointNames", NamesOf(robot.JointNames("both"))},
                               {"minJointAngles", ConfigurationOf(lower, shape)},
                               {"maxJointAngles", ConfigurationOf(upper, shape)},
@@ -412,6 +413,8 @@ IkOptions IkOptionsFrom(const Call& call, std::size_t first) {
   for (std::size_t k = 0; given.Get(k, &name, &value); ++k) {
     if (name == "anyTurn") {
       options.any_turn = TruthFrom(value, name);
+    } else if (name == "anyRotation") {
+      options.any_rotation = TruthFrom(value, name);
     } else if (name == "positionTolerance") {
       options.position_tolerance = NumberFrom(value, name);
     } else if (name == "angleTolerance") {
@@ -421,7 +424,8 @@ IkOptions IkOptionsFrom(const Call& call, std::size_t first) {
     } else if (name == "seed") {
       options.seed = static_cast<std::uint64_t>(std::abs(IntegerFrom(value, name)));
     } else {
-      RejectOption(name, "anyTurn, positionTolerance, angleTolerance, maxIterations or seed");
+      RejectOption(
+          name, "anyTurn, anyRotation, positionTolerance, angleTolerance, maxIterations or seed");
     }
   }
   return options;
@@ -432,10 +436,14 @@ void Inverse(const Call& call) {
   const PlanningRobot& robot = RobotFrom(call);
   const std::string arm = TextFrom(call.arguments[1], "arm");
   const Shape shape = ShapeFor(robot, arm);
-  const auto q =
-      robot.Inverse(arm, PoseFrom(call.arguments[2], "goal"),
-                    ConfigurationFrom(call.arguments[3], "qStart", shape), IkOptionsFrom(call, 4));
+  const Eigen::Matrix4d goal = PoseFrom(call.arguments[2], "goal");
+  const std::vector<double> q_start = ConfigurationFrom(call.arguments[3], "qStart", shape);
+  const IkOptions options = IkOptionsFrom(call, 4);
+  const auto q = robot.Inverse(arm, goal, q_start, options);
   call.outputs[0] = q ? ConfigurationOf(*q, shape) : Empty();
+  if (call.num_outputs < 2) return;
+  const std::string reason = q ? "" : robot.WhyUnreachable(arm, goal, q_start, options);
+  call.outputs[1] = mxCreateString(reason.c_str());
 }
 
 LineOptions LineOptionsFrom(const Call& call, std::size_t first, bool is_line) {
@@ -450,8 +458,10 @@ LineOptions LineOptionsFrom(const Call& call, std::size_t first, bool is_line) {
       options.tool_speed = NumberFrom(value, name);
     } else if (name == "anyTurn" && is_line) {
       options.any_turn = TruthFrom(value, name);
+    } else if (name == "anyRotation" && is_line) {
+      options.any_rotation = TruthFrom(value, name);
     } else {
-      RejectOption(name, is_line ? "speed, toolSpeed or anyTurn" : "speed");
+      RejectOption(name, is_line ? "speed, toolSpeed, anyTurn or anyRotation" : "speed");
     }
   }
   return options;

@@ -126,13 +126,13 @@ py::tuple At(const RowedTrajectory& trajectory, const Array& seconds) {
 }
 
 void BindTrajectory(py::module_& m) {
-  py::class_<RowedTrajectory>(m, "Trajectory", R"(Motion of the joints of an arm, or of both arms.
+  py::class_<RowedTrajectory>(m, "Trajectory", R"(Motion of the joints of an arm, or of all arms.
 
 Between points, each joint follows the cubic through their positions and velocities.)")
-      .def_readonly("arm", &RowedTrajectory::arm, "'left', 'right' or 'both'")
+      .def_readonly("arm", &RowedTrajectory::arm, "name of the arm, or 'both'")
       .def_property_readonly(
           "joint_names", [](const RowedTrajectory& t) { return t.joints.joint_names; },
-          "list of n names; for 'both', first those of the left arm")
+          "list of n names; for 'both', those of all arms")
       .def_property_readonly(
           "duration", [](const RowedTrajectory& t) { return t.joints.seconds(); }, "seconds")
       .def_property_readonly(
@@ -146,15 +146,15 @@ Between points, each joint follows the cubic through their positions and velocit
       .def_property_readonly(
           "positions",
           [](const RowedTrajectory& t) { return Stacked(t, &TrajectoryPoint::positions); },
-          "Kx7, or Kx2x7 for 'both' [rad]")
+          "Kxn, or KxNxn for 'both' [rad; m]")
       .def_property_readonly(
           "velocities",
           [](const RowedTrajectory& t) { return Stacked(t, &TrajectoryPoint::velocities); },
-          "Kx7, or Kx2x7 for 'both' [rad/s]")
+          "Kxn, or KxNxn for 'both' [rad/s; m/s]")
       .def("at", &At, py::arg("seconds"),
-           R"(Angles [rad] and velocities [rad/s] at a time, each 7, or 2x7 for 'both'.
+           R"(Positions and velocities at a time, each n, or Nxn for 'both'.
 
-Of K times, each Kx7, or Kx2x7 for 'both'. The arm rests at the first point before the start, and at
+Of K times, each Kxn, or KxNxn for 'both'. The arm rests at the first point before the start, and at
 the last point after the end.)");
 }
 
@@ -175,24 +175,37 @@ void BindAnswers(py::module_& m) {
 }
 
 py::object Inverse(const PlanningRobot& robot, const std::string& arm, const Array& goal,
-                   const Array& q_start, bool any_turn, double position_tolerance,
-                   double angle_tolerance, int max_iterations, std::uint64_t seed) {
+                   const Array& q_start, bool any_turn, bool any_rotation,
+                   double position_tolerance, double angle_tolerance, int max_iterations,
+                   std::uint64_t seed) {
   const auto shape = ShapeFor(robot, arm);
   const auto q =
       robot.Inverse(arm, PoseFrom("goal", goal), ConfigurationFrom("q_start", q_start, shape),
                     {.position_tolerance = position_tolerance,
                      .angle_tolerance = angle_tolerance,
                      .any_turn = any_turn,
+                     .any_rotation = any_rotation,
                      .max_iterations = max_iterations,
                      .seed = seed});
   return q ? py::object(ArrayOf(*q, shape)) : py::none();
 }
 
+std::string WhyUnreachable(const PlanningRobot& robot, const std::string& arm, const Array& goal,
+                           const Array& q_start, bool any_turn) {
+  return robot.WhyUnreachable(arm, PoseFrom("goal", goal),
+                              ConfigurationFrom("q_start", q_start, ShapeFor(robot, arm)),
+                              {.any_turn = any_turn});
+}
+
 py::tuple MoveLine(const PlanningRobot& robot, const std::string& arm, const Array& q_from,
-                   const Array& goal, double speed, double tool_speed, bool any_turn) {
+                   const Array& goal, double speed, double tool_speed, bool any_turn,
+                   bool any_rotation) {
   auto answer = robot.MoveLine(arm, ConfigurationFrom("q_from", q_from, ShapeFor(robot, arm)),
                                PoseFrom("goal", goal),
-                               {.speed = speed, .tool_speed = tool_speed, .any_turn = any_turn});
+                               {.speed = speed,
+                                .tool_speed = tool_speed,
+                                .any_turn = any_turn,
+                                .any_rotation = any_rotation});
   if (auto* fault = std::get_if<LineFault>(&answer)) return py::make_tuple(py::none(), *fault);
   return py::make_tuple(RowedTrajectory{arm, 1, std::get<JointTrajectory>(std::move(answer))},
                         py::none());
@@ -204,7 +217,9 @@ RobotClass BindRobot(py::module_& m) {
   RobotClass robot_class(m, "Robot", R"(Robot model for planning.
 
 Lengths are in the scene's unit, angles in radians; poses are 4x4 matrices of the tool in the world:
-z is the approach direction, y goes across the fingers. Arms are 'left' and 'right'.)");
+z is the approach direction, y goes across the fingers. Arms have names; 'both' means all arms. An
+arm has n joints. Where all N arms have n joints, arrays for 'both' are Nxn, otherwise the joints of
+all arms in one row.)");
   robot_class
       .def(py::init([](const std::string& path, const std::optional<Array>& base, double unit,
                        const std::string& gripper) {
@@ -220,6 +235,7 @@ z is the approach direction, y goes across the fingers. Arms are 'left' and 'rig
 base: 4x4, pose of the robot's base in the world [units]; by default the world is the base.
 unit: meters per unit; brains receive it as aux.unit.
 gripper: name of the robot's gripper; by default its default gripper.)")
+      .def_property_readonly("arms", &PlanningRobot::ArmNames, "names of the arms")
       .def("joint_names", &PlanningRobot::JointNames, py::arg("arm"),
            "Names of an arm's joints; for 'both', of all joints.")
       .def(
@@ -234,7 +250,7 @@ gripper: name of the robot's gripper; by default its default gripper.)")
             return py::make_tuple(ArrayOf(lower, shape), ArrayOf(upper, shape));
           },
           py::arg("arm"),
-          "Lower and upper limits of the angles: two arrays of 7, or 2x7 for 'both' [rad].")
+          "Lower and upper limits of the joints: two arrays of n, or Nxn for 'both' [rad; m].")
       .def(
           "pose",
           [](const PlanningRobot& robot, const std::string& arm, const std::string& name) {
@@ -255,27 +271,33 @@ void BindKinematics(RobotClass& robot_class) {
           [](const PlanningRobot& robot, const std::string& arm, const Array& q) {
             return ArrayOf(robot.Forward(arm, ConfigurationFrom("q", q, ShapeFor(robot, arm))));
           },
-          py::arg("arm"), py::arg("q"), "Pose of the tool at 7 joint angles: 4x4.")
+          py::arg("arm"), py::arg("q"), "Pose of the tool at n joint positions: 4x4.")
       .def(
           "jacobian",
           [](const PlanningRobot& robot, const std::string& arm, const Array& q) {
             return ArrayOf(robot.Jacobian(arm, ConfigurationFrom("q", q, ShapeFor(robot, arm))));
           },
           py::arg("arm"), py::arg("q"),
-          "Velocity of the tool per joint velocity: 6x7, rows 0..2 along x y z [units/s per "
+          "Velocity of the tool per joint velocity: 6xn, rows 0..2 along x y z [units/s per "
           "rad/s], "
           "rows 3..5 about x y z.")
       .def(
           "inverse", &Inverse, py::arg("arm"), py::arg("goal"), py::arg("q_start"), py::kw_only(),
-          py::arg("any_turn") = ik.any_turn, py::arg("position_tolerance") = ik.position_tolerance,
+          py::arg("any_turn") = ik.any_turn, py::arg("any_rotation") = ik.any_rotation,
+          py::arg("position_tolerance") = ik.position_tolerance,
           py::arg("angle_tolerance") = ik.angle_tolerance,
           py::arg("max_iterations") = ik.max_iterations, py::arg("seed") = ik.seed,
-          R"(7 joint angles within the limits that put the tool at `goal` (4x4), or None if none are found.
+          R"(n joint positions within the limits that put the tool at `goal` (4x4), or None if none are found.
 
-q_start: 7 angles at which the search starts.
+q_start: n positions at which the search starts.
 any_turn: any rotation of the tool about its own axis is accepted.
+any_rotation: any rotation of the tool is accepted; only its position matters. Arms of fewer than
+six joints cannot take every rotation.
 position_tolerance [units], angle_tolerance [rad].
-max_iterations: limit for all attempts together; about 1.5 microseconds each.)");
+max_iterations: limit for all attempts together; about 1.5 microseconds each.)")
+      .def("why_unreachable", &WhyUnreachable, py::arg("arm"), py::arg("goal"), py::arg("q_start"),
+           py::kw_only(), py::arg("any_turn") = ik.any_turn,
+           "Reason why inverse() returns None, for people: str.");
 }
 
 void BindPlanning(RobotClass& robot_class) {
@@ -292,19 +314,20 @@ void BindPlanning(RobotClass& robot_class) {
           R"(Plans a motion through waypoints, from rest to rest, within all limits: a Trajectory.
 
 arm: may be 'both'.
-waypoints: Kx7, or Kx2x7 for 'both' [rad].
+waypoints: Kxn, or KxNxn for 'both' [rad; m].
 speed: fraction of the joints' maximum velocities, above 0, at most 1.)")
       .def("move_line", &MoveLine, py::arg("arm"), py::arg("q_from"), py::arg("goal"),
            py::kw_only(), py::arg("speed") = 1.0,
            py::arg("tool_speed") = std::numeric_limits<double>::infinity(),
-           py::arg("any_turn") = false,
+           py::arg("any_turn") = false, py::arg("any_rotation") = false,
            R"(Moves the tool along a straight line to `goal` (4x4): (Trajectory, None), or
 (None, LineFault) if the arm cannot follow the line.
 
-q_from: 7, start angles [rad].
+q_from: n, positions at the start [rad; m].
 speed: fraction of the joints' maximum velocities, above 0, at most 1.
 tool_speed: maximum speed of the tool [units/s].
-any_turn: the tool may rotate about its own axis during the motion.)")
+any_turn: the tool may rotate about its own axis during the motion.
+any_rotation: the tool may rotate in any way.)")
       .def(
           "first_invalid",
           [](const PlanningRobot& robot, const RowedTrajectory& trajectory,
@@ -318,7 +341,7 @@ any_turn: the tool may rotate about its own axis during the motion.)")
           R"(First InvalidMoment of a Trajectory, or None if the trajectory is valid.
 
 A moment is invalid if a joint exceeds a limit, or if the robot touches itself or the table.
-q_both: 2x7, angles of the arms that do not move [rad]; default: the robot's start angles.
+q_both: Nxn as for 'both', positions of the arms that do not move [rad; m]; default: the robot's start angles.
 table: (width, depth) of a table centered at the origin, with its top at z = 0 [units].)");
 }
 

@@ -29,6 +29,8 @@ struct LineOptions {
   double tool_speed = std::numeric_limits<double>::infinity();  ///< > 0, upper bound [m/s]
   /// True if the tool may rotate about its own z axis, on the way and at the end.
   bool any_turn = false;
+  /// True if the tool may rotate in any way; see IkOptions.
+  bool any_rotation = false;
 };
 
 /// Reason why the tool cannot follow a line.

@@ -91,7 +91,8 @@ DampedLeastSquares::DampedLeastSquares(const ArmKinematics& arm, const RigidTran
 DampedLeastSquares::Error DampedLeastSquares::ErrorOf(const RigidTransform& X_WG) const {
   const Vector3 displacement = X_WG_goal_.translation() - X_WG.translation();
   // Rotation vectors along the world's axes, as the Jacobian's angular rows are.
-  const Vector3 rotation = options_.any_turn
+  const Vector3 rotation = options_.any_rotation ? Vector3::Zero()
+                           : options_.any_turn
                                ? TurnBetween(X_WG.rotation(), X_WG_goal_.rotation().col(2))
                                : RotationVectorBetween(Quaternion(X_WG.rotation()), q_WG_goal_);
   Error error;
@@ -138,7 +139,9 @@ bool DampedLeastSquares::Run(ArmVector* q, int* iterations_left) const {
 
     // The rows get the same weight as the error.
     J.topRows<3>() *= kRadiansPerMeter;
-    if (options_.any_turn) {
+    if (options_.any_rotation) {
+      J.bottomRows<3>().setZero();
+    } else if (options_.any_turn) {
       // Rotation about the tool's own axis is free: remove it from the Jacobian.
       const Vector3 z = X_WG.rotation().col(2);
       J.bottomRows<3>() -= z * (z.transpose() * J.bottomRows<3>()).eval();

@@ -61,4 +61,25 @@ std::optional<std::vector<double>> SolveInverseKinematics(const ArmKinematics& a
   return std::nullopt;
 }
 
+std::string WhyUnreachable(const ArmKinematics& arm, const RigidTransform& X_WG_goal,
+                           std::span<const double> q_start, const IkOptions& options) {
+  const auto is_reached = [&](IkOptions relaxed) {
+    return SolveInverseKinematics(arm, X_WG_goal, q_start, relaxed).has_value();
+  };
+  IkOptions turned = options, rotated = options;
+  turned.any_turn = rotated.any_rotation = true;
+  std::string reason = "the tool does not reach this place";
+  if (!options.any_rotation && is_reached(rotated)) {
+    reason = "the tool reaches this place with another rotation only";
+    if (!options.any_turn && is_reached(turned)) {
+      reason = "the tool reaches this place and direction with another turn about its axis only";
+    }
+    if (arm.num_joints() < 6) {
+      reason +=
+          ": an arm of " + std::to_string(arm.num_joints()) + " joints cannot take every rotation";
+    }
+  }
+  return reason;
+}
+
 }  // namespace smile::motion

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "motion/arm_kinematics.h"
@@ -16,6 +17,9 @@ struct IkOptions {
   /// True if the rotation of the tool about its own z axis is free: only its position and direction
   /// matter.
   bool any_turn = false;
+  /// True if the whole rotation of the tool is free: only its position matters. Arms of fewer than
+  /// six joints cannot take every rotation, and arms of fewer than five not every direction.
+  bool any_rotation = false;
   int max_iterations = 2000;  ///< of all attempts together; 1 to 1000000
   std::uint64_t seed = 1;     ///< of the starts of further attempts
 };
@@ -39,5 +43,11 @@ struct IkOptions {
 [[nodiscard]] std::optional<std::vector<double>> SolveInverseKinematics(
     const ArmKinematics& arm, const RigidTransform& X_WG_goal, std::span<const double> q_start,
     const IkOptions& options = {});
+
+/// Returns the reason why SolveInverseKinematics() finds no configuration, for people: whether the
+/// tool would reach the place with a free turn, with a free rotation, or not at all.
+/// Same arguments. Searches again, as long.
+std::string WhyUnreachable(const ArmKinematics& arm, const RigidTransform& X_WG_goal,
+                           std::span<const double> q_start, const IkOptions& options = {});
 
 }  // namespace smile::motion

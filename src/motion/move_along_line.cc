@@ -37,9 +37,12 @@ constexpr double kPlaceTolerance = 1e-9;
 /// Path of the tool, by fractions of the line from 0 to 1.
 class ToolLine {
  public:
-  ToolLine(const RigidTransform& X_WG_from, const RigidTransform& X_WG_to, bool any_turn)
+  ToolLine(const RigidTransform& X_WG_from, const RigidTransform& X_WG_to,
+           const LineOptions& options)
       : from_(X_WG_from), to_(X_WG_to), q_from_(from_.quaternion()), q_to_(to_.quaternion()) {
-    if (any_turn) {
+    if (options.any_rotation) {
+      q_to_ = q_from_;
+    } else if (options.any_turn) {
       // The smallest rotation that aligns the axes; the rotation about the axis is free.
       const Vector3 z_from = from_.rotation().col(2), z_to = to_.rotation().col(2);
       q_to_ = SmallestRotation(z_from, z_to) * q_from_;
@@ -80,14 +83,37 @@ struct JointPath {
   int num_spans() const { return static_cast<int>(q.size()) - 1; }
 };
 
+/// Returns a hint for a place that only the rotation of the tool makes unreachable; otherwise an
+/// empty text.
+std::string WayOut(const ArmKinematics& arm, const ArmVector& q_before, const RigidTransform& X_WG,
+                   IkOptions options) {
+  const auto is_reached = [&] {
+    ArmVector q = q_before;
+    int iterations_left = kIterationsPerPlace;
+    return DampedLeastSquares(arm, X_WG, options).Run(&q, &iterations_left);
+  };
+  std::string hint = std::exchange(options.any_turn, true) || !is_reached()
+                         ? ""
+                         : "; it can with any turn of the tool about its axis";
+  if (hint.empty() && !std::exchange(options.any_rotation, true) && is_reached()) {
+    hint = "; it can with any rotation of the tool";
+  }
+  if (!hint.empty() && arm.num_joints() < 6) {
+    hint += ", since an arm of " + std::to_string(arm.num_joints()) +
+            " joints cannot keep every rotation";
+  }
+  return hint;
+}
+
 /// Returns the joint positions at all places, or the first place that the arm cannot reach without
 /// a jump.
 std::variant<JointPath, LineFault> Follow(const ArmKinematics& arm, const ArmVector& q_from,
                                           const ToolLine& line, const RigidTransform& X_WG_goal,
-                                          bool any_turn, int num_spans) {
+                                          const LineOptions& line_options, int num_spans) {
   const IkOptions options{.position_tolerance = kPlaceTolerance,
                           .angle_tolerance = kPlaceTolerance,
-                          .any_turn = any_turn};
+                          .any_turn = line_options.any_turn,
+                          .any_rotation = line_options.any_rotation};
   JointPath path{.q = {q_from}};
   for (int k = 1; k <= num_spans; ++k) {
     const bool is_end = k == num_spans;
@@ -104,7 +130,8 @@ std::variant<JointPath, LineFault> Follow(const ArmKinematics& arm, const ArmVec
     ArmVector q = path.q.back();
     int iterations_left = kIterationsPerPlace;
     if (!DampedLeastSquares(arm, X_WG, options).Run(&q, &iterations_left)) {
-      return fault("the arm cannot follow further: out of reach, or a joint is at its limit");
+      return fault("the arm cannot follow further: out of reach, or a joint is at its limit" +
+                   WayOut(arm, path.q.back(), X_WG, options));
     }
     Eigen::Index joint = 0;
     // Near a singular configuration the solver may still leave the branch within one place.
@@ -184,7 +211,7 @@ std::variant<JointTrajectory, LineFault> MoveAlongLine(const ArmKinematics& arm,
   CheckLine(options);
   CheckConfiguration(q_from, arm.limits(), "q_from");
   const ArmVector start = WithinLimits(arm, q_from);
-  const ToolLine line(arm.ToolPose(q_from), X_WG_goal, options.any_turn);
+  const ToolLine line(arm.ToolPose(q_from), X_WG_goal, options);
   JointTrajectory trajectory{.joint_names = arm.joint_names()};
   if (line.length() < kPlaceTolerance && line.angle() < kPlaceTolerance) {
     trajectory.points.push_back({.positions = {q_from.begin(), q_from.end()},
@@ -194,7 +221,7 @@ std::variant<JointTrajectory, LineFault> MoveAlongLine(const ArmKinematics& arm,
 
   // Double the places until the joints' cubics keep to the line.
   for (int num_spans = NumSpans(line);; num_spans *= 2) {
-    auto followed = Follow(arm, start, line, X_WG_goal, options.any_turn, num_spans);
+    auto followed = Follow(arm, start, line, X_WG_goal, options, num_spans);
     if (auto* fault = std::get_if<LineFault>(&followed)) return std::move(*fault);
     JointPath& path = std::get<JointPath>(followed);
     SetDerivatives(&path);

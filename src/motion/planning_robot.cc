@@ -85,6 +85,12 @@ Eigen::Matrix4d PlanningRobot::InUnits(const RigidTransform& X_WF) const {
   return pose;
 }
 
+std::vector<std::string> PlanningRobot::ArmNames() const {
+  std::vector<std::string> names;
+  for (const robot::Arm& arm : model_.arms) names.push_back(arm.name);
+  return names;
+}
+
 std::vector<std::string> PlanningRobot::JointNames(std::string_view arm) const {
   if (arm != kBoth) return Find(arm).joint_names();
   std::vector<std::string> names;
@@ -146,6 +152,13 @@ std::optional<std::vector<double>> PlanningRobot::Inverse(std::string_view arm,
                                                           IkOptions options) const {
   options.position_tolerance *= meters_per_unit_;
   return SolveInverseKinematics(Find(arm), FromUnits(goal, "goal"), q_start, options);
+}
+
+std::string PlanningRobot::WhyUnreachable(std::string_view arm, const Eigen::Matrix4d& goal,
+                                          std::span<const double> q_start,
+                                          IkOptions options) const {
+  options.position_tolerance *= meters_per_unit_;
+  return motion::WhyUnreachable(Find(arm), FromUnits(goal, "goal"), q_start, options);
 }
 
 JointTrajectory PlanningRobot::MoveJoints(std::string_view arm,

@@ -19,10 +19,11 @@ namespace smile::motion {
 /// lengths are in the scene's unit. The C++, Python and Octave interfaces all use this class, so
 /// the same question has the same answer, to the last bit.
 ///
-/// Arms are given by name. Where `both` is allowed, the joints of all arms follow one another, left
-/// first. Poses are homogeneous 4 x 4 matrices X_WG [units]; a rotation that is exact to 1e-3 is
-/// normalized. All functions throw std::invalid_argument, naming what was found and expected, if an
-/// arm is unknown or a value has the wrong size or is not finite.
+/// Arms are given by name. Where `both` is allowed, it means all arms, however many the robot has;
+/// their joints follow one another, in the order of the model. Poses are homogeneous 4 x 4 matrices
+/// X_WG [units]; a rotation that is exact to 1e-3 is normalized. All functions throw
+/// std::invalid_argument, naming what was found and expected, if an arm is unknown or a value has
+/// the wrong size or is not finite.
 class PlanningRobot {
  public:
   /// @param base_pose        4 x 4, pose of the base in the world [units].
@@ -32,11 +33,13 @@ class PlanningRobot {
   const robot::RobotModel& model() const { return model_; }
   double meters_per_unit() const { return meters_per_unit_; }
 
-  /// Return names and limits of an arm's joints, or of both arms'.
+  /// Returns the names of the arms.
+  std::vector<std::string> ArmNames() const;
+  /// Return names and limits of an arm's joints, or of all arms' (`both`).
   std::vector<std::string> JointNames(std::string_view arm) const;
   std::vector<JointLimits> Limits(std::string_view arm) const;
-  /// Returns the number of rows of a configuration as people write it: 1 for an arm, one per arm
-  /// for `both`.
+  /// Returns the number of rows of a configuration as people write it: 1 for an arm; for `both` one
+  /// per arm, if all have as many joints, otherwise 1.
   int NumRows(std::string_view arm) const;
   /// Returns a named pose of the robot; nullopt if it has no such pose.
   std::optional<std::vector<double>> NamedPose(std::string_view arm, std::string_view name) const;
@@ -52,6 +55,10 @@ class PlanningRobot {
   std::optional<std::vector<double>> Inverse(std::string_view arm, const Eigen::Matrix4d& goal,
                                              std::span<const double> q_start,
                                              IkOptions options = {}) const;
+
+  /// Returns why Inverse() finds nothing, for people; see motion::WhyUnreachable().
+  std::string WhyUnreachable(std::string_view arm, const Eigen::Matrix4d& goal,
+                             std::span<const double> q_start, IkOptions options = {}) const;
 
   /// See MoveThrough(); `arm` may be `both`.
   JointTrajectory MoveJoints(std::string_view arm, std::span<const std::vector<double>> waypoints,

@@ -7,6 +7,7 @@
 
 #include "arm.h"
 #include "motion/limit_check.h"
+#include "robot/test/generated_robot.h"
 
 namespace smile::motion {
 namespace {
@@ -132,6 +133,29 @@ TEST(MoveAlongLine, KeepsToTheLineAndToAllLimits) {
     }
   }
   EXPECT_GT(num_found, 2 * num_refused);
+}
+
+TEST(MoveAlongLine, MayLeaveTheRotationToAnArmOfFewJoints) {
+  const robot::RobotModel model = robot::GeneratedRobot({{"arm", 5}}).Model();
+  const ArmKinematics arm(model, model.arms[0]);
+  const std::vector<double> from{0.2, 0.8, 0.8, 0.9, 0};
+  const RigidTransform X_WG = arm.ToolPose(from);
+  // Past the arm's axis, so that its plane turns; the rotation of the tool would stay.
+  const RigidTransform goal(X_WG.rotation(), X_WG.translation() + Vector3(-0.05, 0.15, -0.05));
+  const auto refused = MoveAlongLine(arm, from, goal);
+  ASSERT_TRUE(std::holds_alternative<LineFault>(refused));
+  EXPECT_TRUE(std::get<LineFault>(refused).reason.ends_with(
+      "; it can with any rotation of the tool, since an arm of 5 joints cannot keep every "
+      "rotation"))
+      << std::get<LineFault>(refused).reason;
+  const auto answer = MoveAlongLine(arm, from, goal, {.any_rotation = true});
+  ASSERT_TRUE(std::holds_alternative<JointTrajectory>(answer));
+  const auto& move = std::get<JointTrajectory>(answer);
+  ExpectLimitsAreKept(move, arm.limits());
+  for (int k = 0; k <= 100; ++k) {
+    const RigidTransform X_WGk = arm.ToolPose(SampleAt(move, move.seconds() * k / 100).positions);
+    ASSERT_LT(DistanceFromLine(X_WGk.translation(), X_WG.translation(), goal.translation()), 0.001);
+  }
 }
 
 TEST(MoveAlongLine, KeepsTheToolsSpeedAndTurnsEvenly) {

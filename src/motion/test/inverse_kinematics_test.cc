@@ -7,6 +7,7 @@
 #include "arm.h"
 #include "robot/kinematics.h"
 #include "robot/test/fk_vectors.h"
+#include "robot/test/generated_robot.h"
 
 namespace smile::motion {
 namespace {
@@ -135,6 +136,58 @@ TEST(InverseKinematics, MayLeaveTheTurnAboutTheToolToTheArm) {
     EXPECT_LE((reached.translation() - goal.translation()).norm(), 1e-6);
     EXPECT_NEAR(reached.rotation()(2, 2), -1, 1e-11);
   }
+}
+
+/// Returns an arm of this many joints.
+ArmKinematics GeneratedArm(int num_joints) {
+  const robot::RobotModel model = robot::GeneratedRobot({{"arm", num_joints}}).Model();
+  return ArmKinematics(model, model.arms[0]);
+}
+
+TEST(InverseKinematics, SolvesForPositionAloneWithAnyNumberOfJoints) {
+  for (const int num_joints : {3, 4, 5, 6, 7}) {
+    const ArmKinematics arm = GeneratedArm(num_joints);
+    std::mt19937 random(7);
+    for (int trial = 0; trial < 20; ++trial) {
+      const RigidTransform reached = arm.ToolPose(RandomArm(arm, &random, 0.7));
+      // The position of a pose that exists, with a rotation that is another one.
+      const RigidTransform goal(Quaternion(0, 1, 0, 0), reached.translation());
+      const std::vector<double> start(static_cast<std::size_t>(num_joints), 0.3);
+      const auto q = SolveInverseKinematics(arm, goal, start, {.any_rotation = true});
+      ASSERT_TRUE(q) << num_joints << ", " << trial;
+      ExpectWithinLimits(arm, *q);
+      EXPECT_LE((arm.ToolPose(*q).translation() - goal.translation()).norm(), 1e-6);
+    }
+  }
+}
+
+TEST(InverseKinematics, GraspsFromAboveWithFiveJoints) {
+  const ArmKinematics arm = GeneratedArm(5);
+  const RigidTransform goal(Quaternion(0, 1, 0, 0), Vector3(0.3, 0.2, 0.15));
+  const std::vector<double> start(5, 0.5);
+  const auto q = SolveInverseKinematics(arm, goal, start, {.any_turn = true});
+  ASSERT_TRUE(q);
+  EXPECT_NEAR(arm.ToolPose(*q).rotation()(2, 2), -1, 1e-11);
+}
+
+TEST(InverseKinematics, SaysWhichRotationIsTheTrouble) {
+  const std::vector<double> start(4, 0.5);
+  const ArmKinematics arm = GeneratedArm(4);
+  const auto why = [&](const RigidTransform& goal, const IkOptions& options = {}) {
+    EXPECT_FALSE(SolveInverseKinematics(arm, goal, start, options));
+    return WhyUnreachable(arm, goal, start, options);
+  };
+  const Vector3 p(0.3, 0.2, 0.15);
+  // Straight down, but turned out of the plane of the arm.
+  EXPECT_EQ(why({Quaternion(0, 1, 0, 0), p}),
+            "the tool reaches this place and direction with another turn about its axis only: an "
+            "arm of 4 joints cannot take every rotation");
+  // Across the plane of the arm.
+  const RigidTransform across(Quaternion(std::sqrt(0.5), std::sqrt(0.5), 0, 0), p);
+  EXPECT_EQ(why(across, {.any_turn = true}),
+            "the tool reaches this place with another rotation only: an arm of 4 joints cannot "
+            "take every rotation");
+  EXPECT_EQ(why({Quaternion(0, 1, 0, 0), Vector3(3, 0, 0)}), "the tool does not reach this place");
 }
 
 TEST(InverseKinematics, StaysNearItsStart) {

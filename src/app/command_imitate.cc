@@ -11,6 +11,7 @@
 #include "app/options.h"
 #include "base/files.h"
 #include "experiment/imitation.h"
+#include "experiment/robot_region.h"
 #include "scene_xml/scene_reader.h"
 
 namespace smile::app {
@@ -42,11 +43,13 @@ void PrintResult(const experiment::ImitationResult& outcome) {
 int ImitateDemo(const ImitateOptions& options) {
   const std::filesystem::path out = options.out;
   ConsoleReporter console;
+  const auto robot = PlaceRobot(options.robot, options.path);
   const experiment::ImitationResult outcome = experiment::Imitate(
       {.task = std::filesystem::path(options.scene).stem().string(),
        .demonstration = options.demo,
        .scene = layout::LaidOut(scene_xml::LoadScene(options.scene, options.path.reader()),
-                                options.layout.choice()),
+                                options.layout.choice(),
+                                [&] { return experiment::RegionOf(robot.value()); }),
        .brain = options.brain.brain,
        .callback_seconds = options.brain.timeout,
        .is_attached = options.brain.attach,
@@ -55,7 +58,7 @@ int ImitateDemo(const ImitateOptions& options) {
        .max_seconds = options.max_seconds,
        .eye = EyeSpecOf(options.eye),
        .noise = ParseNoise(options.noise),
-       .robot = PlaceRobot(options.robot, options.path)},
+       .robot = robot},
       console.callbacks());
   console.Clear();
   // The result is written even after an interrupt or an error of the program.

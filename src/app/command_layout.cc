@@ -8,6 +8,7 @@
 #include "app/layout_options.h"
 #include "app/options.h"
 #include "base/diagnostic.h"
+#include "experiment/robot_region.h"
 #include "recording/scene_files.h"
 #include "scene_xml/mesh_files.h"
 #include "scene_xml/scene_reader.h"
@@ -19,6 +20,7 @@ struct LayoutCommandOptions {
   std::string scene, out;
   LayoutOptions layout;
   PathOptions path;
+  RobotOptions robot;
 };
 
 /// Demands that nothing exists at this path, so that nothing is overwritten.
@@ -31,7 +33,8 @@ void RequireNew(const std::filesystem::path& path) {
 
 int WriteLayout(const LayoutCommandOptions& options) {
   const scene::SceneSpec scene = layout::LaidOut(
-      scene_xml::LoadScene(options.scene, options.path.reader()), options.layout.choice());
+      scene_xml::LoadScene(options.scene, options.path.reader()), options.layout.choice(),
+      [&] { return experiment::RegionOf(PlaceRobot(options.robot, options.path).value()); });
   const std::filesystem::path out = options.out;
   RequireNew(out);
   if (!scene_xml::MeshFilesOf(scene).empty()) {
@@ -53,6 +56,7 @@ void AddLayout(CLI::App* program, ExitAnswer answer) {
   AddLayoutOptions(layout, &options->layout)->required();
   layout->add_option("--out", options->out, "new scene file")->required()->check(NotEmpty());
   AddPathOption(layout, &options->path);
+  AddRobotOptions(layout, /*may_be_absent=*/false, &options->robot);
   layout->callback([options, answer] { *answer = WriteLayout(*options); });
 }
 

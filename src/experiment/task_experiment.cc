@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "experiment/move_aside.h"
+#include "experiment/robot_region.h"
 #include "experiment/run.h"
 #include "picture/film.h"
 #include "report/experiment_page.h"
@@ -78,8 +79,9 @@ ImitationResult RunTaskExperiment(const TaskExperimentPlan& plan, const Callback
 
   // Another table with the objects elsewhere: the robot must reproduce the structure, not the
   // motions.
-  const scene::SceneSpec scene = layout::LaidOut(
-      scene_xml::LoadScene(DataFile("scenes/" + plan.task + "_robot.xml")), plan.layout);
+  const scene::SceneSpec scene =
+      layout::LaidOut(scene_xml::LoadScene(DataFile("scenes/" + plan.task + "_robot.xml")),
+                      plan.layout, [&] { return RegionOf(plan.robot); });
   ImitationResult result = Imitate({.task = plan.task,
                                     .demonstration = plan.out / "demonstration",
                                     .scene = scene,

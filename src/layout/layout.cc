@@ -148,8 +148,7 @@ struct LayoutRules {
 bool IsAtRim(const LayoutRules& rules, const Footprint& footprint, double top) {
   // Smaller reach and a grown footprint together: near the boundary of the arm's circle, of the
   // table, or of the picture.
-  LayoutRegion inner = rules.region;
-  inner.reach -= kRim;
+  const LayoutRegion inner = rules.region.ShrunkBy(kRim);
   Footprint grown = footprint;
   grown.half_size.array() += kRim;
   return !inner.Holds(rules.table, grown, top);
@@ -182,8 +181,12 @@ bool IsFree(const LayoutRules& rules, const std::vector<Footprint>& taken,
 Footprint Somewhere(const LayoutRules& rules, const Vector2& half_size, std::mt19937_64* random) {
   const LayoutRegion& region = rules.region;
   const double edge = -rules.table.y_span / 2;
-  const double most_x = std::min(region.most_x, region.shoulder_x + region.reach);
-  const double far = std::min(region.most_depth, region.shoulder_depth + region.reach);
+  // The rectangle about the region from which places are drawn.
+  double most_x = region.most_x, far = region.most_depth;
+  if (!region.reach_map) {
+    most_x = std::min(most_x, region.shoulder_x + region.reach);
+    far = std::min(far, region.shoulder_depth + region.reach);
+  }
   const auto rounded = [](double value, double parts) { return std::round(value * parts) / parts; };
   return {.center = {rounded(Uniform(random, -most_x, most_x), 1000),
                      rounded(edge + Uniform(random, region.least_depth, far), 1000)},

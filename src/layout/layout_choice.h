@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "layout/layout_level.h"
+#include "layout/layout_region.h"
 #include "scene/scene_spec.h"
 
 namespace smile::layout {
@@ -15,7 +17,9 @@ struct LayoutChoice {
 };
 
 /// Returns the scene with the chosen starting positions, see RandomLayout().
+/// @param region  called if a layout is made: that of the robot.
 /// @throws std::invalid_argument if such a layout is not possible.
-scene::SceneSpec LaidOut(scene::SceneSpec scene, const LayoutChoice& choice);
+scene::SceneSpec LaidOut(scene::SceneSpec scene, const LayoutChoice& choice,
+                         const std::function<LayoutRegion()>& region);
 
 }  // namespace smile::layout

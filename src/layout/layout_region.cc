@@ -32,7 +32,17 @@ Footprint LayoutRegion::StripOn(const scene::TableSpec& table) const {
           .half_size = {strip_half_width, (strip_far - strip_near) / 2}};
 }
 
+LayoutRegion LayoutRegion::ShrunkBy(double rim) const {
+  LayoutRegion shrunk = *this;
+  shrunk.reach -= rim;
+  shrunk.reach_margin += rim;
+  return shrunk;
+}
+
 bool LayoutRegion::Reaches(const scene::TableSpec& table, const Vector2& center) const {
+  if (reach_map) {
+    return reach_map->Contains({center.x(), center.y() + table.y_span / 2}, reach_margin);
+  }
   // Both arms are alike: the nearer shoulder decides.
   const double x = std::abs(center.x()), depth = center.y() + table.y_span / 2;
   if (std::hypot(x - shoulder_x, depth - shoulder_depth) > reach) return false;
@@ -48,6 +58,7 @@ bool LayoutRegion::Holds(const scene::TableSpec& table, const Footprint& footpri
   for (const Vector2& corner : footprint.corners()) {
     if (std::abs(corner.x()) > table.x_span / 2 - table_rim) return false;
     if (std::abs(corner.y()) > table.y_span / 2 - table_rim) return false;
+    if (!has_standard_eye) continue;
     if (!IsInView(corner.x(), corner.y() - edge, 0)) return false;
     if (!IsInView(corner.x(), corner.y() - edge, top)) return false;
   }

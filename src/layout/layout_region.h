@@ -1,15 +1,25 @@
 #pragma once
 
+#include <memory>
+
 #include "layout/footprint.h"
+#include "layout/reach_map.h"
 #include "scene/scene_spec.h"
 
 namespace smile::layout {
 
-/// Region of the table for seeded layouts: within Baxter's reach, in view of its eye, and outside
-/// the robot's building area (docs/experiments.md). Depths count from the table's near edge away
-/// from the robot, which stands at its default place; sideways distances count from the table's
-/// middle.
+/// Region of the table for seeded layouts: within the robot's reach, in view of its eye, and
+/// outside its building area (docs/experiments.md). The default is Baxter's, as measured;
+/// experiment:: RegionOf() computes that of another robot. Depths count from the table's near edge
+/// away from the robot, which stands at its default place; sideways distances count from the
+/// table's middle.
 struct LayoutRegion {
+  /// Places that the robot reaches, less `reach_margin` [m]; null: the circles below.
+  std::shared_ptr<const ReachMap> reach_map;
+  double reach_margin = 0;
+  /// True if the robot's eye is where Baxter's is; otherwise its view is not considered.
+  bool has_standard_eye = true;
+
   /// An arm grasps vertically within a circle about the point below its shoulder. Measured at tool
   /// heights from 0.08 to 0.25 m, at any yaw: 0.736 to 0.75 m all around.
   double reach = 0.72;            ///< radius [m]
@@ -24,6 +34,8 @@ struct LayoutRegion {
   double strip_half_width = 0.58;              ///< [m]
   double strip_near = 0.34, strip_far = 0.51;  ///< depths [m]
 
+  /// Returns the region whose reach ends earlier.
+  LayoutRegion ShrunkBy(double rim) const;
   /// Returns the strip on a table.
   Footprint StripOn(const scene::TableSpec& table) const;
   /// Returns true if the robot reaches an object whose center is at `center` in the world [m].

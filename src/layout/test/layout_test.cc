@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -304,6 +305,40 @@ TEST(RandomLayout, ReportsFailure) {
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("there is no room for '"), std::string::npos)
         << error.what();
+  }
+}
+
+TEST(ReachMap, ContainsWhatIsReachedUpToAMargin) {
+  ReachMap map{.cell = 0.1, .most_x = 0.3, .most_depth = 0.3};
+  ASSERT_EQ(map.num_columns(), 6);
+  map.is_reached.assign(18, true);
+  map.is_reached[5] = false;  // x from 0.2 to 0.3, depth from 0 to 0.1
+  EXPECT_TRUE(map.Contains({0.15, 0.05}));
+  EXPECT_FALSE(map.Contains({0.25, 0.05}));
+  EXPECT_FALSE(map.Contains({0.15, 0.05}, 0.06)) << "the margin";
+  EXPECT_FALSE(map.Contains({0, -0.01}));
+  EXPECT_FALSE(map.Contains({-0.31, 0.1}));
+}
+
+TEST(Layout, KeepsToThePlacesOfAReachMap) {
+  const scene::SceneSpec scene = Shipped("box");
+  auto map = std::make_shared<ReachMap>();
+  const auto is_near = [](const Vector2& p) { return (p - Vector2(0.2, 0.3)).norm() < 0.4; };
+  for (int row = 0; row < map->num_rows(); ++row) {
+    for (int column = 0; column < map->num_columns(); ++column) {
+      map->is_reached.push_back(is_near(map->MiddleOf(column, row)));
+    }
+  }
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const scene::SceneSpec laid_out =
+        RandomLayout(scene, seed, LayoutLevel::kScattered, {.reach_map = map});
+    EXPECT_EQ(laid_out, RandomLayout(scene, seed, LayoutLevel::kScattered, {.reach_map = map}));
+    for (const scene::ObjectSpec& object : laid_out.objects) {
+      if (object.is_static() || !StandsOnTable(object)) continue;
+      const Vector2 center = FootprintNow(object).center;
+      EXPECT_TRUE(map->Contains({center.x(), center.y() + scene.table.y_span / 2}))
+          << seed << " " << object.id();
+    }
   }
 }
 

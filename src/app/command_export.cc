@@ -135,7 +135,12 @@ int Export(const ExportOptions& options) {
   Motion motion;
   if (recording.robot()) motion.channels = ChosenChannels(recording.robot()->model, options);
   if (recording.robot() && motion.channels.empty()) {
-    throw std::invalid_argument("the robot of " + Quoted(options.demo) + " has no " + options.part);
+    std::vector<std::string_view> parts{"both", "all"};
+    const robot::RobotModel& model = recording.robot()->model;
+    if (model.head) parts.push_back("head");
+    for (const robot::Arm& arm : model.arms) parts.push_back(arm.name);
+    throw std::invalid_argument("the robot of " + Quoted(options.demo) + " has no " +
+                                Printable(options.part) + ", expected " + OneOf(parts));
   }
   motion.trajectory = JointMotionOf(recording, motion.channels, options.range, options.rate);
   const double factor = options.slow_down ? SlowDown(&motion) : 1;
@@ -173,10 +178,11 @@ void AddExport(CLI::App* program, ExitAnswer answer) {
   command->add_option("--to-time", options->range.to,
                       "end [s] (default: the end of the recording)");
   command
-      ->add_option("--arm", options->part,
-                   "joints to export: left, right, both, head, or all movable joints")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"left", "right", "both", "head", "all"}));
+      ->add_option(
+          "--arm", options->part,
+          "joints to export: an arm by its name (left, right), both for all arms, head, or "
+          "all movable joints")
+      ->capture_default_str();
   command->add_flag("--no-grippers", options->no_grippers, "no gripper openings");
   command->add_option("--rate", options->rate, "points per second")
       ->capture_default_str()

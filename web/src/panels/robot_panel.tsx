@@ -1,6 +1,6 @@
 import type { Signal } from "@preact/signals";
 import { useSignal } from "@preact/signals";
-import type { FaceCommand, GripperCommand } from "../commands";
+import type { FaceCommand } from "../commands";
 import { command, scene, state } from "../studio";
 import type { RobotDescription } from "../protocol";
 import { texts } from "../texts";
@@ -91,7 +91,7 @@ function JointRow({ joint }: { joint: Joint }) {
 }
 
 function GripperRow({ gripper, opening }: { gripper: RobotDescription["grippers"][number]; opening: number }) {
-  const move = (velocity: number) => void command({ do: "gripper", arm: gripper.arm as GripperCommand["arm"], velocity });
+  const move = (velocity: number) => void command({ do: "gripper", arm: gripper.arm, velocity });
   const meters = scene.value?.metersPerUnit ?? 1;
   return (
     <div class="joint">

@@ -2,6 +2,9 @@
 if ~isfield(aux, 'demonstration')
   error('this brain needs a demonstration: smile imitate DEMO SCENE --brain matlab/learner');
 end
+if ~isfield(aux, 'numLimbs')
+  error('this learner drives two arms of seven joints, like Baxter');
+end
 if exist(fullfile(aux.demonstration, '0.txt'), 'file')
   demo = readDemonstration(aux.demonstration);
 else  % a recording without texts: from its pictures alone

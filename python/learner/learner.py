@@ -22,6 +22,8 @@ def init(aux):
     if "demonstration" not in aux:
         raise ValueError("this brain needs a demonstration: "
                          "smile imitate DEMO SCENE --brain python/learner/learner.py")
+    if "numLimbs" not in aux:
+        raise ValueError("this learner drives two arms of seven joints, like Baxter")
     steps, container = infer_task(read_demonstration(aux.demonstration), aux.attention)
     for k, step in enumerate(steps):
         place = ", ".join(steps[lower].name for lower in step.on) or "the table"

@@ -16,7 +16,7 @@ TEST(RobotRegion, OfBaxterIsTheMeasuredOne) {
 
 TEST(RobotRegion, ComputedForBaxterIsTheMeasuredOne) {
   model::RobotPlacement robot{.model = robot::ReadRobot(DataFile("robots/baxter.urdf"))};
-  robot.model.name = "somebody";
+  robot.model.name = "twin";
   const layout::LayoutRegion computed = RegionOf(robot), measured;
   const scene::TableSpec table;
   int num_different = 0, num_reached = 0;

@@ -164,6 +164,13 @@ void MotorReader::TakeGrippers(const NamedArray& field) {
   }
 }
 
+void MotorReader::CheckPosture() {
+  const bool has_arms = std::ranges::find(at_joints_, true) != at_joints_.end();
+  if (joints_.has_value() != has_arms) {
+    reader_->Fail("armJoints and armsAtJoints belong together, found one of them");
+  }
+}
+
 void MotorReader::Finish(StepReply* reply) {
   const bool is_general = has_general_ || !IsClassic(arms_);
   // With all arms at given joints their velocities are ignored, so only then may they be absent.
@@ -176,9 +183,7 @@ void MotorReader::Finish(StepReply* reply) {
     reader_->Fail(is_general ? "arms is missing, expected gripperVelocity in each element"
                              : "gripperVelocities is missing, expected 2x1");
   }
-  if (joints_ && std::ranges::find(at_joints_, true) == at_joints_.end()) {
-    reader_->Fail("armJoints is sent without armsAtJoints, expected both");
-  }
+  CheckPosture();
   if (!reader_->ok()) return;
   if (!velocities_) velocities_ = Eigen::MatrixXd::Zero(NumJoints(arms_), 1);
   const Eigen::Index head_ticks = head_velocities_ ? head_velocities_->cols() : 0;
@@ -221,6 +226,7 @@ std::vector<std::optional<std::vector<double>>> MotorReader::ReadPosture(
     if (classic != nullptr) reader->Fail("initJointAngles and aux.arms(k).initJoints are both set");
     motor.TakeGeneral(*field);
   }
+  motor.CheckPosture();
   if (!motor.joints_ || !reader->ok()) return {};
   return PostureOf(arms, *motor.joints_, motor.at_joints_);
 }

@@ -35,6 +35,8 @@ class MotorReader {
   /// Takes a field of the general form; false if it is none.
   bool TakeGeneral(const NamedArray& field);
   void TakeGrippers(const NamedArray& field);
+  /// Checks that there are joints if, and only if, an arm is put at them.
+  void CheckPosture();
 
   std::span<const ArmDescription> arms_;
   MatrixReader* reader_;

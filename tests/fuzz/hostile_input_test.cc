@@ -58,7 +58,7 @@ std::string ReasonAgainstXml(std::string_view input) {
 constexpr auto kReadJson = [](std::string_view text) { return ParseJson(text); };
 
 const HostileReader kReaders[] = {
-    {"brain", FaultWithBrainMessage, ReasonAgainstBrainMessage, 11, 14},
+    {"brain", FaultWithBrainMessage, ReasonAgainstBrainMessage, 12, 14},
     {"classic", FaultWithClassic, ReasonThrownBy<InputError, ReadSegments>, 7, 10},
     {"json", FaultWithJson, ReasonThrownBy<std::invalid_argument, kReadJson>, 5, 14},
     {"mesh", FaultWithMesh, ReasonThrownBy<InputError, ImportHostileMesh>, 16, 27},

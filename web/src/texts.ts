@@ -265,7 +265,7 @@ export const texts = {
     stopWhy: "Stops all joints",
     markers: (number: number) => count(number, "marked point", "marked points"),
     forgetMarkers: "Clear markers",
-    arm: (arm: string) => `${capital(arm)} arm`,
+    arm: (arm: string) => (/arm/i.test(arm) ? capital(arm) : `${capital(arm)} arm`),
     head: "Head",
     grippers: "Grippers",
     gripper: (arm: string) => `${capital(arm)} gripper`,

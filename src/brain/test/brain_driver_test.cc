@@ -191,6 +191,15 @@ TEST_F(BrainDriverTest, DrivesAnyArms) {
   EXPECT_NEAR(last.arms[0].gripper.value(), 0, 0.01);
 }
 
+TEST_F(BrainDriverTest, SendsArmsOfTheClassicRobotToThoseThatMayReadThem) {
+  for (const bool may_read : {true, false}) {
+    BrainDriver driver({.may_read = {.trackers = false, .arms = may_read}});
+    EXPECT_EQ(std::get<Aux>(driver.NextQuestion(&simulation_).value()).sends_arms, may_read);
+    driver.Take(InitReply(), &simulation_);
+    EXPECT_EQ(std::get<Sensor>(driver.NextQuestion(&simulation_).value()).sends_arms, may_read);
+  }
+}
+
 TEST_F(BrainDriverTest, NeedsARobotWithArms) {
   sim::Simulation simulation(scene::SceneSpec{.name = "test"});
   BrainDriver driver({});

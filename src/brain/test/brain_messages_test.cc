@@ -250,6 +250,8 @@ TEST(DecodeStepReply, NamesTheArmOfAMistake) {
             "motor.armVelocities is 5x1, expected 4x1");
   EXPECT_EQ(ArmsMessage().Grippers().Error(),
             "motor.arms is missing, expected an element for each arm");
+  EXPECT_EQ(ArmsMessage().Still().Array("armsAtJoints", 2, 1, std::array{1.0, 1.0}).Error(),
+            "motor.armJoints and armsAtJoints belong together, found one of them");
 }
 
 TEST(DecodeStepReply, NamesWhatReplacesAClassicVariable) {

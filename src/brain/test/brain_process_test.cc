@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/diagnostic.h"
+#include "brain/brain_driver.h"
 #include "brain_fixture.h"
 #include "wire/wire.h"
 
@@ -194,6 +195,15 @@ TEST_F(BrainProcessTest, BothTransportsDriveAnyArms) {
     EXPECT_EQ(ErrorIn(brain.Step(sensor)),
               "brain/act.m: motor.arms(2).velocities is 1x2, expected 1x3 or 3xN");
   }
+}
+
+TEST_F(BrainProcessTest, SearchesScriptsForValuesThatTheyMayRead) {
+  EXPECT_EQ(WhatMayBeRead(Brain("", "x = 1;")), (MayRead{.trackers = false, .arms = false}));
+  EXPECT_EQ(WhatMayBeRead(Brain("", "keys(sensor.trackerLoc);")),
+            (MayRead{.trackers = true, .arms = false}));
+  EXPECT_EQ(WhatMayBeRead(Brain("numel(aux.arms)", "")),
+            (MayRead{.trackers = false, .arms = true}));
+  EXPECT_EQ(WhatMayBeRead(Program("think.py", "")), MayRead());
 }
 
 TEST_F(BrainProcessTest, ScriptsMayUseArmsOfTheClassicRobot) {

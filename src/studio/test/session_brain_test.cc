@@ -4,6 +4,7 @@
 #include "recorder/test/painted_eye.h"
 #include "recording/time_range.h"
 #include "replay/replay.h"
+#include "robot/test/generated_robot.h"
 #include "scene_xml/scene_reader.h"
 #include "session_fixture.h"
 #include "studio/live_brain.h"
@@ -78,6 +79,27 @@ TEST_F(SessionBrainTest, ABrainRunsAndItsErrorHasAPlace) {
     }
   }
   EXPECT_TRUE(has_place);
+}
+
+TEST_F(SessionBrainTest, AStoppedBrainLeavesArmsOfAnyRobotAtRest) {
+  BeginWith(nullptr, sim::RobotPlacement{.model = robot::ThreeArms().Model()});
+  WritePython("turn.py",
+              "def step(sensor, motor, aux):\n"
+              "  for arm in motor.arms: arm.velocities[0] = 0.5\n");
+  Do(R"({"do":"start_brain","brain":"turn.py"})");
+  TickSeconds(0.5);
+  const Json moved = State()["robot"]["joints"];
+  for (const char* joint : {"front_j0", "middle_j0", "rear_j0"}) {
+    EXPECT_GT(moved[joint].get<double>(), 0.05) << joint;
+  }
+  Do(R"({"do":"stop_brain"})");
+  TickSeconds(0.2);
+  const Json stopped = State()["robot"]["joints"];
+  TickSeconds(0.3);
+  for (const char* joint : {"front_j0", "middle_j0", "rear_j0"}) {
+    EXPECT_NEAR(State()["robot"]["joints"][joint].get<double>(), stopped[joint].get<double>(), 2e-3)
+        << joint;
+  }
 }
 
 TEST_F(SessionBrainTest, AnImitationIsScoredAndRecorded) {

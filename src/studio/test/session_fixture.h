@@ -57,13 +57,16 @@ class SessionFixture : public ::testing::Test {
   }
 
   void Begin(sim::Eye* eye = nullptr, bool with_robot = false) {
+    BeginWith(eye, with_robot ? std::optional(Baxter()) : std::nullopt);
+  }
+  void BeginWith(sim::Eye* eye, std::optional<sim::RobotPlacement> robot) {
     SessionOptions options{.scene = root_ / "scenes/pair.xml",
                            .recordings = root_ / "recordings",
                            .eye = eye,
                            .scene_folder = root_ / "scenes",
                            .brains = {root_ / "brains"},
                            .jobs = &*jobs_};
-    if (with_robot) options.robot = Baxter();
+    options.robot = std::move(robot);
     session_ = std::make_unique<Session>(std::move(options));
     session_->requests().deferred.emplace_back([this] { return jobs_->TakeDeferred(); });
   }

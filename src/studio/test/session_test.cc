@@ -3,11 +3,13 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <map>
 #include <random>
 
 #include "recorder/test/painted_eye.h"
 #include "recording/recording_history.h"
 #include "replay/replay.h"
+#include "robot/test/generated_robot.h"
 #include "session_fixture.h"
 
 namespace smile::studio {
@@ -528,6 +530,32 @@ TEST_F(SessionTest, ARobotThatClearsTheTableChangesNothingElse) {
   EXPECT_EQ(PositionOf("a"), a_before);
   EXPECT_EQ(State()["mode"], "live");
   EXPECT_EQ(State()["robot"]["joints"], before["robot"]["joints"]);
+}
+
+TEST_F(SessionTest, ArmsOfAnyRobotHaveSlidersAndMove) {
+  BeginWith(nullptr, sim::RobotPlacement{.model = robot::ThreeArms().Model()});
+  const Json robot = Scene()["robot"];
+  std::map<std::string, int> joints;
+  for (const Json& joint : robot["joints"]) ++joints[joint["arm"].get<std::string>()];
+  EXPECT_EQ(joints, (std::map<std::string, int>{{"front", 4}, {"middle", 6}, {"rear", 7}}));
+  ASSERT_EQ(robot["grippers"].size(), 2u);
+  EXPECT_EQ(robot["grippers"][1]["arm"], "rear");
+  Command(R"({"do":"turn","joint":"middle_j2","velocity":0.4})");
+  Command(R"({"do":"gripper","arm":"rear","velocity":0.5})");
+  TickSeconds(0.5);
+  Command(R"({"do":"turn","joint":"middle_j2","velocity":0})");
+  EXPECT_NEAR(State()["robot"]["joints"]["middle_j2"].get<double>(), 0.7, 0.02);
+  EXPECT_NEAR(State()["robot"]["grippers"][1].get<double>(), 0.25, 0.03);
+  Command(
+      R"({"do":"trajectory","joints":["front_gripper"],"points":[{"seconds":0,"positions":[0.05]}]})");
+  TickSeconds(2);
+  EXPECT_NEAR(State()["robot"]["grippers"][0].get<double>(), 0.5, 0.02);
+  const Json before = State()["robot"]["joints"];
+  Do(R"({"do":"clear","rage":true})");
+  TickSeconds(1);
+  for (const char* joint : {"front_j0", "middle_j0", "rear_j0"}) {
+    EXPECT_NE(State()["robot"]["joints"][joint], before[joint]) << joint;
+  }
 }
 
 TEST_F(SessionTest, ClearingTheTableIsNotInTheHistory) {

@@ -1,8 +1,10 @@
 #include "brain_client/fields.h"
 
 #include <algorithm>
+#include <map>
 #include <span>
 #include <stdexcept>
+#include <string>
 
 namespace smile::brain_client {
 namespace {
@@ -67,15 +69,14 @@ Eigen::MatrixXd Fields::Matrix(std::string_view name) const {
   return Eigen::Map<const Eigen::MatrixXd>(numbers->data(), array.dims[0], array.dims[1]);
 }
 
-std::vector<Eigen::Matrix4d> Fields::Poses(std::string_view name) const {
+std::vector<double> Fields::Doubles(std::string_view name, std::size_t size) const {
   const wire::NamedArray& array = At(name);
-  const auto numbers = array.Numbers();
-  if (!numbers || array.dims.size() != 3 || array.dims[0] != 4 || array.dims[1] != 4) {
-    Reject(array, "4x4xN");
+  if (array.type != wire::ElementType::kDouble || array.data.size() != size * sizeof(double)) {
+    Reject(array, (std::to_string(size) + " numbers").c_str());
   }
-  std::vector<Eigen::Matrix4d> poses;
-  for (std::size_t k = 0; k < array.dims[2]; ++k) poses.emplace_back(numbers->data() + 16 * k);
-  return poses;
+  std::vector<double> numbers(size);
+  std::ranges::copy(array.data, std::as_writable_bytes(std::span(numbers)).begin());
+  return numbers;
 }
 
 std::string Fields::Text(std::string_view name) const {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,8 +24,9 @@ class Fields {
   double Number(std::string_view name) const;
   Eigen::MatrixXd Matrix(std::string_view name) const;
   std::string Text(std::string_view name) const;
-  /// Returns an array of 4x4xN as N matrices.
-  std::vector<Eigen::Matrix4d> Poses(std::string_view name) const;
+  /// Returns the numbers of an array of doubles of this size, in its own order; without a copy of
+  /// its shape, for arrays that each step has.
+  std::vector<double> Doubles(std::string_view name, std::size_t size) const;
   /// Returns colors row by row from the top: height x width x 3 bytes.
   Image Picture(std::string_view name) const;
 

@@ -6,44 +6,38 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 namespace smile::brain_client {
 namespace {
 
-std::vector<std::string> LinesOf(const std::string& text) {
+std::vector<std::string> LinesOf(std::string_view text) {
   std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
-/// Returns an array of all joints as one vector per arm.
-std::vector<Eigen::VectorXd> ByArm(const Eigen::VectorXd& all,
-                                   const std::vector<Eigen::Index>& counts) {
-  std::vector<Eigen::VectorXd> by_arm;
-  Eigen::Index first = 0;
-  for (const Eigen::Index count : counts) {
-    by_arm.emplace_back(all.segment(first, count));
-    first += count;
+  while (true) {
+    const std::size_t end = text.find('\n');
+    lines.emplace_back(text.substr(0, end));
+    if (end == std::string_view::npos) return lines;
+    text.remove_prefix(end + 1);
   }
-  return by_arm;
 }
 
-std::vector<Eigen::VectorXd> ByArm(const Fields& message, const char* name,
-                                   const std::vector<Eigen::Index>& counts) {
-  const Eigen::MatrixXd all = message.Matrix(name);
-  Eigen::Index size = 0;
-  for (const Eigen::Index count : counts) size += count;
-  if (all.size() != size) throw std::invalid_argument(std::string(name) + " has the wrong size");
-  return ByArm(all.reshaped(), counts);
+std::size_t NumJoints(const std::vector<Arm>& arms) {
+  std::size_t count = 0;
+  for (const Arm& arm : arms) count += arm.joints.size();
+  return count;
 }
 
-std::vector<Eigen::Index> CountsOf(const std::vector<Arm>& arms) {
-  std::vector<Eigen::Index> counts;
-  for (const Arm& arm : arms) counts.push_back(static_cast<Eigen::Index>(arm.joints.size()));
-  return counts;
+/// Returns `count` of the numbers, from `first` on.
+Eigen::VectorXd Part(const std::vector<double>& numbers, std::size_t first, std::size_t count) {
+  return Eigen::Map<const Eigen::VectorXd>(numbers.data() + first,
+                                           static_cast<Eigen::Index>(count));
+}
+
+/// Returns the k-th of several 4x4 matrices.
+Eigen::Matrix4d PoseAt(const std::vector<double>& numbers, std::size_t k) {
+  return Eigen::Map<const Eigen::Matrix4d>(numbers.data() + 16 * k);
 }
 
 std::string NameOf(const char* variable, std::size_t arm, const char* field) {
@@ -110,31 +104,29 @@ Eigen::MatrixXd Stacked(const std::vector<Eigen::MatrixXd>& parts) {
 std::vector<Arm> ArmsOf(const Fields& init) {
   std::vector<Arm> arms;
   if (!init.Has("armNames")) return arms;
-  std::vector<Eigen::Index> counts;
-  const Eigen::MatrixXd joint_counts = init.Matrix("armJointCounts");
-  for (Eigen::Index k = 0; k < joint_counts.size(); ++k) {
-    counts.push_back(static_cast<Eigen::Index>(joint_counts(k)));
-  }
   const std::vector<std::string> names = LinesOf(init.Text("armNames"));
   const std::vector<std::string> joints = LinesOf(init.Text("armJointNames"));
-  const auto lower = ByArm(init, "armMinJoints", counts);
-  const auto upper = ByArm(init, "armMaxJoints", counts);
-  const auto velocities = ByArm(init, "armMaxVelocities", counts);
-  const Eigen::MatrixXd grippers = init.Matrix("armGrippers");
-  const std::vector<Eigen::Matrix4d> tools = init.Poses("armToolPoses");
+  const std::vector<double> counts = init.Doubles("armJointCounts", names.size());
+  const std::vector<double> lower = init.Doubles("armMinJoints", joints.size());
+  const std::vector<double> upper = init.Doubles("armMaxJoints", joints.size());
+  const std::vector<double> velocities = init.Doubles("armMaxVelocities", joints.size());
+  const std::vector<double> grippers = init.Doubles("armGrippers", 2 * names.size());
+  const std::vector<double> tools = init.Doubles("armToolPoses", 16 * names.size());
   std::size_t first = 0;
   for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto count = static_cast<std::size_t>(counts[k]);
+    if (count > joints.size() - first) throw std::invalid_argument("armJointCounts is too large");
     Arm& arm = arms.emplace_back(Arm{.name = names[k],
                                      .joints = {},
-                                     .min_joints = lower.at(k),
-                                     .max_joints = upper.at(k),
-                                     .max_velocities = velocities.at(k),
+                                     .min_joints = Part(lower, first, count),
+                                     .max_joints = Part(upper, first, count),
+                                     .max_velocities = Part(velocities, first, count),
                                      .gripper = {},
-                                     .tool_pose = tools.at(k),
+                                     .tool_pose = PoseAt(tools, k),
                                      .init_joints = {}});
-    for (Eigen::Index i = 0; i < counts[k]; ++i) arm.joints.push_back(joints.at(first++));
-    const Eigen::Vector2d openings = grippers.col(static_cast<Eigen::Index>(k));
-    if (openings.allFinite()) arm.gripper = openings;
+    for (std::size_t i = 0; i < count; ++i) arm.joints.push_back(joints[first + i]);
+    if (std::isfinite(grippers[2 * k])) arm.gripper = {grippers[2 * k], grippers[2 * k + 1]};
+    first += count;
   }
   return arms;
 }
@@ -142,21 +134,24 @@ std::vector<Arm> ArmsOf(const Fields& init) {
 std::vector<ArmSensor> SensedArms(const Fields& step, const std::vector<Arm>& arms) {
   std::vector<ArmSensor> sensed;
   if (!step.Has("armJoints")) return sensed;
-  const std::vector<Eigen::Index> counts = CountsOf(arms);
-  const auto joints = ByArm(step, "armJoints", counts);
-  const auto velocities = ByArm(step, "armVelocities", counts);
-  const Eigen::MatrixXd grippers = step.Matrix("armGrippers");
-  const std::vector<Eigen::Matrix4d> poses = step.Poses("armEndEffectors");
+  const std::size_t num_joints = NumJoints(arms);
+  const std::vector<double> joints = step.Doubles("armJoints", num_joints);
+  const std::vector<double> velocities = step.Doubles("armVelocities", num_joints);
+  const std::vector<double> grippers = step.Doubles("armGrippers", arms.size());
+  const std::vector<double> poses = step.Doubles("armEndEffectors", 16 * arms.size());
   std::vector<std::string> held = LinesOf(step.Text("armHeldObjects"));
-  held.resize(arms.size());  // empty lines at the end
+  held.resize(arms.size());
+  sensed.reserve(arms.size());
+  std::size_t first = 0;
   for (std::size_t k = 0; k < arms.size(); ++k) {
-    sensed.push_back({.joints = joints[k],
-                      .velocities = velocities[k],
+    const std::size_t count = arms[k].joints.size();
+    sensed.push_back({.joints = Part(joints, first, count),
+                      .velocities = Part(velocities, first, count),
                       .gripper = {},
-                      .end_effector = poses.at(k),
-                      .held_object = held[k]});
-    const double opening = grippers(static_cast<Eigen::Index>(k));
-    if (std::isfinite(opening)) sensed.back().gripper = opening;
+                      .end_effector = PoseAt(poses, k),
+                      .held_object = std::move(held[k])});
+    if (std::isfinite(grippers[k])) sensed.back().gripper = grippers[k];
+    first += count;
   }
   return sensed;
 }

@@ -1,11 +1,11 @@
 function result = smile_arms(command, varargin)
-%SMILE_ARMS  The arms of AUX, SENSOR and MOTOR as struct arrays, and as the arrays of messages.
+%SMILE_ARMS  The arms of AUX and MOTOR as struct arrays, and as the arrays of messages.
 %
 %   aux = smile_arms('describe', aux)       aux.arms(k): name, joints, limits, gripper, toolPose
+%   layout = smile_arms('layout', aux.arms) for SMILE_SENSE_ARMS and SMILE_PACK_ARMS
 %   arms = smile_arms('still', aux.arms)    commands of zero for motor.arms
-%   sensor = smile_arms('sense', sensor, aux.arms)
-%   motor = smile_arms('pack', motor, aux.arms)
-%   values = smile_arms('posture', values, joints, aux.arms, field)
+%   values = smile_arms('posture', values, joints, layout, field)   adds joints that are not empty
+%   smile_arms('refuse', field, k, found, expected)                 an error about a shape
 %   report = smile_arms('hint', report)     names what replaces a classic variable in its line
 %
 %   In messages, the joints of all arms follow one another. docs/brains.md describes the fields,
@@ -13,10 +13,10 @@ function result = smile_arms(command, varargin)
 
   switch command
     case 'describe', result = described(varargin{:});
+    case 'layout', result = layout_of(varargin{:});
     case 'still', result = still(varargin{:});
-    case 'sense', result = sensed(varargin{:});
-    case 'pack', result = packed(varargin{:});
     case 'posture', result = with_posture(varargin{:});
+    case 'refuse', refuse(varargin{:});
     case 'hint', result = with_hint(varargin{:});
   end
 end
@@ -44,92 +44,27 @@ function motor = still(arms)
   for k = 1:numel(arms), motor(k).velocities = zeros(1, numel(arms(k).joints)); end
 end
 
-function sensor = sensed(sensor, arms)
-  held = regexp(sensor.armHeldObjects, '\n', 'split');
-  held(cellfun('isempty', held)) = {''};
-  last = 0;
-  for k = numel(arms):-1:1, states(k).joints = []; end
+function layout = layout_of(arms)
+  % Where the values of each arm are, and what every step starts from.
+  counts = cellfun('prodofsize', {arms.joints});
+  last = cumsum(counts);
+  layout.num_joints = last(end);
+  layout.has_gripper = ~cellfun('isempty', {arms.gripper});
   for k = 1:numel(arms)
-    own = last + 1:last + numel(arms(k).joints);
-    last = own(end);
-    states(k).joints = sensor.armJoints(own);
-    states(k).velocities = sensor.armVelocities(own);
-    states(k).gripper = without_nan(sensor.armGrippers(k));
-    states(k).endEffector = sensor.armEndEffectors(:, :, k);
-    states(k).heldObject = held{k};
+    layout.own{k} = last(k) - counts(k) + 1:last(k);
+    layout.states(k) = struct('joints', [], 'velocities', [], 'gripper', [], 'endEffector', [], ...
+                              'heldObject', '');
   end
-  sensor = rmfield(sensor, {'armJoints', 'armVelocities', 'armGrippers', 'armEndEffectors', ...
-                            'armHeldObjects'});
-  sensor.arms = states;
+  layout.fields = {'armJoints', 'armVelocities', 'armGrippers', 'armEndEffectors', ...
+                   'armHeldObjects'};
 end
 
-function motor = packed(motor, arms)
-  commands = motor.arms;
-  motor = rmfield(motor, 'arms');
-  if isempty(arms)
-    error('smile:value', ['arms is set, but the robot''s arms are described only to scripts ' ...
-                          'that contain .arms']);
-  end
-  if ~isstruct(commands) || numel(commands) ~= numel(arms)
-    error('smile:value', 'arms has %d elements, expected %d', numel(commands), numel(arms));
-  end
-  unknown = setdiff(fieldnames(commands), {'velocities', 'gripperVelocity', 'joints'});
-  if ~isempty(unknown)
-    error('smile:value', 'arms(k).%s is unknown, expected velocities, gripperVelocity or joints', ...
-          unknown{1});
-  end
-  velocities = cell(numel(arms), 1);
-  grippers = velocities;
-  for k = 1:numel(arms)
-    velocities{k} = ticks_of(commands, 'velocities', k, numel(arms(k).joints));
-    grippers{k} = ticks_of(commands, 'gripperVelocity', k, 1);
-  end
-  velocities = stacked(velocities);
-  grippers = stacked(grippers);
-  if isfield(motor, 'jointVelocities')
-    % A brain sets one of the two forms; the other one is left out if it is zero.
-    is_set = size(velocities, 2) > 1 || size(grippers, 2) > 1 || any(velocities(:)) || ...
-             any(grippers(:)) || (isfield(commands, 'joints') && ~isempty([commands.joints]));
-    if ~is_set, return; end
-    for name = {'jointVelocities', 'gripperVelocities'}
-      if isfield(motor, name{1}) && ~any(motor.(name{1})(:)), motor = rmfield(motor, name{1}); end
-    end
-  end
-  motor.armVelocities = velocities;
-  motor.armGripperVelocities = grippers;
-  if isfield(commands, 'joints')
-    motor = with_posture(motor, {commands.joints}, arms, 'joints');
-  end
-end
-
-function values = ticks_of(commands, field, k, count)
-  % count x N numbers; one tick may also be a row.
-  values = zeros(count, 1);
-  if ~isfield(commands, field) || isempty(commands(k).(field)), return; end
-  found = commands(k).(field);
-  if isnumeric(found) && isreal(found) && ndims(found) == 2
-    if size(found, 1) == count, values = full(double(found)); return; end
-    if numel(found) == count, values = full(double(found(:))); return; end
-  end
-  if count == 1, expected = '1x1 or 1xN'; else, expected = sprintf('1x%d or %dxN', count, count); end
-  refuse(field, k, found, expected);
-end
-
-function all = stacked(parts)
-  % The last values of arms with fewer ticks remain in effect.
-  ticks = max(cellfun('size', parts, 2));
-  for k = 1:numel(parts)
-    parts{k}(:, end + 1:ticks) = repmat(parts{k}(:, end), 1, ticks - size(parts{k}, 2));
-  end
-  all = vertcat(parts{:});
-end
-
-function values = with_posture(values, joints, arms, field)
+function values = with_posture(values, joints, layout, field)
   are_set = ~cellfun('isempty', joints(:));
   if ~any(are_set), return; end
-  parts = cell(numel(arms), 1);
-  for k = 1:numel(arms)
-    count = numel(arms(k).joints);
+  parts = cell(numel(layout.own), 1);
+  for k = 1:numel(layout.own)
+    count = numel(layout.own{k});
     parts{k} = zeros(count, 1);
     if ~are_set(k), continue; end
     if ~isnumeric(joints{k}) || numel(joints{k}) ~= count

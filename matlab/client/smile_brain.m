@@ -90,8 +90,8 @@ function [callback, image_seconds, arms] = answer_init(link, message, sequence, 
     end
     if isfield(aux, 'armNames')
       aux = smile_arms('describe', aux);
-      arms = aux.arms;
-      still.arms = smile_arms('still', arms);
+      arms = smile_arms('layout', aux.arms);
+      still.arms = smile_arms('still', aux.arms);
     end
     aux.attention = with_properties(aux.attention);
     aux.cameraNames = lines_of(aux.cameraNames);
@@ -133,14 +133,14 @@ function answer_steps(link, message, sequence, sensor, callback, image_seconds, 
           if is_classic, held = two_lines(sensor.heldObject); end
         end
         if is_classic, sensor.heldObject = held; end
-        if has_arms, sensor = smile_arms('sense', sensor, arms); end
+        if has_arms, sensor = smile_sense_arms(sensor, arms); end
         if has_trackers, sensor = with_tracker_map(sensor); end
         if has_more, sensor = with_more_to_see(sensor); end
         assignin('base', 'sensor', sensor);
         evalin('base', call);
         answer = evalin('base', '{motor, aux}', '{motor, struct()}');  % aux may have been cleared
         motor = answer{1};
-        if isfield(motor, 'arms'), motor = smile_arms('pack', motor, arms); end
+        if isfield(motor, 'arms'), motor = smile_pack_arms(motor, arms); end
         has = isfield(answer{2}, {'exit', 'drawMarkers', 'imageSeconds'});
         if has(2) || had_markers
           [is_new, markers] = new_markers(answer{2});

@@ -13,8 +13,8 @@
 
 namespace smile::brain {
 
-/// Values that a brain may read and that cost Octave time at each step: a map of trackers more than
-/// the rest of a step, arms a fifth. They are sent only to scripts that may read them.
+/// Values that a brain may read and that take Octave longer at each step than all the rest: a map
+/// of trackers, and structs of arms. They are sent only to scripts that may read them.
 struct MayRead {
   bool trackers = true;  ///< `sensor.trackerLoc`
   /// `sensor.arms`, beside the classic variables; other robots than classic ones always send it.

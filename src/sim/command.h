@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -209,8 +210,9 @@ struct Loosen {
 
 /// Visits values of arms as the fields `left`, `right` and `arms`.
 void VisitArms(auto& arms, ValueUnit unit, auto&& visit) {
-  OneArm left{&arms, "left"}, right{&arms, "right"};
-  OtherArms others{&arms};
+  using Values = std::remove_reference_t<decltype(arms)>;
+  OneArm<Values> left{&arms, "left"}, right{&arms, "right"};
+  OtherArms<Values> others{&arms};
   visit(left, CommandField{"left", ValueKind::kJoints,
                            "arm `left`, or the first one; for Baxter s0 s1 e0 e1 w0 w1 w2", unit,
                            Presence::kOptional});

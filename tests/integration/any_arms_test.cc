@@ -82,6 +82,62 @@ TEST_F(AnyArms, AreDrivenTheSameWayByPythonAndOctave) {
   EXPECT_NE(Read("demo/commands.jsonl").find(R"("arms":{"front":[)"), std::string::npos);
 }
 
+TEST_F(AnyArms, ArePlannedByBrains) {
+  WriteRobot(robot::GeneratedRobot({{"so", 5}}));
+  // Down onto a place in front of the robot, and then along a line.
+  Write("reach.py",
+        "import numpy as np\n"
+        "from smile.motion import robot_of\n"
+        "def init(aux):\n"
+        "  aux.robot = robot = robot_of(aux)\n"
+        "  assert robot.arms == ['so']\n"
+        "  start = np.full(5, 0.5)\n"
+        "  goal = np.array([[1.0, 0, 0, 0.5], [0, -1, 0, -4], [0, 0, -1, 2], [0, 0, 0, 1]])\n"
+        "  across = np.array([[0.0, 0, 1, 0.5], [1, 0, 0, -4], [0, 1, 0, 2], [0, 0, 0, 1]])\n"
+        "  assert robot.inverse('so', across, start) is None\n"
+        "  assert 'arm of 5 joints' in robot.why_unreachable('so', across, start)\n"
+        "  assert robot.inverse('so', across, start, any_rotation=True) is not None\n"
+        "  q = robot.inverse('so', goal, start, any_turn=True)\n"
+        "  goal[2, 3] = 1\n"
+        "  aux.move, fault = robot.move_line('so', q, goal, tool_speed=2, any_turn=True)\n"
+        "  assert fault is None, fault.reason\n"
+        "  aux.arms[0].initJoints = q\n"
+        "def step(sensor, motor, aux):\n"
+        "  q, velocities = aux.move.at(sensor.simTime + aux.tickSeconds)\n"
+        "  arm = sensor.arms[0]\n"
+        "  motor.arms[0].velocities = (q - arm.joints) / aux.tickSeconds\n"
+        "  aux.exit = sensor.simTime > aux.move.duration + 0.1\n"
+        "  if aux.exit: print('at', np.round(arm.endEffector[:3, 3], 2).tolist())\n");
+  Write("reach/agentBehavior.m",
+        "function [a, b] = agentBehavior()\n  a = @begin;\n  b = @act;\nend\n");
+  Write("reach/begin.m",
+        "robot = smileRobot(aux);\n"
+        "goal = [1 0 0 0.5; 0 -1 0 -4; 0 0 -1 2; 0 0 0 1];\n"
+        "across = [0 0 1 0.5; 1 0 0 -4; 0 1 0 2; 0 0 0 1];\n"
+        "[q, reason] = smileInverse(robot, robot.arms{1}, across, 0.5 * ones(1, 5));\n"
+        "assert(isempty(q) && !isempty(strfind(reason, 'arm of 5 joints')));\n"
+        "q = smileInverse(robot, 'so', goal, 0.5 * ones(1, 5), 'anyTurn', true);\n"
+        "goal(3, 4) = 1;\n"
+        "move = smileMoveLine(robot, 'so', q, goal, 'toolSpeed', 2, 'anyTurn', true);\n"
+        "aux.arms(1).initJoints = q;\n");
+  Write("reach/act.m",
+        "q = smileSample(move, sensor.simTime + aux.tickSeconds);\n"
+        "motor.arms(1).velocities = (q - sensor.arms(1).joints) / aux.tickSeconds;\n"
+        "aux.exit = sensor.simTime > move.duration + 0.1;\n"
+        "if aux.exit\n"
+        "  printf('at [%g, %g, %g]\\n', round(100 * sensor.arms(1).endEffector(1:3, 4)) / 100);\n"
+        "end\n");
+  std::vector<Json> hashes;
+  for (const std::string brain : {"reach.py", "reach"}) {
+    const Answer answer = RunBrain(brain);
+    ASSERT_EQ(answer.exit_code, 0) << answer.err;
+    EXPECT_EQ(answer.json()["brain"]["status"], "exited") << answer.json()["brain"];
+    EXPECT_NE(answer.err.find("brain: at [0.5, -4"), std::string::npos) << answer.err;
+    hashes.push_back(answer.json()["hash"]);
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
 TEST_F(AnyArms, StopABrainThatIsWrittenForAnotherRobot) {
   WriteRobot(robot::ThreeArms());
   const Answer learner = RunBrain("'" + Shipped("matlab/examples/wave") + "'");

@@ -536,6 +536,21 @@ TEST(EncodeSensor, ReportsAnyArms) {
   }
 }
 
+TEST(EncodeAux, HasRoomForTheLargestRobot) {
+  ArmDescription arm{.name = std::string(40, 'n'),
+                     .joint_names = std::vector(16, std::string(60, 'j'))};
+  arm.min_joints = arm.max_joints = arm.max_velocities = std::vector<double>(16);
+  const std::vector<ArmDescription> arms(16, arm);
+  const Message init = Decoded(EncodeAux(1, {.arms = arms}, "wave/"));
+  EXPECT_EQ(ShapeText(init.Find("armMinJoints")->dims), "1x256");
+  MessageWriter writer(MessageType::kMotor, 1);
+  writer.AddDoubles("armVelocities", std::array{256u, 600u}, Counted(256 * 600));
+  writer.AddDoubles("armGripperVelocities", std::array{16u, 1u}, std::array<double, 16>{});
+  const auto reply = std::get<StepReply>(DecodeStepReply(Decoded(writer.Finish()), arms));
+  ASSERT_EQ(reply.motors.size(), 600u);
+  EXPECT_EQ(reply.motors[599].arms[15].velocities[15], 256 * 600 - 1);
+}
+
 TEST(EncodeAux, ReportsAttention) {
   const Message message =
       Decoded(EncodeAux(1, {.attention = {{"a", {"color", "size"}}, {"b", {"shape"}}}}, "wave/"));

@@ -18,7 +18,6 @@ void PrintTo(const RealRobot& robot, std::ostream* out) { *out << robot.name; }
 class RealRobots : public ProgramTest, public ::testing::WithParamInterface<RealRobot> {
  protected:
   void SetUp() override {
-    setenv("XDG_DATA_HOME", (directory_ / "data").c_str(), 1);
     packages_ = Shipped("build/real_robots/cmeel.prefix/share");
     if (!std::filesystem::exists(packages_)) {
       GTEST_SKIP() << "tools/get_real_robots.sh installs the robots";

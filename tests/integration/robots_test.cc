@@ -7,7 +7,6 @@ namespace {
 class Robots : public ProgramTest {
  protected:
   Robots() {
-    setenv("XDG_DATA_HOME", (directory_ / "data").c_str(), 1);
     // Tern, without its side file.
     Write("ws/bird.urdf", ReadFile(Shipped("robots/tern.urdf"), 1 << 20));
     Write("empty.xml", SceneOf(""));

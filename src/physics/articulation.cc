@@ -23,6 +23,10 @@ namespace {
 /// A joint below this speed and this close to its reference is at rest [rad/s or m/s; rad or m].
 constexpr double kRest = 1e-7;
 
+/// Fraction of the error of a coupling that is corrected in each physics step. It may be more than
+/// that of motors, since nothing that gives way is behind it.
+constexpr double kCouplingGain = 0.5;
+
 /// Returns a rotation as Bullet's quaternion.
 btQuaternion QuaternionOf(const Matrix3& R) {
   btQuaternion q;
@@ -412,15 +416,14 @@ void Articulation::DriveMotor(int joint, double step_seconds) {
   own.drive->SetTarget(speed + return_speed, effort * step_seconds);
 }
 
-/// A coupling keeps the ratio of velocities; what remains of errors of position is corrected as by
-/// a motor.
+/// A coupling keeps the ratio of velocities, and corrects what remains of errors of position.
 void Articulation::DriveCoupling(int joint, double step_seconds) {
   const scene::Mimic& mimic = *spec_->links[joint].mimic;
   const Links::Link& own = links_->links[joint];
   const double q = own.position();
   const double reference = mimic.multiplier * links_->links[mimic.leader].position() + mimic.offset;
   position_references_[joint] = reference;
-  own.drive->SetTarget(config_.position_gain * (reference - q) / step_seconds, 0);
+  own.drive->SetTarget(kCouplingGain * (reference - q) / step_seconds, 0);
 }
 
 }  // namespace smile::physics

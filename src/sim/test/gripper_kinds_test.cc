@@ -95,7 +95,7 @@ class GripperKinds : public SimulationFixture, public testing::WithParamInterfac
  protected:
   GripperKinds() { MakeSimulation(GetParam(), 0.5); }
 
-  void MakeSimulation(const Kind& kind, double mass) {
+  void MakeSimulation(const Kind& kind, double mass, const model::RobotBodyOptions& body = {}) {
     const std::filesystem::path folder =
         std::filesystem::path(testing::TempDir()) / ("smile_gripper_kinds_" + kind.name);
     std::filesystem::create_directories(folder);
@@ -112,7 +112,8 @@ class GripperKinds : public SimulationFixture, public testing::WithParamInterfac
                                            kind.gripper + R"(}},
 "never_collide": [)" + Pairs(kind) + R"(], "poses": {"up": {"only": [0], "opening": "open"}},
 "start": "up"})");
-    RobotPlacement placement{.model = robot::ReadRobot(folder / "r.urdf"), .gap = 0, .height = 0};
+    RobotPlacement placement{
+        .model = robot::ReadRobot(folder / "r.urdf"), .gap = 0, .height = 0, .body = body};
     std::filesystem::remove_all(folder);
     scene::SceneSpec scene{.name = "test"};
     const RigidTransform X_WBase = model::RobotBasePose(scene.table, 0, 0);
@@ -166,12 +167,12 @@ class GripperKinds : public SimulationFixture, public testing::WithParamInterfac
     TickSeconds(*simulation_, 2.5);
   }
   /// Expects joints that mimic where their leader has them.
-  void ExpectThatFollowersFollow() const {
+  void ExpectThatFollowersFollow(double tolerance = 1e-3) const {
     const std::vector<double> q = robot().positions();
     for (int i = 0; i < robot().model().num_joints(); ++i) {
       const auto& mimic = robot().model().links[i].mimic;
       if (!mimic) continue;
-      EXPECT_NEAR(q[i], mimic->multiplier * q[mimic->leader] + mimic->offset, 1e-3)
+      EXPECT_NEAR(q[i], mimic->multiplier * q[mimic->leader] + mimic->offset, tolerance)
           << robot().model().links[i].joint_name;
     }
   }
@@ -243,6 +244,26 @@ TEST_P(GripperKinds, HaveJointsThatNoOtherCommandMoves) {
     EXPECT_TRUE(refusal->starts_with("the robot has no joint \"" + name + "\" to turn"))
         << *refusal;
   }
+}
+
+TEST_P(GripperKinds, HoldByFrictionToo) {
+  MakeSimulation(GetParam(), 0.3, {.grasps_by_friction = true});
+  Grasp();
+  Lift(0.1, 2);
+  TickSeconds(*simulation_, 1);
+  EXPECT_EQ(robot().HeldBodies(0).empty(), GetParam().name != "Suction");
+  EXPECT_GT(PositionOf(*simulation_, "block").z(), 0.2);
+  // A linkage that presses hard gives way a little.
+  ExpectThatFollowersFollow(0.005);
+}
+
+TEST_P(GripperKinds, WorkOnAKinematicRobot) {
+  MakeSimulation(GetParam(), 0.5, {.is_kinematic = true});
+  Grasp();
+  ASSERT_EQ(robot().HeldBodies(0).size(), 1u);
+  ExpectThatFollowersFollow();
+  Lift(0.1, 2);
+  EXPECT_GT(PositionOf(*simulation_, "block").z(), 0.2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, GripperKinds, testing::ValuesIn(Kinds()),

@@ -11,6 +11,7 @@
 #include "base/diagnostic.h"
 #include "base/wording.h"
 #include "robot/internal_jaws.h"
+#include "robot/internal_urdf_values.h"
 #include "robot/kinematics.h"
 #include "robot/robot_appearance.h"
 
@@ -154,7 +155,7 @@ class SideFileReader {
   }
 
   /// Reads narrower limits of a joint: some descriptions have placeholders where the real robot has
-  /// limits.
+  /// limits, or no limits of continuous joints.
   void ReadLimits(const std::string& name, const JsonNode& node) {
     node.ExpectMembers(kLimitMembers);
     const auto joint = FindJoint(model_, name);
@@ -170,8 +171,9 @@ class SideFileReader {
     };
     narrow("lower", link.lower, link.upper, &link.lower);
     narrow("upper", link.lower, link.upper, &link.upper);
-    narrow("velocity", 0, link.max_velocity, &link.max_velocity);
-    narrow("effort", 0, link.max_effort, &link.max_effort);
+    // A continuous joint may have none in the URDF.
+    narrow("velocity", 0, std::min(link.max_velocity, kMaxRate), &link.max_velocity);
+    narrow("effort", 0, std::min(link.max_effort, kMaxEffort), &link.max_effort);
     const bool moves = link.lower < link.upper && link.max_velocity > 0 && link.max_effort > 0;
     if (!moves) node.Fail("it permits no motion, expected lower below upper, the others above 0");
   }

@@ -56,6 +56,21 @@ TEST_F(SideFile, NamesPlacesTheUrdfHasNoNameFor) {
             "r.robot.json: <frames/arm>: a link or frame of that name already exists");
 }
 
+TEST_F(SideFile, GivesContinuousJointsTheLimitsThatAreMissing) {
+  const std::string urdf = SmallRobot{.limit = "", .type = "continuous"}.Text();
+  EXPECT_EQ(
+      Complaint(urdf),
+      "r.urdf:7: <joint name=\"turn\">: has no <limit>, expected velocity and effort, here or "
+      "as limits in a side file");
+  const RobotModel model =
+      Read(urdf, R"({"format": 2, "limits": {"turn": {"velocity": 2, "effort": 30}}})");
+  EXPECT_EQ(model.links[0].max_velocity, 2);
+  EXPECT_EQ(model.links[0].max_effort, 30);
+  EXPECT_NE(Complaint(urdf, R"({"format": 2, "limits": {"turn": {"velocity": 2}}})"), "");
+  EXPECT_NE(Complaint(urdf, R"({"format": 2, "limits": {"turn": {"velocity": 2, "effort": 1e9}}})"),
+            "");
+}
+
 TEST_F(SideFile, MayBeMissing) {
   const RobotModel model = Read(Urdf());
   EXPECT_TRUE(model.arms.empty());

@@ -114,7 +114,7 @@ void AddRobots(CLI::App* program, ExitAnswer answer) {
   add->add_option("URDF", options->urdf, "URDF file of the robot")
       ->required()
       ->check(CLI::ExistingFile);
-  Repeatable(add->add_option("--package", options->packages,
+  Repeatable(add->add_option("--package,--path", options->packages,
                              "folder that contains packages of its meshes; may be repeated"));
   add->add_option(
          "--side-file", options->side_file,

@@ -17,16 +17,18 @@ class RandomRobot {
 
   Command Next(const Simulation& simulation) {
     const std::vector<std::string> poses{"ready", "neutral", "zero", "nowhere"};
+    const std::vector<robot::Arm>& arms = simulation.robot()->model().arms;
     switch (random_() % 8) {
       case 0:
-        return JointVelocities{.left = std::vector<double>(7, Uniform(0.5)),
+        return JointVelocities{.left = std::vector<double>(arms[0].joints.size(), Uniform(0.5)),
                                .grippers = {{Uniform(0.1), Uniform(0.1)}}};
       case 1:
         return JointVelocities{.head = Uniform(1)};
       case 2:
+        if (arms.size() < 2) return JointAngles{.left = {{0, 0.5, 1, 0, 1, Uniform(1)}}};
         return JointAngles{.right = std::vector<double>(7, 0.5 + Uniform(0.5))};
       case 3:
-        return TurnJoint{.joint = random_() % 2 == 0 ? "left_w1" : "right_e9",
+        return TurnJoint{.joint = random_() % 2 == 0 ? NameOfLastJoint(simulation) : "right_e9",
                          .velocity = Uniform(2)};
       case 4:
         return MoveGripper{.which = static_cast<MoveGripper::Which>(random_() % 3),
@@ -39,6 +41,10 @@ class RandomRobot {
   }
 
  private:
+  static std::string NameOfLastJoint(const Simulation& simulation) {
+    const robot::RobotModel& model = simulation.robot()->model();
+    return model.links[model.arms[0].joints.back()].joint_name;
+  }
   /// From where the robot is, or from somewhere else.
   motion::JointTrajectory Wave(const Simulation& simulation) {
     const robot::RobotModel& model = simulation.robot()->model();

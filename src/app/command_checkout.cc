@@ -7,7 +7,7 @@
 #include "app/exit_code.h"
 #include "app/open_recording.h"
 #include "app/options.h"
-#include "experiment/content_hash.h"
+#include "base/hash_text.h"
 #include "experiment/run.h"
 #include "recording/recording_history.h"
 #include "recording/time_range.h"
@@ -61,7 +61,7 @@ int CheckOut(const CheckoutOptions& options) {
     std::printf("%s: continued from %.2f s, ends at %.2f s, state %s\n", options.demo.c_str(),
                 recording::SecondsInto(recording, from.tick),
                 recording::SecondsInto(recording, outcome.ticks),
-                experiment::HashText(outcome.state_hash).c_str());
+                HashText(outcome.state_hash).c_str());
     // The first recording is the continued one; others were started by the script.
     for (std::size_t i = 1; i < outcome.recordings.size(); ++i) {
       std::printf("recorded in %s\n", outcome.recordings[i].c_str());

@@ -61,7 +61,9 @@ const Format& FormatOf(const ExportOptions& options) {
 bool IsOfPart(const motion::TrajectoryChannel& channel, const robot::RobotModel& model,
               const std::string& part) {
   if (part == "all") return true;
-  if (model.head && channel.joint == model.head->joint) return part == "head";
+  if (model.head && std::ranges::count(model.head->joints, channel.joint) > 0) {
+    return part == "head";
+  }
   for (int arm = 0; arm < static_cast<int>(model.arms.size()); ++arm) {
     const auto& joints = model.arms[arm].joints;
     const bool is_of_arm = channel.gripper_of == arm ||

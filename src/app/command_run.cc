@@ -8,7 +8,7 @@
 #include "app/exit_code.h"
 #include "app/interrupt.h"
 #include "app/options.h"
-#include "experiment/content_hash.h"
+#include "base/hash_text.h"
 #include "experiment/run.h"
 #include "motion/trajectory_files.h"
 #include "scene_xml/scene_reader.h"
@@ -74,7 +74,7 @@ int RunScene(const RunOptions& options) {
   } else {
     std::printf("%s: %.2f s simulated in %.2f s (%.1f x real time), state %s\n",
                 plan.scene.name.c_str(), outcome.seconds, outcome.wall_seconds,
-                outcome.realtime_factor, experiment::HashText(outcome.state_hash).c_str());
+                outcome.realtime_factor, HashText(outcome.state_hash).c_str());
     if (outcome.late_ticks > 0) {
       std::printf("%llu of %llu ticks were late, by up to %.0f ms\n",
                   static_cast<unsigned long long>(outcome.late_ticks),

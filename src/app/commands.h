@@ -23,6 +23,7 @@ void AddExport(CLI::App* program, ExitAnswer answer);
 void AddRerender(CLI::App* program, ExitAnswer answer);
 void AddRender(CLI::App* program, ExitAnswer answer);
 void AddLayout(CLI::App* program, ExitAnswer answer);
+void AddRobots(CLI::App* program, ExitAnswer answer);
 void AddImitate(CLI::App* program, ExitAnswer answer);
 void AddEvaluate(CLI::App* program, ExitAnswer answer);
 void AddExperiment(CLI::App* program, ExitAnswer answer);

@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
   app::AddRender(&program, &answer);
   app::AddLayout(&program, &answer);
   app::AddRerender(&program, &answer);
+  app::AddRobots(&program, &answer);
   app::AddImitate(&program, &answer);
   app::AddEvaluate(&program, &answer);
   app::AddExperiment(&program, &answer);

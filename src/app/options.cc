@@ -8,6 +8,7 @@
 
 #include "base/files.h"
 #include "base/wording.h"
+#include "catalog/robot_catalog.h"
 #include "library/brain_choices.h"
 #include "robot/urdf_reader.h"
 
@@ -35,7 +36,9 @@ void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* option
     command->add_flag("--no-robot", options->no_robot, "no robot at the table");
   }
   command->add_flag("--classic", options->classic, "robot at the position of the 2015 program");
-  command->add_option("--robot", options->urdf, "URDF file of the robot (default: Baxter)")
+  command
+      ->add_option("--robot", options->urdf,
+                   "robot: a name that `smile robots` lists, or a URDF file (default: baxter)")
       ->check(NotEmpty());
   command
       ->add_option("--side-file", options->side_file,
@@ -88,15 +91,21 @@ std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
     if (options == RobotOptions{.no_robot = true}) return std::nullopt;
     throw std::invalid_argument("--no-robot excludes all other options of the robot");
   }
-  const std::filesystem::path urdf =
-      options.urdf.empty() ? DataFile("robots/baxter.urdf") : std::filesystem::path(options.urdf);
+  const catalog::RobotSource source =
+      catalog::FindRobot(options.urdf.empty() ? "baxter" : options.urdf);
+  const std::filesystem::path& urdf = source.urdf;
+  const std::filesystem::path side_file =
+      options.side_file.empty() ? source.side_file : std::filesystem::path(options.side_file);
   robot::RobotReading reading =
-      robot::LoadRobot(urdf, {.side_file = options.side_file,
+      robot::LoadRobot(urdf, {.side_file = side_file,
                               .package_roots = {path.roots.begin(), path.roots.end()},
                               .gripper = options.gripper});
   // A URDF file alone describes links and joints, but not which of them are arms or grippers.
   if (!reading.has_side_file) {
-    std::fprintf(stderr, "%s: the robot has no side file and cannot be moved\n", urdf.c_str());
+    std::fprintf(
+        stderr,
+        "%s: the robot has no side file and cannot be moved; `smile robots add` makes one\n",
+        urdf.c_str());
   }
   sim::RobotPlacement placement{.model = std::move(reading.model),
                                 .gripper = std::move(reading.gripper),

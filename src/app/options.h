@@ -33,7 +33,7 @@ void AddPathOption(CLI::App* command, PathOptions* options);
 struct RobotOptions {
   bool no_robot = false;
   bool classic = false;  ///< placed as in the original
-  std::string urdf;      ///< empty: Baxter
+  std::string urdf;      ///< or the name of a robot; empty: Baxter
   std::string side_file, gripper;
   model::RobotBodyOptions body;
 

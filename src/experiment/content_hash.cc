@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <fstream>
 #include <stdexcept>
 #include <vector>
 
+#include "base/hash_text.h"
 #include "base/state_hash.h"
 #include "scene_xml/mesh_files.h"
 #include "scene_xml/scene_writer.h"
@@ -73,12 +73,6 @@ std::string HashOfFiles(const std::vector<fs::path>& files, const fs::path& fold
 }
 
 }  // namespace
-
-std::string HashText(std::uint64_t hash) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
-}
 
 std::string ContentOf(const fs::path& path) {
   if (fs::is_directory(path)) return HashOfFiles(FilesBelow(path), path);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -8,9 +7,6 @@
 #include "scene/scene_spec.h"
 
 namespace smile::experiment {
-
-/// A hash as 16 hexadecimal digits.
-std::string HashText(std::uint64_t hash);
 
 // Content hashes of the inputs of results, as 16 hexadecimal digits.
 

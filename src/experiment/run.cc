@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "base/diagnostic.h"
+#include "base/hash_text.h"
 #include "brain/brain_log.h"
 #include "experiment/brain_setup.h"
 #include "experiment/content_hash.h"

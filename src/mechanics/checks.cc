@@ -92,6 +92,12 @@ void CheckArticulation(const scene::ArticulationSpec& spec) {
                link.axis.allFinite() && link.p_LLcm.allFinite() && link.inertia.allFinite() &&
                std::isfinite(link.mass) && link.mass > 0 && std::isfinite(link.friction) &&
                link.friction >= 0;
+    if (!link.mimic) continue;
+    const scene::Mimic& mimic = *link.mimic;
+    // A leader that follows no joint itself: there are no chains and no loops.
+    is_sound = is_sound && mimic.leader >= 0 && mimic.leader < count && mimic.leader != i &&
+               !spec.links[mimic.leader].mimic && std::isfinite(mimic.multiplier) &&
+               mimic.multiplier != 0 && std::isfinite(mimic.offset);
   }
   for (const auto& [a, b] : spec.never_collide) {
     // -1 is the base.

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "scene/bounds.h"
+
 // Tests poses of a robot for overlaps without a world: motion planning asks this thousands of
 // times. Only geometry counts; there is no state from one query to the next.
 
@@ -25,6 +27,27 @@ std::vector<scene::Solid> SolidsOf(const scene::ArticulationSpec& spec,
     all.insert(all.end(), link.solids.begin(), link.solids.end());
   }
   return all;
+}
+
+/// Ball around a piece, in the world.
+struct Ball {
+  Vector3 p_WQ = Vector3::Zero();
+  double radius = HUGE_VAL;
+};
+
+/// Returns balls around the pieces of the links, which are the last ones; those of the environment
+/// and the base have no bound.
+std::vector<Ball> BallsAround(std::span<const scene::LinkSpec> links,
+                              std::span<const RigidTransform> X_WL, std::size_t num_pieces) {
+  std::vector<Ball> balls;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    for (const scene::Solid& solid : links[i].solids) {
+      const scene::Bounds bounds = scene::BoundsOf(solid.shape, RigidTransform());
+      balls.push_back({X_WL[i] * (solid.X_BS * bounds.center()), bounds.size().norm() / 2});
+    }
+  }
+  balls.insert(balls.begin(), num_pieces - balls.size(), Ball());
+  return balls;
 }
 
 }  // namespace
@@ -54,8 +77,7 @@ ArticulationProbe::ArticulationProbe(const scene::ArticulationSpec& spec,
   }
 }
 
-std::optional<LinkOverlap> ArticulationProbe::FirstOverlap(std::span<const double> q,
-                                                           double depth) {
+void ArticulationProbe::Pose(std::span<const double> q) {
   if (q.size() != links_.size()) {
     throw std::invalid_argument("q has " + std::to_string(q.size()) + " values, expected " +
                                 std::to_string(links_.size()));
@@ -68,12 +90,33 @@ std::optional<LinkOverlap> ArticulationProbe::FirstOverlap(std::span<const doubl
     const Piece& piece = pieces_[i];
     if (piece.link >= 0) probe_.SetPose(i, X_WL[piece.link] * piece.X_LS);
   }
+}
+
+std::optional<LinkOverlap> ArticulationProbe::FirstOverlap(std::span<const double> q,
+                                                           double depth) {
+  Pose(q);
   // Pairs are in the order of links, so the first overlap found is the first one in that order.
   for (const auto& [i, j] : pairs_) {
     const double overlap = probe_.Depth(i, j);
     if (overlap > depth) return LinkOverlap{pieces_[i].link, pieces_[j].link, overlap};
   }
   return std::nullopt;
+}
+
+std::vector<std::pair<int, int>> ArticulationProbe::AllOverlaps(std::span<const double> q,
+                                                                double depth) {
+  Pose(q);
+  const std::vector<RigidTransform> X_WL = scene::LinkPoses(links_, X_WBase_, q);
+  const std::vector<Ball> balls = BallsAround(links_, X_WL, pieces_.size());
+  std::set<std::pair<int, int>> found;
+  for (const auto& [i, j] : pairs_) {
+    const std::pair<int, int> links = std::minmax(pieces_[i].link, pieces_[j].link);
+    // Most pairs are far apart, or have been found by other pieces.
+    const bool is_near = (balls[i].p_WQ - balls[j].p_WQ).norm() < balls[i].radius + balls[j].radius;
+    if (!is_near || found.contains(links)) continue;
+    if (probe_.Depth(i, j) > depth) found.insert(links);
+  }
+  return {found.begin(), found.end()};
 }
 
 }  // namespace smile::motion

@@ -39,12 +39,19 @@ class ArticulationProbe {
   /// @throws std::invalid_argument if `q` has the wrong size or is not finite.
   std::optional<LinkOverlap> FirstOverlap(std::span<const double> q, double depth = 0.0005);
 
+  /// Returns all pairs of links that overlap by more than `depth` and are not in `never_collide`,
+  /// the smaller number first, in ascending order, each once.
+  std::vector<std::pair<int, int>> AllOverlaps(std::span<const double> q, double depth = 0.0005);
+
  private:
   /// A convex solid S, fixed to a link L.
   struct Piece {
     int link;
     RigidTransform X_LS;
   };
+
+  /// Puts the pieces where their links are at a configuration.
+  void Pose(std::span<const double> q);
 
   std::vector<scene::LinkSpec> links_;
   RigidTransform X_WBase_;

@@ -14,21 +14,18 @@ TrajectoryChannel JointChannel(const robot::RobotModel& model, int joint) {
       .name = model.links[joint].joint_name, .joint = joint, .limits = LimitsOfJoint(model, joint)};
 }
 
-/// Returns the channel of a gripper. Its opening is the sum of both fingers' positions and of the
-/// gap that remains when both are at 0; both fingers move at the speed of the slower one.
+/// Returns the channel of a gripper, whose position is its opening.
 TrajectoryChannel GripperChannel(const robot::RobotModel& model, int arm) {
   const robot::Gripper& gripper = *model.arms[arm].gripper;
-  const JointLimits left = LimitsOfJoint(model, gripper.left_finger);
-  const JointLimits right = LimitsOfJoint(model, gripper.right_finger);
-  return {
-      .name = model.arms[arm].name + "_gripper",
-      .joint = gripper.left_finger,
-      .gripper_of = arm,
-      .limits = {.lower = left.lower + right.lower + gripper.closed_opening,
-                 .upper = left.upper + right.upper + gripper.closed_opening,
-                 .max_velocity = 2 * std::min(left.max_velocity, right.max_velocity),
-                 .max_acceleration = 2 * std::min(left.max_acceleration, right.max_acceleration),
-                 .slides = true}};
+  const robot::OpeningRange range = OpeningRangeOf(model, gripper);
+  return {.name = model.arms[arm].name + "_gripper",
+          .joint = LeadingJointOf(gripper),
+          .gripper_of = arm,
+          .limits = {.lower = range.closed,
+                     .upper = range.open,
+                     .max_velocity = range.max_speed,
+                     .max_acceleration = range.max_speed / kSecondsToFullSpeed,
+                     .slides = true}};
 }
 
 }  // namespace
@@ -46,13 +43,16 @@ std::vector<TrajectoryChannel> ChannelsOf(const robot::RobotModel& model) {
   for (int arm = 0; arm < static_cast<int>(model.arms.size()); ++arm) {
     for (const int joint : model.arms[arm].joints) add_joint(joint);
     const auto& gripper = model.arms[arm].gripper;
-    if (!gripper) continue;
+    // A suction cup has nothing that moves.
+    if (!gripper || LeadingJointOf(*gripper) < 0) continue;
     channels.push_back(GripperChannel(model, arm));
-    // Fingers have no channels of their own: the opening moves both.
-    has_channel[gripper->left_finger] = has_channel[gripper->right_finger] = true;
+    // The joints of a gripper have no channels of their own: the opening moves them.
+    for (const int joint : JointsOf(model, *gripper)) has_channel[joint] = true;
   }
-  if (model.head) add_joint(model.head->joint);
-  for (int joint = 0; joint < model.num_joints(); ++joint) add_joint(joint);
+  for (const int joint : model.head ? model.head->joints : std::vector<int>()) add_joint(joint);
+  for (int joint = 0; joint < model.num_joints(); ++joint) {
+    if (!model.links[joint].mimic) add_joint(joint);
+  }
   return channels;
 }
 
@@ -65,9 +65,7 @@ const TrajectoryChannel* FindChannel(std::span<const TrajectoryChannel> channels
 double PositionOf(const TrajectoryChannel& channel, const robot::RobotModel& model,
                   std::span<const double> q) {
   if (!channel.is_gripper()) return q[channel.joint];
-  const robot::Gripper& gripper = *model.arms[channel.gripper_of].gripper;
-  // Positions of fingers are distances from closed, so their sum is what opened.
-  return q[gripper.left_finger] + q[gripper.right_finger] + gripper.closed_opening;
+  return OpeningOf(model, *model.arms[channel.gripper_of].gripper, q);
 }
 
 }  // namespace smile::motion

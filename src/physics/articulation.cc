@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -21,6 +22,10 @@ namespace {
 
 /// A joint below this speed and this close to its reference is at rest [rad/s or m/s; rad or m].
 constexpr double kRest = 1e-7;
+
+/// Fraction of the error of a coupling that is corrected in each physics step. It may be more than
+/// that of motors, since nothing that gives way is behind it.
+constexpr double kCouplingGain = 0.5;
 
 /// Returns a rotation as Bullet's quaternion.
 btQuaternion QuaternionOf(const Matrix3& R) {
@@ -46,21 +51,37 @@ Articulation::Articulation(ArticulationId id, std::shared_ptr<const scene::Artic
   MakeColliders();
   for (int i = 0; i < count && !spec_->is_kinematic; ++i) {
     Links::Link& link = links_->links[i];
-    link.drive = std::make_unique<JointDrive>(link.tree, link.index);
+    std::optional<JointLeader> leader;
+    if (const auto& mimic = spec_->links[i].mimic) {
+      leader = JointLeader{links_->links[mimic->leader].index, mimic->multiplier};
+    }
+    link.drive = std::make_unique<JointDrive>(link.tree, link.index, leader);
   }
   std::vector<int> joints(count);
   std::iota(joints.begin(), joints.end(), 0);
   SetPositions(joints, std::vector<double>(count, 0.0));
 }
 
-/// Makes a multibody for each link at the base, and assigns the links to them.
+/// Makes a multibody for each link at the base, and assigns the links to them. Links at the base
+/// that a coupling connects share one, since a row of Bullet's solver couples joints of one.
 void Articulation::MakeTrees() {
+  // The link at the base that carries each link; then, of those that are coupled, the first one.
+  std::vector<int> root_of(num_joints());
+  for (int i = 0; i < num_joints(); ++i) {
+    const int parent = spec_->links[i].parent;
+    root_of[i] = parent < 0 ? i : root_of[parent];
+  }
+  for (int i = 0; i < num_joints(); ++i) {
+    if (!spec_->links[i].mimic) continue;
+    const int own = root_of[i], other = root_of[spec_->links[i].mimic->leader];
+    std::ranges::replace(root_of, std::max(own, other), std::min(own, other));
+  }
   std::vector<int> sizes;
   std::vector<int> tree_of(num_joints());
   for (int i = 0; i < num_joints(); ++i) {
-    const int parent = spec_->links[i].parent;
-    tree_of[i] = parent < 0 ? static_cast<int>(sizes.size()) : tree_of[parent];
-    if (parent < 0) sizes.push_back(0);
+    const bool is_first = root_of[i] == i;
+    tree_of[i] = is_first ? static_cast<int>(sizes.size()) : tree_of[root_of[i]];
+    if (is_first) sizes.push_back(0);
     links_->links[i].index = sizes[tree_of[i]]++;
   }
   // The base needs one in any case.
@@ -192,6 +213,11 @@ void Articulation::SetVelocityTarget(int joint, double velocity) {
   if (!std::isfinite(velocity)) {
     throw std::invalid_argument(link.joint_name + ": velocity is not finite");
   }
+  if (link.mimic) {
+    throw std::invalid_argument(link.joint_name + ": it mimics " +
+                                spec_->links[link.mimic->leader].joint_name +
+                                ", expected a joint with a motor");
+  }
   const double target = std::clamp(velocity, -link.max_velocity, link.max_velocity);
   // A lead above half its bound means that the joint is blocked; ordinary lag is smaller.
   const double lead = position_references_[joint] - links_->links[joint].position();
@@ -221,12 +247,23 @@ void Articulation::SetPositions(std::span<const int> joints, std::span<const dou
     if (!std::isfinite(positions[i])) {
       throw std::invalid_argument(link.joint_name + ": position is not finite");
     }
-    const double q = std::clamp(positions[i], link.lower, link.upper);
-    position_references_[joints[i]] = q;
-    links_->links[joints[i]].SetPosition(q);
-    links_->links[joints[i]].SetVelocity(0);
+    PutJoint(joints[i], std::clamp(positions[i], link.lower, link.upper));
+  }
+  std::vector<double> q = this->positions();
+  scene::FollowLeaders(spec_->links, q);
+  for (int i = 0; i < num_joints(); ++i) {
+    const auto& mimic = spec_->links[i].mimic;
+    const bool is_moved = mimic && std::ranges::count(joints, mimic->leader) > 0;
+    if (is_moved || (mimic && std::ranges::count(joints, i) > 0)) PutJoint(i, q[i]);
   }
   UpdateLinkTransforms();
+}
+
+/// Puts a joint at a position, at rest.
+void Articulation::PutJoint(int joint, double q) {
+  position_references_[joint] = q;
+  links_->links[joint].SetPosition(q);
+  links_->links[joint].SetVelocity(0);
 }
 
 void Articulation::UpdateLinkTransforms() {
@@ -315,6 +352,10 @@ void Articulation::DriveKinematicLinks(double step_seconds) {
     const double q = links_->links[i].position();
     position_references_[i] =
         std::clamp(q + velocity_targets_[i] * step_seconds, link.lower, link.upper);
+  }
+  scene::FollowLeaders(spec_->links, position_references_);
+  for (int i = 0; i < num_joints(); ++i) {
+    const double q = links_->links[i].position();
     links_->links[i].SetVelocity((position_references_[i] - q) / step_seconds);
   }
   // Velocities for Bullet: contacts see links that move, although the links are placed by
@@ -344,28 +385,45 @@ void Articulation::DriveMotors(double step_seconds, double gravity) {
   for (int i = 0; i < num_joints(); ++i) {
     const scene::LinkSpec& link = spec_->links[i];
     const Links::Link& own = links_->links[i];
-    const double q = own.position();
-    const double max_lead = MaxLead(i);
-    // The reference advances with the commanded speed, but leads the joint by a bounded amount
-    // only, and stays within the limits.
-    const double wanted = position_references_[i] + velocity_targets_[i] * step_seconds;
-    const double reference =
-        std::clamp(std::clamp(wanted, q - max_lead, q + max_lead), link.lower, link.upper);
-    // At a limit or when blocked, the reference stops, and so does the commanded speed.
-    const double speed = reference == wanted ? velocity_targets_[i]
-                                             : (reference - position_references_[i]) / step_seconds;
-    position_references_[i] = reference;
-
-    // Velocity feedforward plus proportional correction; the solver provides the force, up to the
-    // effort.
-    const double return_speed = config_.position_gain * (reference - q) / step_seconds;
-    const double effort = link.max_effort * (is_overloaded_[i] ? 1.0 : config_.effort_scale);
-    own.drive->SetTarget(speed + return_speed, effort * step_seconds);
+    link.mimic ? DriveCoupling(i, step_seconds) : DriveMotor(i, step_seconds);
     // Gravity compensation.
     own.tree->addLinkForce(own.index, btVector3(0, 0, gravity * link.mass));
   }
   // Noted again before each step, as long as a weld bears too much.
   is_overloaded_.assign(is_overloaded_.size(), false);
+}
+
+void Articulation::DriveMotor(int joint, double step_seconds) {
+  const scene::LinkSpec& link = spec_->links[joint];
+  const Links::Link& own = links_->links[joint];
+  const double q = own.position();
+  const double max_lead = MaxLead(joint);
+  // The reference advances with the commanded speed, but leads the joint by a bounded amount only,
+  // and stays within the limits.
+  const double wanted = position_references_[joint] + velocity_targets_[joint] * step_seconds;
+  const double reference =
+      std::clamp(std::clamp(wanted, q - max_lead, q + max_lead), link.lower, link.upper);
+  // At a limit or when blocked, the reference stops, and so does the commanded speed.
+  const double speed = reference == wanted
+                           ? velocity_targets_[joint]
+                           : (reference - position_references_[joint]) / step_seconds;
+  position_references_[joint] = reference;
+
+  // Velocity feedforward plus proportional correction; the solver provides the force, up to the
+  // effort.
+  const double return_speed = config_.position_gain * (reference - q) / step_seconds;
+  const double effort = link.max_effort * (is_overloaded_[joint] ? 1.0 : config_.effort_scale);
+  own.drive->SetTarget(speed + return_speed, effort * step_seconds);
+}
+
+/// A coupling keeps the ratio of velocities, and corrects what remains of errors of position.
+void Articulation::DriveCoupling(int joint, double step_seconds) {
+  const scene::Mimic& mimic = *spec_->links[joint].mimic;
+  const Links::Link& own = links_->links[joint];
+  const double q = own.position();
+  const double reference = mimic.multiplier * links_->links[mimic.leader].position() + mimic.offset;
+  position_references_[joint] = reference;
+  own.drive->SetTarget(kCouplingGain * (reference - q) / step_seconds, 0);
 }
 
 }  // namespace smile::physics

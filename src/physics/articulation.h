@@ -58,15 +58,19 @@ class Articulation {
   std::span<const double> velocity_targets() const { return velocity_targets_; }
   std::vector<RigidTransform> link_poses() const;  ///< X_WL, one per link
 
-  /// Moves a joint at this speed until the next command [rad/s or m/s]. Clamped to the joint's
-  /// velocity limit; at a position limit the joint stops. If the joint is blocked and is commanded
-  /// to stop or to reverse, it does so at once: the lead of its reference is dropped.
-  /// @throws std::invalid_argument if there is no such joint or the velocity is not finite.
+  /// Moves a joint, and those that mimic it, at this speed until the next command [rad/s or m/s].
+  /// Clamped to the joint's velocity limit; at a position limit the joint stops. If the joint is
+  /// blocked and is commanded to stop or to reverse, it does so at once: the lead of its reference
+  /// is dropped.
+  /// @throws std::invalid_argument if there is no such joint, it mimics another one, or the
+  /// velocity
+  ///         is not finite.
   void SetVelocityTarget(int joint, double velocity);
   /// Stops a joint at its present position and drops the lead of its reference.
   void HoldStill(int joint);
-  /// Puts these joints at positions [rad or m] at once, at rest, clamped to their limits; the
-  /// others keep their motion. Nearby bodies react only if they are awake: see World::WakeAll().
+  /// Puts these joints at positions [rad or m] at once, at rest, clamped to their limits; joints
+  /// that mimic others go where their leaders are. The others keep their motion. Nearby bodies
+  /// react only if they are awake: see World::WakeAll().
   /// @throws std::invalid_argument if the counts differ, a joint does not exist or a value is not
   ///         finite.
   void SetPositions(std::span<const int> joints, std::span<const double> positions);
@@ -83,6 +87,7 @@ class Articulation {
   friend class World;
   friend class WorldObjects;
   void CheckJoint(int joint) const;
+  void PutJoint(int joint, double q);
   double MaxLead(int joint) const;
   void MakeTrees();
   void AddBulletLink(int link);
@@ -98,6 +103,8 @@ class Articulation {
   void NoteOverload(int link);
   /// Advances the references and commands the motors.
   void DriveMotors(double step_seconds, double gravity);
+  void DriveMotor(int joint, double step_seconds);
+  void DriveCoupling(int joint, double step_seconds);
   /// Sets the velocities of kinematic links, and the references to the joint positions after the
   /// step.
   void DriveKinematicLinks(double step_seconds);

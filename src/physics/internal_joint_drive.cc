@@ -10,7 +10,7 @@ namespace {
 
 enum { kMotorRow, kLowerRow, kUpperRow, kNumRows };
 
-/// Impulse available to a limit: practically unlimited [N m s or N s].
+/// Impulse available to a limit or a coupling: practically unlimited [N m s or N s].
 constexpr double kLimitImpulse = 100;
 /// A limit gets a row when the joint is within this fraction of its highest speed of the allowed
 /// range. Other limits cost nothing.
@@ -29,9 +29,10 @@ JointSpeeds AllowedSpeeds(const btMultiBody& multibody, int link, double seconds
           .most = std::min(joint.m_jointMaxVelocity, (joint.m_jointUpperLimit - q) / seconds)};
 }
 
-JointDrive::JointDrive(btMultiBody* multibody, int link)
+JointDrive::JointDrive(btMultiBody* multibody, int link, std::optional<JointLeader> leader)
     : btMultiBodyConstraint(multibody, /*bodyB=*/nullptr, link, /*linkB=*/-1, kNumRows,
-                            /*isUnilateral=*/true, MULTIBODY_CONSTRAINT_1DOF_JOINT_MOTOR) {}
+                            /*isUnilateral=*/true, MULTIBODY_CONSTRAINT_1DOF_JOINT_MOTOR),
+      leader_(leader) {}
 
 void JointDrive::SetTarget(double velocity, double max_impulse) {
   velocity_ = velocity;
@@ -43,6 +44,10 @@ void JointDrive::finalizeMultiDof() {
   // The six columns of the base precede those of the joints, also for a fixed base.
   const int column = 6 + m_bodyA->getLink(m_linkA).m_dofOffset;
   for (int row = 0; row < kNumRows; ++row) jacobianA(row)[column] = 1;
+  // The row of the motor becomes that of the coupling: its velocity is v - multiplier * v_leader.
+  if (leader_) {
+    jacobianA(kMotorRow)[6 + m_bodyA->getLink(leader_->link).m_dofOffset] = -leader_->multiplier;
+  }
   m_numDofsFinalized = m_jacSizeBoth;
 }
 
@@ -55,6 +60,10 @@ void JointDrive::createConstraintRows(btMultiBodyConstraintArray& rows,
                                       btMultiBodyJacobianData& data,
                                       const btContactSolverInfo& info) {
   if (m_numDofsFinalized != m_jacSizeBoth) finalizeMultiDof();
+  if (leader_) {
+    AddRow(kMotorRow, velocity_, {-kLimitImpulse, kLimitImpulse}, rows, data, info);
+    return;
+  }
   if (max_impulse_ > 0) {
     AddRow(kMotorRow, velocity_, {-max_impulse_, max_impulse_}, rows, data, info);
   }

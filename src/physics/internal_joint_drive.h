@@ -2,20 +2,30 @@
 
 #include <BulletDynamics/Featherstone/btMultiBodyConstraint.h>
 
+#include <optional>
+
 namespace smile::physics {
 
+/// Another joint of the same multibody that a joint follows, with a fixed ratio of velocities.
+struct JointLeader {
+  int link = -1;
+  double multiplier = 1;
+};
+
 /// Motor of one joint of a multibody, with its limits of position and speed, as rows for Bullet's
-/// solver.
+/// solver. A joint that follows another has a coupling with it instead of the three: the limits of
+/// its leader bound it, too.
 ///
 /// Bullet's own motor names its multibody twice, as if it stood between two, and costs twice as
 /// much; its own limits ignore speed.
 class JointDrive : public btMultiBodyConstraint {
  public:
   /// Makes a motor; its limits are those in the multibody's link.
-  JointDrive(btMultiBody* multibody, int link);
+  JointDrive(btMultiBody* multibody, int link, std::optional<JointLeader> leader = {});
 
   /// Sets the velocity to reach in the next step [rad/s or m/s], and the impulse available for it
-  /// [N m s or N s].
+  /// [N m s or N s]. The velocity of a joint that follows another is relative to that of its leader
+  /// times the multiplier, and its impulse is practically unlimited.
   void SetTarget(double velocity, double max_impulse);
 
   void finalizeMultiDof() override;
@@ -31,6 +41,7 @@ class JointDrive : public btMultiBodyConstraint {
   void AddRow(int number, double velocity, const Range& impulse, btMultiBodyConstraintArray& rows,
               btMultiBodyJacobianData& data, const btContactSolverInfo& info);
 
+  std::optional<JointLeader> leader_;
   double velocity_ = 0, max_impulse_ = 0;
 };
 

@@ -103,7 +103,10 @@ class ReadFiles {
 class OriginalFinder : public FileFinder {
  public:
   OriginalFinder(const fs::path& urdf_path, const RobotReaderOptions& options)
-      : kept_(FolderOf(urdf_path)), side_file_(options.side_file), roots_(options.package_roots) {
+      : kept_(FolderOf(urdf_path)),
+        side_file_(options.side_file),
+        side_file_text_(options.side_file_text),
+        roots_(options.package_roots) {
     allowed_ = roots_;
     allowed_.push_back(kept_);
     if (!side_file_.empty()) allowed_.push_back(FolderOf(side_file_));
@@ -132,7 +135,14 @@ class OriginalFinder : public FileFinder {
 
   std::optional<FoundFile> FindSideFile(const FoundFile& urdf,
                                         std::size_t max_bytes) const override {
+    // Its kept name is beside the URDF, wherever it lies.
+    const std::string name = fs::path(urdf.name).replace_extension(".robot.json").string();
     fs::path path = side_file_;
+    if (side_file_text_) {
+      path = urdf.path;
+      return FoundFile{name, path.replace_extension(".robot.json"),
+                       std::make_shared<const std::string>(*side_file_text_)};
+    }
     if (path.empty()) {  // not requested by name: links must not lead elsewhere
       path = urdf.path;
       path.replace_extension(".robot.json");
@@ -145,8 +155,6 @@ class OriginalFinder : public FileFinder {
                           "or named by --side-file"});
       }
     }
-    // Its kept name is beside the URDF, wherever it lies.
-    const std::string name = fs::path(urdf.name).replace_extension(".robot.json").string();
     return FoundFile{name, path, std::make_shared<const std::string>(ReadFile(path, max_bytes))};
   }
 
@@ -185,6 +193,7 @@ class OriginalFinder : public FileFinder {
 
   fs::path kept_;  ///< the folder of the URDF
   fs::path side_file_;
+  std::optional<std::string> side_file_text_;
   std::vector<fs::path> roots_, allowed_;
   ReadFiles read_;  // by canonical path
 };

@@ -10,12 +10,15 @@
 
 #include "base/diagnostic.h"
 #include "base/wording.h"
+#include "robot/internal_jaws.h"
+#include "robot/internal_urdf_values.h"
 #include "robot/kinematics.h"
 #include "robot/robot_appearance.h"
 
 // The side file `NAME.robot.json` says what URDF cannot: which joints are arms, what the grippers
-// are, limits, poses, the start (docs/robot.md). It is read in two steps: Mountings() before the
-// model is built, as attached parts belong to it, and Apply() afterwards.
+// are, limits, poses, the start (docs/robot.md). Files of format 1 ignore URDF's <mimic> except
+// between two fingers; those of format 2 follow it. A side file is read in two steps: Mountings()
+// before the model is built, as attached parts belong to it, and Apply() afterwards.
 
 namespace smile::robot::internal {
 namespace {
@@ -29,15 +32,19 @@ constexpr std::array<std::string_view, 5> kNoArmNames{"both", "any", "all", "hea
 constexpr double kMaxPayload = 1e5;  // [kg], the limit for links
 
 // Known members; others are refused, since a misspelled one would be ignored otherwise.
-constexpr std::array<std::string_view, 12> kFileMembers{
-    "format", "frames",        "arms",  "grippers", "gripper", "head",
-    "limits", "never_collide", "poses", "start",    "look",    "stands"};
-constexpr std::array<std::string_view, 8> kArmMembers{
-    "joints", "tool", "fingers", "closed_opening", "pads", "flange", "prefix", "payload"};
-constexpr std::array<std::string_view, 8> kGripperMembers{
-    "parts", "choices", "tool", "fingers", "closed_opening", "pads", "never_collide", "look"};
+constexpr std::array<std::string_view, 13> kFileMembers{
+    "format", "urdf_hashes",   "frames", "arms",  "grippers", "gripper", "head",
+    "limits", "never_collide", "poses",  "start", "look",     "stands"};
+constexpr std::array<std::string_view, 10> kArmMembers{
+    "joints",         "tool", "fingers", "jaws",   "suction",
+    "closed_opening", "pads", "flange",  "prefix", "payload"};
+constexpr std::array<std::string_view, 10> kGripperMembers{
+    "parts",   "choices",        "tool", "fingers",       "jaws",
+    "suction", "closed_opening", "pads", "never_collide", "look"};
+constexpr std::array<std::string_view, 3> kJawsMembers{"drive", "left", "right"};
+constexpr std::array<std::string_view, 2> kSuctionMembers{"radius", "capacity"};
 constexpr std::array<std::string_view, 3> kPartMembers{"urdf", "to", "prefix"};
-constexpr std::array<std::string_view, 2> kHeadMembers{"joint", "camera"};
+constexpr std::array<std::string_view, 3> kHeadMembers{"joint", "joints", "camera"};
 constexpr std::array<std::string_view, 2> kPlaceMembers{"gap", "height"};
 constexpr std::array<std::string_view, 3> kFrameMembers{"on", "xyz", "rpy"};
 constexpr std::array<std::string_view, 4> kLimitMembers{"lower", "upper", "velocity", "effort"};
@@ -82,6 +89,7 @@ class SideFileReader {
       : gripper_(gripper), has_appearance_(has_appearance), built_(*built), model_(built->model) {}
 
   void Read(const JsonNode& root) {
+    follows_mimics_ = root.Member("format").Number() >= 2;
     if (root.Has("frames")) {
       const auto frames = root.Member("frames").Members();
       if (frames.size() > kMaxPlaces) root.Member("frames").Fail("are more than 100");
@@ -89,6 +97,9 @@ class SideFileReader {
     }
     if (root.Has("limits")) {
       for (const auto& [name, limits] : root.Member("limits").Members()) ReadLimits(name, limits);
+    }
+    if (follows_mimics_) {
+      if (const auto complaint = AddMimics(built_.mimics, &model_)) root.Fail(*complaint);
     }
     if (root.Has("arms")) {
       for (const auto& [name, arm] : root.Member("arms").Members()) ReadArm(name, arm);
@@ -101,7 +112,7 @@ class SideFileReader {
     std::ranges::sort(model_.never_collide);
     auto& pairs = model_.never_collide;
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    CheckMimics(root);
+    follows_mimics_ ? CheckLeaders(root) : CheckMimics(root);
     model_.q_start = NeutralPose();
     if (root.Has("poses")) {
       for (const auto& [name, pose] : root.Member("poses").Members()) ReadPose(name, pose);
@@ -144,7 +155,7 @@ class SideFileReader {
   }
 
   /// Reads narrower limits of a joint: some descriptions have placeholders where the real robot has
-  /// limits.
+  /// limits, or no limits of continuous joints.
   void ReadLimits(const std::string& name, const JsonNode& node) {
     node.ExpectMembers(kLimitMembers);
     const auto joint = FindJoint(model_, name);
@@ -160,8 +171,9 @@ class SideFileReader {
     };
     narrow("lower", link.lower, link.upper, &link.lower);
     narrow("upper", link.lower, link.upper, &link.upper);
-    narrow("velocity", 0, link.max_velocity, &link.max_velocity);
-    narrow("effort", 0, link.max_effort, &link.max_effort);
+    // A continuous joint may have none in the URDF.
+    narrow("velocity", 0, std::min(link.max_velocity, kMaxRate), &link.max_velocity);
+    narrow("effort", 0, std::min(link.max_effort, kMaxEffort), &link.max_effort);
     const bool moves = link.lower < link.upper && link.max_velocity > 0 && link.max_effort > 0;
     if (!moves) node.Fail("it permits no motion, expected lower below upper, the others above 0");
   }
@@ -195,6 +207,9 @@ class SideFileReader {
         ReadAppearance(gripper_->Member("look"), "classic", prefix);
       }
     }
+    if (arm.gripper && model_.frames[arm.tool].link < 0) {
+      node.Fail("the tool is on the base, expected a gripper on a link that moves");
+    }
     // Trajectories use this name for the gripper.
     if (const std::string own = name + "_gripper"; arm.gripper && FindJoint(model_, own)) {
       node.Fail("there is a joint " + Quoted(own) + ", expected that name for the gripper only");
@@ -224,13 +239,18 @@ class SideFileReader {
 
   /// Claims a joint: an arm, a finger and the head must not share one.
   void Take(int joint, const JsonNode& node) {
+    if (const auto& mimic = model_.links[joint].mimic) {
+      node.Fail("joint " + Quoted(model_.links[joint].joint_name) + " mimics " +
+                Quoted(model_.links[mimic->leader].joint_name) +
+                ", expected a joint that follows no other");
+    }
     if (taken_.insert(joint).second) return;
     node.Fail("joint " + Quoted(model_.links[joint].joint_name) +
               " is already used, expected each joint once: in an arm, as a finger or in the head");
   }
 
   static void ExpectNothingOfItsOwn(const JsonNode& arm) {
-    for (const char* own : {"tool", "fingers", "closed_opening", "pads"}) {
+    for (const char* own : {"tool", "fingers", "jaws", "suction", "closed_opening", "pads"}) {
       if (arm.Has(own))
         arm.Member(own).Fail("the arm has a flange, expected this member in the gripper");
     }
@@ -239,13 +259,60 @@ class SideFileReader {
   /// Returns the gripper described by an arm or a gripper node, if any.
   std::optional<Gripper> ReadGripper(const JsonNode& node, const std::string& prefix,
                                      const Arm& arm) {
+    const int num_kinds = node.Has("fingers") + node.Has("jaws") + node.Has("suction");
+    if (num_kinds > 1) node.Fail("has several kinds of gripper, expected fingers, jaws or suction");
+    if (node.Has("jaws")) return ReadJaws(node, prefix, arm);
+    if (node.Has("suction")) return ReadSuction(node.Member("suction"));
     if (!node.Has("fingers")) return std::nullopt;
+    return ReadFingers(node, prefix, arm);
+  }
+
+  /// Reads jaws: one joint that drives one or both of them.
+  Gripper ReadJaws(const JsonNode& node, const std::string& prefix, const Arm& arm) {
+    const JsonNode jaws = node.Member("jaws");
+    jaws.ExpectMembers(kJawsMembers);
+    if (node.Has("closed_opening")) {
+      node.Member("closed_opening").Fail("is for fingers, expected pads, which measure jaws");
+    }
+    Gripper gripper{.kind = GripperKind::kJaws,
+                    .left_finger = SideOf(jaws.Member("left"), prefix, arm),
+                    .right_finger = SideOf(jaws.Member("right"), prefix, arm),
+                    .drive = JointNamedBy(jaws.Member("drive"), prefix)};
+    Take(gripper.drive, jaws.Member("drive"));
+    ExpectOnArm(gripper.drive, arm, jaws.Member("drive"));
+    if (gripper.left_finger == gripper.right_finger) {
+      jaws.Fail("left and right are the same rigid body, expected two");
+    }
+    const JsonNode pads = node.Member("pads");
+    const std::vector<JsonNode> names = pads.Items(2);
+    const std::pair frames{FrameNamedBy(names[0], prefix), FrameNamedBy(names[1], prefix)};
+    if (const auto complaint = MeasureJaws(frames, arm.tool, &model_, &gripper)) {
+      pads.Fail(*complaint);
+    }
+    return gripper;
+  }
+  int SideOf(const JsonNode& name, const std::string& prefix, const Arm& arm) const {
+    const int link = model_.frames[FrameNamedBy(name, prefix)].link;
+    ExpectOnArm(link, arm, name);
+    if (link < 0) name.Fail("is fixed to the base, expected a link that moves");
+    return link;
+  }
+
+  static Gripper ReadSuction(const JsonNode& node) {
+    node.ExpectMembers(kSuctionMembers);
+    return {.kind = GripperKind::kSuction,
+            .cup_radius = node.Member("radius").Number(0.001, 1),
+            .cup_capacity = node.Member("capacity").Number(0, kMaxPayload)};
+  }
+
+  Gripper ReadFingers(const JsonNode& node, const std::string& prefix, const Arm& arm) {
     const JsonNode fingers = node.Member("fingers");
     const std::vector<JsonNode> names = fingers.Items(2);
     Gripper gripper{.left_finger = JointNamedBy(names[0], prefix),
                     .right_finger = JointNamedBy(names[1], prefix)};
     if (gripper.left_finger == gripper.right_finger)
       fingers.Fail("both are the same joint, expected two");
+    if (follows_mimics_) DropMimics(gripper, fingers);
     Take(gripper.left_finger, names[0]);
     Take(gripper.right_finger, names[1]);
     ExpectOnArm(gripper.left_finger, arm, names[0]);
@@ -266,6 +333,23 @@ class SideFileReader {
     // Pads that would overlap when closed: a negative opening has no meaning in commands.
     if (gripper.closed_opening < 0) MakeMeetAtZero(&gripper, fingers);
     return gripper;
+  }
+
+  /// Removes the coupling of two fingers: each has its motor, and their gripper moves both alike.
+  void DropMimics(const Gripper& gripper, const JsonNode& node) {
+    for (int finger : {gripper.left_finger, gripper.right_finger}) {
+      scene::LinkSpec& link = model_.links[finger];
+      const int other = gripper.left_finger + gripper.right_finger - finger;
+      if (!link.mimic || link.mimic->leader != other) continue;
+      // Joints that run in the same sense, or one from 0 upwards and the other from 0 downwards.
+      const bool runs_down = link.upper == 0, other_runs_down = model_.links[other].upper == 0;
+      const double multiplier = runs_down == other_runs_down ? 1 : -1;
+      if (link.mimic->multiplier != multiplier || link.mimic->offset != 0) {
+        node.Fail("joint " + Quoted(link.joint_name) +
+                  " mimics the other one differently, expected fingers that open alike, or jaws");
+      }
+      link.mimic.reset();
+    }
   }
 
   /// Reverses the axis of a finger whose joint runs from 0 downwards, so that it runs upwards.
@@ -311,8 +395,19 @@ class SideFileReader {
 
   void ReadHead(const JsonNode& node) {
     node.ExpectMembers(kHeadMembers);
-    model_.head = Head{JointNamedBy(node.Member("joint")), FrameNamedBy(node.Member("camera"))};
-    Take(model_.head->joint, node.Member("joint"));
+    Head head{.joints = {}, .camera = FrameNamedBy(node.Member("camera"))};
+    std::vector<JsonNode> joints;
+    if (node.Has("joint")) joints.push_back(node.Member("joint"));
+    if (node.Has("joints")) {
+      if (node.Has("joint")) node.Fail("has joint and joints, expected one of them");
+      joints = node.Member("joints").Items();
+    }
+    if (joints.size() > kMaxJoints) node.Member("joints").Fail("are more than 16, expected fewer");
+    for (const JsonNode& joint : joints) {
+      head.joints.push_back(JointNamedBy(joint));
+      Take(head.joints.back(), joint);
+    }
+    model_.head = std::move(head);
   }
 
   void ReadPair(const JsonNode& node, const std::string& prefix) {
@@ -335,7 +430,7 @@ class SideFileReader {
       const double sign = std::ranges::count(turned_, mimic.joint) == 0 ? 1 : -1;
       const double master_sign = std::ranges::count(turned_, mimic.master) == 0 ? 1 : -1;
       const bool mirrors = std::ranges::any_of(model_.arms, [&](const Arm& arm) {
-        if (!arm.gripper) return false;
+        if (!arm.gripper || arm.gripper->kind != GripperKind::kFingers) return false;
         const std::string& left = model_.links[arm.gripper->left_finger].joint_name;
         const std::string& right = model_.links[arm.gripper->right_finger].joint_name;
         return (mimic.joint == left && mimic.master == right) ||
@@ -349,13 +444,26 @@ class SideFileReader {
   }
   bool IsDriven(const std::string& name) const {
     const auto joint = FindJoint(model_, name);
-    if (!joint) return false;
-    if (model_.head && model_.head->joint == *joint) return true;
-    return std::ranges::any_of(model_.arms, [&](const Arm& arm) {
-      return std::ranges::count(arm.joints, *joint) > 0 ||
-             (arm.gripper &&
-              (arm.gripper->left_finger == *joint || arm.gripper->right_finger == *joint));
-    });
+    return joint && taken_.contains(*joint);
+  }
+
+  /// Checks that no joint of an arm or finger leads others: planners treat an arm as one chain, and
+  /// a finger's axis may have been reversed.
+  void CheckLeaders(const JsonNode& root) const {
+    for (const scene::LinkSpec& link : model_.links) {
+      if (!link.mimic) continue;
+      const int leader = link.mimic->leader;
+      const bool is_free = std::ranges::none_of(model_.arms, [leader](const Arm& arm) {
+        const auto& gripper = arm.gripper;
+        return std::ranges::count(arm.joints, leader) > 0 ||
+               (gripper && gripper->kind == GripperKind::kFingers &&
+                (gripper->left_finger == leader || gripper->right_finger == leader));
+      });
+      if (is_free) continue;
+      root.Fail("joint " + Quoted(link.joint_name) + " mimics " +
+                Quoted(model_.links[leader].joint_name) +
+                ", which belongs to an arm or is a finger, expected mimics of jaws and heads only");
+    }
   }
 
   /// Returns 0 for each joint, or its nearest limit.
@@ -364,6 +472,7 @@ class SideFileReader {
     for (const scene::LinkSpec& link : model_.links) {
       q.push_back(std::clamp(0.0, link.lower, link.upper));
     }
+    scene::FollowLeaders(model_.links, q);
     return q;
   }
 
@@ -378,7 +487,7 @@ class SideFileReader {
           SetJoint(arm->joints[i], values[i].Number(), values[i], &pose);
         }
       } else if (key == "head" && model_.head) {
-        SetJoint(model_.head->joint, value.Number(), value, &pose);
+        SetHead(value, &pose);
       } else if (key == "opening") {
         for (const Arm& each : model_.arms) {
           if (each.gripper) SetOpening(*each.gripper, value, &pose);
@@ -387,20 +496,45 @@ class SideFileReader {
         value.Fail("expected the name of an arm, head or opening");
       }
     }
+    scene::FollowLeaders(model_.links, pose.q);
     model_.poses.push_back(std::move(pose));
+  }
+
+  /// Sets the joints of the head: a number for one, a list for any number.
+  void SetHead(const JsonNode& node, NamedPose* pose) const {
+    const std::vector<int>& joints = model_.head->joints;
+    if (joints.size() == 1 && !node.value().is_array()) {
+      return SetJoint(joints.front(), node.Number(), node, pose);
+    }
+    const std::vector<JsonNode> values = node.Items(joints.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      SetJoint(joints[i], values[i].Number(), values[i], pose);
+    }
   }
 
   /// Sets a gripper's opening: a width, or `open` or `closed`, which suit any gripper.
   void SetOpening(const Gripper& gripper, const JsonNode& node, NamedPose* pose) const {
+    if (gripper.kind == GripperKind::kJaws) {
+      const OpeningRange range = OpeningRangeOf(model_, gripper);
+      const double opening = !node.IsString()            ? node.Number(range.closed, range.open)
+                             : node.String() == "open"   ? range.open
+                             : node.String() == "closed" ? range.closed
+                                                         : FailForOpening(node);
+      pose->q[gripper.drive] = DrivePositionAt(model_, gripper, opening);
+    }
+    if (gripper.kind != GripperKind::kFingers) return;
     for (int finger : {gripper.left_finger, gripper.right_finger}) {
       if (!node.IsString()) {
         SetJoint(finger, (node.Number() - gripper.closed_opening) / 2, node, pose);
       } else if (node.String() == "open") {
         pose->q[finger] = model_.links[finger].upper;
       } else if (node.String() != "closed") {
-        node.Fail("found " + Quoted(node.String()) + ", expected open, closed or a width");
+        FailForOpening(node);
       }
     }
+  }
+  [[noreturn]] static double FailForOpening(const JsonNode& node) {
+    node.Fail("found " + Quoted(node.String()) + ", expected open, closed or a width");
   }
 
   /// Adds a shipped appearance, for links whose names begin with `prefix`.
@@ -447,6 +581,7 @@ class SideFileReader {
 
   const JsonNode* gripper_;  // of all flanges
   bool has_appearance_;
+  bool follows_mimics_ = false;  // since format 2
   BuiltModel& built_;
   RobotModel& model_;
   std::vector<std::string> turned_;  // fingers whose axis was reversed
@@ -461,7 +596,9 @@ SideFile::SideFile(const FoundFile& file, const std::string& gripper) : file_(fi
   const JsonNode root(root_, file_, "");
   root.ExpectMembers(kFileMembers);
   const double format = root.Member("format").Number();
-  if (format != 1) root.Member("format").Fail("found " + NumberText(format) + ", expected 1");
+  if (format != 1 && format != 2) {
+    root.Member("format").Fail("found " + NumberText(format) + ", expected 1 or 2");
+  }
   if (root.Has("grippers")) {
     const std::string wanted = gripper.empty() ? root.Member("gripper").String() : gripper;
     gripper_ = ChooseGripper(root.Member("grippers"), wanted);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "base/wording.h"
 
@@ -18,8 +19,6 @@ constexpr double kMaxInertia = 1e6;  // [kg m2]
 constexpr double kMaxAngle = 100;    // [rad]
 constexpr double kContinuous = 1e4;  // range of a joint without limits [rad]
 constexpr double kMaxScale = 1e4;
-constexpr double kMaxRate = 1e4;    // [rad/s or m/s]
-constexpr double kMaxEffort = 1e6;  // [N m or N]
 
 }  // namespace
 
@@ -97,10 +96,16 @@ void UrdfElement::ReadMotion(const urdf::Joint& joint, scene::LinkSpec* link) co
   }
   link->axis = axis.normalized();
 
-  // URDF makes limits optional for continuous joints; motors need speed and effort here.
-  if (!joint.limits) Fail("has no <limit>, expected lower, upper, velocity and effort");
-  link->max_velocity = Positive(joint.limits->velocity, kMaxRate, "velocity limit");
-  link->max_effort = Positive(joint.limits->effort, kMaxEffort, "effort limit");
+  // URDF makes limits optional for continuous joints. Motors need speed and effort, which a side
+  // file may give: CheckLimits() refuses joints that have none in the end.
+  if (!joint.limits && !is_continuous) {
+    Fail("has no <limit>, expected lower, upper, velocity and effort");
+  }
+  link->max_velocity = link->max_effort = std::numeric_limits<double>::infinity();
+  if (joint.limits) {
+    link->max_velocity = Positive(joint.limits->velocity, kMaxRate, "velocity limit");
+    link->max_effort = Positive(joint.limits->effort, kMaxEffort, "effort limit");
+  }
   // Wide limits instead of none: everything that uses limits then works unchanged.
   if (is_continuous) {
     link->lower = -kContinuous;

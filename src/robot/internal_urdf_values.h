@@ -8,6 +8,9 @@
 
 namespace smile::robot::internal {
 
+/// Greatest speed [rad/s or m/s] and effort [N m or N] of a joint.
+inline constexpr double kMaxRate = 1e4, kMaxEffort = 1e6;
+
 /// Mass properties of one link; its frame I has the center of mass as origin.
 struct UrdfInertial {
   double mass = 0;                    ///< [kg], 0 or more

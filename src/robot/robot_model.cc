@@ -1,6 +1,10 @@
 #include "robot/robot_model.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/demand.h"
 
 namespace smile::robot {
 namespace {
@@ -20,7 +24,112 @@ const Item* Find(const std::vector<Item>& items, std::string_view name) {
   return found == items.end() ? nullptr : &*found;
 }
 
+/// Table of the openings of a gripper of jaws, linear between its entries.
+class OpeningTable {
+ public:
+  OpeningTable(const RobotModel& model, const Gripper& gripper)
+      : openings_(gripper.openings), drive_(model.links.at(gripper.drive)) {
+    SMILE_DEMAND(gripper.kind == GripperKind::kJaws && openings_.size() > 1);
+    step_ = (drive_.upper - drive_.lower) / static_cast<double>(openings_.size() - 1);
+  }
+
+  double OpeningAt(double q) const {
+    const std::size_t i = SegmentAt(q);
+    const double from = drive_.lower + static_cast<double>(i) * step_;
+    return openings_[i] + (q - from) * Slope(i);
+  }
+  double DriveAt(double opening) const {
+    const bool rises = openings_.back() > openings_.front();
+    // The first segment that ends at or beyond the opening.
+    std::size_t i = 0;
+    while (i + 2 < openings_.size() &&
+           (rises ? openings_[i + 1] < opening : openings_[i + 1] > opening)) {
+      ++i;
+    }
+    const double from = drive_.lower + static_cast<double>(i) * step_;
+    return std::clamp(from + (opening - openings_[i]) / Slope(i), drive_.lower, drive_.upper);
+  }
+  double SlopeAt(double q) const { return Slope(SegmentAt(q)); }
+  double least_slope() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < openings_.size(); ++i) {
+      least = std::min(least, std::abs(Slope(i)));
+    }
+    return least;
+  }
+
+ private:
+  double Slope(std::size_t i) const { return (openings_[i + 1] - openings_[i]) / step_; }
+  std::size_t SegmentAt(double q) const {
+    const double steps = std::floor((q - drive_.lower) / step_);
+    return static_cast<std::size_t>(
+        std::clamp(steps, 0.0, static_cast<double>(openings_.size() - 2)));
+  }
+
+  const std::vector<double>& openings_;
+  const scene::LinkSpec& drive_;
+  double step_ = 0;  // of the drive between two entries
+};
+
 }  // namespace
+
+OpeningRange OpeningRangeOf(const RobotModel& model, const Gripper& gripper) {
+  switch (gripper.kind) {
+    case GripperKind::kFingers: {
+      const scene::LinkSpec& left = model.links.at(gripper.left_finger);
+      const scene::LinkSpec& right = model.links.at(gripper.right_finger);
+      // Both fingers move at the speed of the slower one.
+      return {.closed = left.lower + right.lower + gripper.closed_opening,
+              .open = left.upper + right.upper + gripper.closed_opening,
+              .max_speed = 2 * std::min(left.max_velocity, right.max_velocity)};
+    }
+    case GripperKind::kJaws: {
+      const auto [least, greatest] = std::minmax(gripper.openings.front(), gripper.openings.back());
+      return {.closed = least,
+              .open = greatest,
+              .max_speed = model.links.at(gripper.drive).max_velocity *
+                           OpeningTable(model, gripper).least_slope()};
+    }
+    case GripperKind::kSuction:
+      break;
+  }
+  return {};
+}
+
+double OpeningOf(const RobotModel& model, const Gripper& gripper, std::span<const double> q) {
+  switch (gripper.kind) {
+    case GripperKind::kFingers:
+      return q[gripper.left_finger] + q[gripper.right_finger] + gripper.closed_opening;
+    case GripperKind::kJaws:
+      return OpeningTable(model, gripper).OpeningAt(q[gripper.drive]);
+    case GripperKind::kSuction:
+      break;
+  }
+  return 0;
+}
+
+double DrivePositionAt(const RobotModel& model, const Gripper& gripper, double opening) {
+  return OpeningTable(model, gripper).DriveAt(opening);
+}
+
+double DriveRateAt(const RobotModel& model, const Gripper& gripper, std::span<const double> q) {
+  return 1 / OpeningTable(model, gripper).SlopeAt(q[gripper.drive]);
+}
+
+int LeadingJointOf(const Gripper& gripper) {
+  return gripper.kind == GripperKind::kFingers ? gripper.left_finger : gripper.drive;
+}
+
+std::vector<int> JointsOf(const RobotModel& model, const Gripper& gripper) {
+  if (gripper.kind == GripperKind::kSuction) return {};
+  if (gripper.kind == GripperKind::kFingers) return {gripper.left_finger, gripper.right_finger};
+  std::vector<int> joints{gripper.drive};
+  for (int i = 0; i < model.num_joints(); ++i) {
+    const auto& mimic = model.links[i].mimic;
+    if (mimic && mimic->leader == gripper.drive) joints.push_back(i);
+  }
+  return joints;
+}
 
 std::optional<int> FindJoint(const RobotModel& model, std::string_view name) {
   return IndexOf(model.links, name, &scene::LinkSpec::joint_name);

@@ -36,12 +36,35 @@ struct LinkVisual {
   bool operator==(const LinkVisual&) const = default;
 };
 
-/// Two fingers that slide apart along +y and -y of the tool frame. Their joint positions are 0 when
-/// the gripper is closed; the opening is the sum of both [m] plus `closed_opening`.
+enum class GripperKind {
+  /// Two fingers, each with a motor, slide apart along +y and -y of the tool frame. Their joint
+  /// positions are 0 when the gripper is closed.
+  kFingers,
+  /// One joint, the drive, moves two jaws: one slides or turns towards a fixed one, or joints that
+  /// mimic the drive move both, as in a linkage of four bars.
+  kJaws,
+  /// A suction cup at the origin of the tool holds a body that it touches.
+  kSuction,
+};
+
+/// Gripper of an arm. Its opening is the free width between its two sides [m]; that of a suction
+/// cup is always 0.
 struct Gripper {
-  int left_finger = -1;       ///< joint index; slides along +y
-  int right_finger = -1;      ///< joint index; slides along -y
-  double closed_opening = 0;  ///< opening of the closed gripper [m]
+  GripperKind kind = GripperKind::kFingers;
+  /// The two sides that close on a body, as indices of links. Of kFingers also joint indices: the
+  /// left one slides along +y. Of kJaws, one may be the link that carries the jaws. -1 for
+  /// kSuction.
+  int left_finger = -1, right_finger = -1;
+  double closed_opening = 0;  ///< of kFingers: added to the sum of both joint positions [m]
+
+  int drive = -1;  ///< of kJaws: joint index
+  /// Of kJaws: openings at positions of the drive that divide its range evenly, from its lower to
+  /// its upper limit; strictly rising or falling [m].
+  std::vector<double> openings;
+
+  double cup_radius = 0;  ///< of kSuction [m]
+  /// Of kSuction: greatest mass that the cup holds, with all that is attached to it [kg].
+  double cup_capacity = 0;
 
   bool operator==(const Gripper&) const = default;
 };
@@ -58,9 +81,11 @@ struct Arm {
   bool operator==(const Arm&) const = default;
 };
 
-/// Head of a robot, which pans and carries the eye.
+/// Head of a robot, which carries the eye.
 struct Head {
-  int joint = -1;   ///< joint index of the pan; positive rotates to the robot's left
+  /// Joint indices from the neck to the eye. The first one, if any, is the pan that commands of the
+  /// head move; positive rotates to the robot's left.
+  std::vector<int> joints;
   int camera = -1;  ///< frame index of the robot's eye: x right, y down, z forward
 
   bool operator==(const Head&) const = default;
@@ -93,6 +118,27 @@ struct RobotModel {
   int num_joints() const { return static_cast<int>(links.size()); }
   bool operator==(const RobotModel&) const = default;
 };
+
+/// Range of a gripper's openings [m], and the speed that it reaches at each of them [m/s].
+struct OpeningRange {
+  double closed = 0, open = 0;
+  double max_speed = 0;
+};
+OpeningRange OpeningRangeOf(const RobotModel& model, const Gripper& gripper);
+
+/// Returns the opening of a gripper at a configuration `q` [m].
+double OpeningOf(const RobotModel& model, const Gripper& gripper, std::span<const double> q);
+/// Returns the position of the drive of a gripper of jaws at an opening [m], clamped to its range.
+double DrivePositionAt(const RobotModel& model, const Gripper& gripper, double opening);
+/// Returns the velocity of the drive of a gripper of jaws per velocity of its opening, at a
+/// configuration `q` [rad/m or m/m].
+double DriveRateAt(const RobotModel& model, const Gripper& gripper, std::span<const double> q);
+
+/// Returns the joint that stands for a gripper among those that commands move: the left finger, or
+/// the drive; -1 for a suction cup.
+int LeadingJointOf(const Gripper& gripper);
+/// Returns the joints that a gripper moves, also those that mimic its drive.
+std::vector<int> JointsOf(const RobotModel& model, const Gripper& gripper);
 
 /// Look up by name, for the boundary where names come in; return nullopt or nullptr if there is no
 /// such item.

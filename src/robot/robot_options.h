@@ -15,6 +15,8 @@ struct RobotReaderOptions {
   /// File that names arms, grippers, head and poses; empty: `NAME.robot.json` beside `NAME.urdf`,
   /// if it exists.
   std::filesystem::path side_file;
+  /// Contents of a side file that is used instead of any file; it is kept as one beside the URDF.
+  std::optional<std::string> side_file_text;
   /// Folders with packages: `package://PKG/…` is searched in the folder `PKG` of each, and in those
   /// of that name.
   std::vector<std::filesystem::path> package_roots;

@@ -1,6 +1,7 @@
 #include "robot/urdf_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -69,6 +70,21 @@ class PartReader {
   std::map<std::string, std::pair<FoundFile, std::shared_ptr<const UrdfDocument>>> documents_;
 };
 
+/// Refuses joints without limits of speed or effort, neither in the URDF nor in the side file.
+void CheckLimits(const RobotModel& model, const std::vector<UrdfPart>& parts) {
+  for (const scene::LinkSpec& link : model.links) {
+    if (std::isfinite(link.max_velocity) && std::isfinite(link.max_effort)) continue;
+    for (const UrdfPart& part : parts) {
+      if (!link.joint_name.starts_with(part.prefix)) continue;
+      const std::string name = link.joint_name.substr(part.prefix.size());
+      if (!part.document->model().getJoint(name)) continue;
+      part.document->Fail("joint", name,
+                          "has no <limit>, expected velocity and effort, here or as limits in a "
+                          "side file");
+    }
+  }
+}
+
 /// Reads a robot in this order: side file for the attached parts, then the model of all parts, then
 /// the rest of the side file.
 RobotReading Read(const FoundFile& urdf, const RobotReaderOptions& options, RobotFileSet* files) {
@@ -102,6 +118,7 @@ RobotReading Read(const FoundFile& urdf, const RobotReaderOptions& options, Robo
   } else {
     IgnoreLinkCollisions(&built.model);
   }
+  CheckLimits(built.model, parts);
   return {.model = std::move(built.model),
           .has_side_file = side.has_value(),
           .gripper = side_file ? side_file->gripper() : "",

@@ -1,8 +1,20 @@
 #include "scene/articulation_spec.h"
 
+#include <algorithm>
+
 #include "base/demand.h"
 
 namespace smile::scene {
+
+void FollowLeaders(std::span<const LinkSpec> links, std::span<double> q) {
+  SMILE_DEMAND(links.size() == q.size());
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const std::optional<Mimic>& mimic = links[i].mimic;
+    if (!mimic) continue;
+    q[i] = std::clamp(mimic->multiplier * q[mimic->leader] + mimic->offset, links[i].lower,
+                      links[i].upper);
+  }
+}
 
 std::vector<RigidTransform> LinkPoses(std::span<const LinkSpec> links,
                                       const RigidTransform& X_WBase, std::span<const double> q) {

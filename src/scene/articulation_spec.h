@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -10,6 +11,17 @@
 namespace smile::scene {
 
 enum class JointType { kRevolute, kPrismatic };
+
+/// Coupling of a joint to another one, the leader, as by gears or a linkage: its position is
+/// `multiplier` times that of the leader plus `offset`. The leader does all the work and follows no
+/// other joint itself.
+struct Mimic {
+  int leader = -1;        ///< index into ArticulationSpec::links
+  double multiplier = 1;  ///< not 0
+  double offset = 0;      ///< [rad or m]
+
+  bool operator==(const Mimic&) const = default;
+};
 
 /// Moving link L of an articulation and the joint that carries it.
 ///
@@ -25,6 +37,7 @@ struct LinkSpec {
   double lower = 0, upper = 0;      ///< [rad or m]
   double max_velocity = 0;          ///< [rad/s or m/s]
   double max_effort = 0;            ///< [N m or N]
+  std::optional<Mimic> mimic;       ///< a joint without a motor, which another one moves
 
   double mass = 0;                    ///< [kg], > 0
   Vector3 p_LLcm = Vector3::Zero();   ///< centre of mass [m]
@@ -48,6 +61,10 @@ struct ArticulationSpec {
 
   bool operator==(const ArticulationSpec&) const = default;
 };
+
+/// Puts each joint that mimics another where its leader takes it, within its limits.
+/// @param q  positions [rad or m], one per link.
+void FollowLeaders(std::span<const LinkSpec> links, std::span<double> q);
 
 /// Returns X_WL of every link at joint positions `q` [rad or m], one per link (forward kinematics).
 std::vector<RigidTransform> LinkPoses(std::span<const LinkSpec> links,

@@ -172,6 +172,17 @@ void Walk(Archive& archive, Solid& solid) {
 }
 
 template <class Archive>
+void Walk(Archive& archive, std::optional<Mimic>& mimic) {
+  auto has_value = static_cast<std::uint8_t>(mimic.has_value());
+  archive(has_value);
+  if (has_value != 0 && !mimic) mimic.emplace();  // reading
+  if (!mimic) return;
+  archive(mimic->leader);
+  archive(mimic->multiplier);
+  archive(mimic->offset);
+}
+
+template <class Archive>
 void Walk(Archive& archive, LinkSpec& link) {
   archive(link.name);
   archive(link.joint_name);
@@ -183,6 +194,7 @@ void Walk(Archive& archive, LinkSpec& link) {
        {&link.lower, &link.upper, &link.max_velocity, &link.max_effort, &link.mass}) {
     archive(*number);
   }
+  Walk(archive, link.mimic);
   WalkMatrix(archive, link.p_LLcm);
   WalkMatrix(archive, link.inertia);
   WalkEach(archive, link.solids);

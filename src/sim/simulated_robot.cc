@@ -78,12 +78,12 @@ void SimulatedRobot::StopFollowingWithArm(int arm) {
 
 void SimulatedRobot::StopFollowingWithGripper(int arm) {
   const auto& gripper = body_.model().arms[arm].gripper;
-  // The left finger stands for the pair.
-  if (gripper) follower_.Leave(gripper->left_finger);
+  if (gripper) follower_.Leave(LeadingJointOf(*gripper));
 }
 
 void SimulatedRobot::StopFollowingWithHead() {
-  if (body_.model().head) follower_.Leave(body_.model().head->joint);
+  const auto& head = body_.model().head;
+  if (head && !head->joints.empty()) follower_.Leave(head->joints.front());
 }
 
 void SimulatedRobot::SetGripper(int arm, double velocity) {

@@ -184,7 +184,9 @@ std::optional<Refusal> TrajectoryFollower::MoveTo(const std::string& pose, doubl
   for (const robot::Arm& arm : model.arms) {
     for (const int joint : arm.joints) belongs_to_pose[joint] = true;
   }
-  if (model.head) belongs_to_pose[model.head->joint] = true;
+  for (const int joint : model.head ? model.head->joints : std::vector<int>()) {
+    belongs_to_pose[joint] = true;
+  }
   motion::JointTrajectory trajectory;
   std::vector<Following::Column> columns;
   std::vector<double> from, to;

@@ -55,7 +55,8 @@ class TrajectoryFollower {
   std::optional<Refusal> Follow(const motion::JointTrajectory& trajectory, std::uint64_t tick);
   /// Starts to move straight to a named pose, except grippers.
   std::optional<Refusal> MoveTo(const std::string& pose, double speed, std::uint64_t tick);
-  /// Ends following by a joint that gets another command; a left finger stands for its gripper.
+  /// Ends following by a joint that gets another command; robot::LeadingJointOf() stands for a
+  /// gripper.
   void Leave(int joint);
 
   /// Commands the joints for the tick that begins.

@@ -142,10 +142,11 @@ Json DescribeObjects(const model::Model& model) {
   return objects;
 }
 
-/// Returns true if a joint moves a finger of a gripper.
-bool IsFinger(const robot::RobotModel& robot, int joint) {
-  return std::ranges::any_of(robot.arms, [joint](const robot::Arm& arm) {
-    return arm.gripper && (arm.gripper->left_finger == joint || arm.gripper->right_finger == joint);
+/// Returns true if a joint has no command of its own: one of a gripper, or one that mimics another.
+bool IsMovedByOthers(const robot::RobotModel& robot, int joint) {
+  if (robot.links[static_cast<std::size_t>(joint)].mimic) return true;
+  return std::ranges::any_of(robot.arms, [&](const robot::Arm& arm) {
+    return arm.gripper && std::ranges::count(JointsOf(robot, *arm.gripper), joint) > 0;
   });
 }
 
@@ -157,23 +158,17 @@ std::string ArmOf(const robot::RobotModel& robot, int joint) {
   return "";
 }
 
-/// Returns the largest opening of a gripper [m]: each finger moves from 0 to its upper limit.
-double StrokeOf(const robot::RobotModel& robot, const robot::Gripper& gripper) {
-  return gripper.closed_opening + robot.links[static_cast<std::size_t>(gripper.left_finger)].upper +
-         robot.links[static_cast<std::size_t>(gripper.right_finger)].upper;
-}
-
 Json DescribeRobot(const model::Model& model) {
   if (model.robot() == nullptr) return nullptr;
   const robot::RobotModel& robot = *model.robot();
   Json joints = Json::array(), grippers = Json::array(), poses = Json::array();
   for (int i = 0; i < robot.num_joints(); ++i) {
-    // Fingers are described as grippers.
-    if (IsFinger(robot, i)) continue;
+    // Those of grippers are described as grippers.
+    if (IsMovedByOthers(robot, i)) continue;
     const scene::LinkSpec& link = robot.links[static_cast<std::size_t>(i)];
     joints.push_back({{"name", link.joint_name},
                       {"arm", ArmOf(robot, i)},
-                      {"is_head", robot.head && robot.head->joint == i},
+                      {"is_head", robot.head && std::ranges::count(robot.head->joints, i) > 0},
                       {"lower", link.lower},
                       {"upper", link.upper},
                       {"speed", link.max_velocity},
@@ -182,7 +177,7 @@ Json DescribeRobot(const model::Model& model) {
   for (const robot::Arm& arm : robot.arms) {
     if (!arm.gripper) continue;
     const double stroke =
-        scene::ToFileUnits(StrokeOf(robot, *arm.gripper), model.scene().meters_per_unit);
+        scene::ToFileUnits(OpeningRangeOf(robot, *arm.gripper).open, model.scene().meters_per_unit);
     grippers.push_back({{"arm", arm.name}, {"stroke", stroke}});
   }
   for (const robot::NamedPose& pose : robot.poses) poses.push_back(pose.name);

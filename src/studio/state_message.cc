@@ -109,10 +109,13 @@ Json DescribeRobot(const sim::Simulation& simulation) {
     if (!gripper) continue;
     grippers.push_back(Rounded(
         scene::ToFileUnits(robot->GripperOpening(arm), simulation.scene().meters_per_unit)));
-    // The opening stands for both fingers.
-    for (const int finger : {gripper->left_finger, gripper->right_finger}) {
+    // The opening stands for the joints of the gripper.
+    for (const int finger : JointsOf(robot->model(), *gripper)) {
       joints.erase(robot->model().links[static_cast<std::size_t>(finger)].joint_name);
     }
+  }
+  for (const scene::LinkSpec& link : robot->model().links) {
+    if (link.mimic) joints.erase(link.joint_name);
   }
   return {{"shown", simulation.is_robot_shown()},
           {"mood", ToString(simulation.face_expression())},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,5 +21,21 @@ namespace smile::world {
 std::vector<physics::BodyId> GraspedBodies(std::span<const physics::Contact> left,
                                            std::span<const physics::Contact> right,
                                            const RigidTransform& X_WG, double opening);
+
+/// Returns the bodies that two jaws have grasped: those that both touch, such that the line between
+/// the two points deviates by less than 45 degrees from the contact normal at each. The jaws may
+/// have any directions. Source: V.-D. Nguyen, "Constructing Force-Closure Grasps" (1988), for two
+/// contacts with friction.
+/// @returns ids in ascending order, each once.
+std::vector<physics::BodyId> BodiesBetweenJaws(std::span<const physics::Contact> left,
+                                               std::span<const physics::Contact> right);
+
+/// Returns the body that closes a suction cup: it touches the cup within `radius` [m] of the tool's
+/// origin, with a surface that deviates by less than 30 degrees from the plane of the cup. Of
+/// several the one whose contact is nearest to the origin; nullopt if there is none.
+/// @param contacts  of the link that carries the cup.
+/// @param X_WG      the tool frame: z points out of the cup.
+std::optional<physics::BodyId> BodyAtCup(std::span<const physics::Contact> contacts,
+                                         const RigidTransform& X_WG, double radius);
 
 }  // namespace smile::world

@@ -1,6 +1,7 @@
 #include "world/robot_body.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -30,25 +31,33 @@ constexpr double kPadFriction = 1.5;
 /// flat between them, as with soft pads.
 constexpr double kSmoothFriction = 0;
 
+/// Returns true if an arm has a gripper that closes on bodies from two sides.
+bool HasSides(const robot::Arm& arm) {
+  return arm.gripper && arm.gripper->kind != robot::GripperKind::kSuction;
+}
+
 void SmoothFingers(const robot::RobotModel& model, scene::ArticulationSpec* spec) {
   for (const robot::Arm& arm : model.arms) {
-    if (!arm.gripper) continue;
+    if (!HasSides(arm)) continue;
     spec->links[arm.gripper->left_finger].friction = kSmoothFriction;
     spec->links[arm.gripper->right_finger].friction = kSmoothFriction;
   }
 }
 
 /// Sets up fingers that hold by friction: the left one keeps its place with the full effort of its
-/// motor, and the right one presses with the effort that its description names.
+/// motor, and the right one presses with the effort that its description names. Jaws press with
+/// that of their drive.
 void PadFingers(const robot::RobotModel& model, double effort_scale,
                 scene::ArticulationSpec* spec) {
   for (const robot::Arm& arm : model.arms) {
-    if (!arm.gripper) continue;
+    if (!HasSides(arm)) continue;
     spec->links[arm.gripper->left_finger].friction = kPadFriction;
     spec->links[arm.gripper->right_finger].friction = kPadFriction;
     // Motors of all joints have more effort than described, by this factor; the pressing finger has
     // exactly the described one.
-    spec->links[arm.gripper->right_finger].max_effort /= effort_scale;
+    const bool has_drive = arm.gripper->kind == robot::GripperKind::kJaws;
+    const int pressing = has_drive ? arm.gripper->drive : arm.gripper->right_finger;
+    spec->links[pressing].max_effort /= effort_scale;
   }
 }
 
@@ -86,7 +95,28 @@ void RobotBody::SetGripperVelocity(int arm, double velocity) {
   if (!model().arms.at(arm).gripper) return;
   state_.grippers[arm].opening_velocity = velocity;
   if (velocity > 0) Release(arm);
-  CommandFingers(arm);
+  CommandGripper(arm);
+}
+
+void RobotBody::CommandGripper(int arm) {
+  switch (model().arms[arm].gripper->kind) {
+    case robot::GripperKind::kFingers:
+      return CommandFingers(arm);
+    case robot::GripperKind::kJaws:
+      return CommandDrive(arm);
+    case robot::GripperKind::kSuction:
+      return;  // nothing moves
+  }
+}
+
+/// Commands the drive of jaws such that the opening changes at the commanded rate. A gripper that
+/// holds an attached object keeps its opening.
+void RobotBody::CommandDrive(int arm) {
+  const robot::Gripper& gripper = *model().arms[arm].gripper;
+  const GripperState& state = state_.grippers[arm];
+  const double velocity = state.welds.empty() ? state.opening_velocity : 0.0;
+  articulation().SetVelocityTarget(gripper.drive,
+                                   velocity * DriveRateAt(model(), gripper, positions()));
 }
 
 /// Commands the fingers, which share the motion. A gripper that holds an attached object keeps its
@@ -121,7 +151,10 @@ void RobotBody::SetJointVelocity(int joint, double velocity) {
 }
 
 void RobotBody::SetHeadVelocity(double velocity) {
-  if (model().head) articulation().SetVelocityTarget(model().head->joint, velocity);
+  const auto& head = model().head;
+  if (head && !head->joints.empty()) {
+    articulation().SetVelocityTarget(head->joints.front(), velocity);
+  }
 }
 
 void RobotBody::SetArmAngles(int arm, std::span<const double> angles) {
@@ -142,52 +175,87 @@ void RobotBody::SetArmAngles(int arm, std::span<const double> angles) {
 }
 
 void RobotBody::SetHeadAngle(double angle) {
-  if (!model().head) return;
-  articulation().SetPositions(std::span(&model().head->joint, 1), std::span(&angle, 1));
+  const auto& head = model().head;
+  if (!head || head->joints.empty()) return;
+  articulation().SetPositions(std::span(head->joints).first(1), std::span(&angle, 1));
   world_->WakeAll();
 }
 
 void RobotBody::AfterStep() {
   for (int arm = 0; arm < num_arms(); ++arm) {
     const GripperState& state = state_.grippers[arm];
+    if (state.opening_velocity == 0) continue;
+    const robot::Gripper& gripper = *model().arms[arm].gripper;
+    // The rate between drive and opening depends on the opening.
+    if (gripper.kind == robot::GripperKind::kJaws) CommandDrive(arm);
     // Only grippers that are closing and hold nothing yet.
     if (state.opening_velocity >= 0 || !state.welds.empty()) continue;
-    if (options().grasps_by_friction) {
-      CommandFingers(arm);
+    if (GraspsByFriction(gripper)) {
+      CommandGripper(arm);
     } else {
       CloseAround(arm);
     }
   }
 }
 
-void RobotBody::CloseAround(int arm) {
+/// A suction cup has nothing to press with: it always attaches what it holds.
+bool RobotBody::GraspsByFriction(const robot::Gripper& gripper) const {
+  return options().grasps_by_friction && gripper.kind != robot::GripperKind::kSuction;
+}
+
+std::vector<physics::BodyId> RobotBody::BodiesIn(int arm) const {
   const robot::Gripper& gripper = *model().arms[arm].gripper;
+  if (gripper.kind == robot::GripperKind::kSuction) {
+    const int cup = model().frames[model().arms[arm].tool].link;
+    const auto contacts = world_->ContactsWith(articulation_, cup);
+    if (contacts.empty()) return {};
+    const auto body = BodyAtCup(contacts, ToolPose(arm), gripper.cup_radius);
+    if (!body) return {};
+    double mass = 0;
+    for (physics::BodyId id : world_->Assembly(*body)) mass += world_->body(id).spec().mass.mass;
+    return mass <= gripper.cup_capacity ? std::vector{*body} : std::vector<physics::BodyId>();
+  }
   const auto left = world_->ContactsWith(articulation_, gripper.left_finger);
   const auto right = world_->ContactsWith(articulation_, gripper.right_finger);
   // The common case while closing: nothing to compute.
-  if (left.empty() || right.empty()) return;
+  if (left.empty() || right.empty()) return {};
+  return gripper.kind == robot::GripperKind::kJaws
+             ? BodiesBetweenJaws(left, right)
+             : GraspedBodies(left, right, ToolPose(arm), GripperOpening(arm));
+}
 
+std::vector<int> RobotBody::LinksAroundHeld(int arm) const {
+  const robot::Gripper& gripper = *model().arms[arm].gripper;
+  std::vector<int> links{model().frames[model().arms[arm].tool].link};
+  std::ranges::copy(JointsOf(model(), gripper), std::back_inserter(links));
+  return links;
+}
+
+void RobotBody::CloseAround(int arm) {
+  const std::vector<physics::BodyId> grasped = BodiesIn(arm);
+  if (grasped.empty()) return;
   // Welded to the palm and not to a finger, so that forces on the object do not open the gripper.
   const int palm = model().frames[model().arms[arm].tool].link;
   const RigidTransform X_LW = articulation().link_poses()[palm].inverse();
   double payload = model().arms[arm].payload;
-  for (physics::BodyId id : GraspedBodies(left, right, ToolPose(arm), GripperOpening(arm))) {
+  for (physics::BodyId id : grasped) {
     const physics::Body& body = world_->body(id);
     // A body held by a hand or the other gripper is not taken from it.
     if (body.is_static() || body.is_carried()) continue;
-    state_.grippers[arm].welds.push_back(world_->AddJoint(
-        physics::WeldSpec{.articulation = articulation_,
-                          .link = palm,
-                          .body = id,
-                          .X_LB = X_LW * body.pose_in_world(),
-                          .links_not_colliding = {palm, gripper.left_finger, gripper.right_finger},
-                          .holds_up = payload}));
+    state_.grippers[arm].welds.push_back(
+        world_->AddJoint(physics::WeldSpec{.articulation = articulation_,
+                                           .link = palm,
+                                           .body = id,
+                                           .X_LB = X_LW * body.pose_in_world(),
+                                           .links_not_colliding = LinksAroundHeld(arm),
+                                           .holds_up = payload}));
     // Several bodies share the payload.
     payload = std::max(0.0, payload - body.spec().mass.mass);
   }
   if (state_.grippers[arm].welds.empty()) return;
-  articulation().HoldStill(gripper.left_finger);
-  articulation().HoldStill(gripper.right_finger);
+  for (const int joint : JointsOf(model(), *model().arms[arm].gripper)) {
+    if (!model().links[joint].mimic) articulation().HoldStill(joint);
+  }
 }
 
 void RobotBody::Release(int arm) {
@@ -218,14 +286,13 @@ std::vector<double> RobotBody::ArmVelocities(int arm) const {
 }
 
 double RobotBody::HeadAngle() const {
-  return model().head ? positions()[model().head->joint] : 0.0;
+  const auto& head = model().head;
+  return head && !head->joints.empty() ? positions()[head->joints.front()] : 0.0;
 }
 
 double RobotBody::GripperOpening(int arm) const {
   const auto& gripper = model().arms.at(arm).gripper;
-  if (!gripper) return 0.0;
-  const std::vector<double> q = positions();
-  return q[gripper->left_finger] + q[gripper->right_finger] + gripper->closed_opening;
+  return gripper ? OpeningOf(model(), *gripper, positions()) : 0.0;
 }
 
 RigidTransform RobotBody::ToolPose(int arm) const {

@@ -27,8 +27,9 @@ struct RobotBodyState {
 /// A robot in a physics World that executes commands.
 ///
 /// Arms and head keep a commanded velocity until the next one. A gripper that closes on a body
-/// holds it (see GraspedBodies()) and keeps its opening until it is commanded to open; one that
-/// grasps by friction continues to close, with the effort of one finger.
+/// holds it (see world/grasp_rule.h) and keeps its opening until it is commanded to open; one that
+/// grasps by friction continues to close, with the effort of one finger. A suction cup that is
+/// commanded to close holds the first body that it touches.
 class RobotBody {
  public:
   /// Adds the model's robot to `world`, which must outlive this, in its start configuration.
@@ -45,8 +46,8 @@ class RobotBody {
   /// Sets the velocity of a gripper.
   /// @param velocity  rate of change of the opening [m/s]; a positive one releases what is held.
   void SetGripperVelocity(int arm, double velocity);
-  /// Sets the velocity of any joint except a finger, which its gripper moves [rad/s or m/s];
-  /// clamped to its limits.
+  /// Sets the velocity of any joint except those that a gripper or another joint moves [rad/s or
+  /// m/s]; clamped to its limits.
   /// @throws std::invalid_argument if there is no such joint or the velocity is not finite.
   void SetJointVelocity(int joint, double velocity);
   /// Sets the velocity of the head's pan [rad/s].
@@ -61,8 +62,8 @@ class RobotBody {
   std::vector<double> ArmAngles(int arm) const;      ///< [rad]
   std::vector<double> ArmVelocities(int arm) const;  ///< [rad/s]
   double HeadAngle() const;                          ///< [rad]; 0 without a head
-  double GripperOpening(int arm) const;              ///< [m]; 0 without a gripper
-  RigidTransform ToolPose(int arm) const;            ///< X_WG, between the fingers
+  double GripperOpening(int arm) const;    ///< [m]; 0 without a gripper and of a suction cup
+  RigidTransform ToolPose(int arm) const;  ///< X_WG, between the fingers
   /// Returns the bodies attached to the gripper; none if it holds by friction.
   std::vector<physics::BodyId> HeldBodies(int arm) const;
   /// Returns true if a link touches one of these bodies.
@@ -76,11 +77,20 @@ class RobotBody {
  private:
   physics::Articulation& articulation() { return world_->articulation(articulation_); }
   const physics::Articulation& articulation() const { return world_->articulation(articulation_); }
+  /// Attaches what a closing gripper has grasped.
   void CloseAround(int arm);
+  /// Returns the bodies that a closing gripper has grasped.
+  std::vector<physics::BodyId> BodiesIn(int arm) const;
+  /// Returns the links that may overlap a body which the gripper holds.
+  std::vector<int> LinksAroundHeld(int arm) const;
   void Release(int arm);
+  /// Commands the joints of a gripper.
+  void CommandGripper(int arm);
   void CommandFingers(int arm);
+  void CommandDrive(int arm);
   /// Returns true if a body touches both fingers.
   bool IsSqueezing(const robot::Gripper& gripper) const;
+  bool GraspsByFriction(const robot::Gripper& gripper) const;
   const model::RobotBodyOptions& options() const { return model_->robot_placement()->body; }
 
   physics::World* world_;

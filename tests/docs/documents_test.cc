@@ -188,9 +188,10 @@ INSTANTIATE_TEST_SUITE_P(
                       "docs/editing.md", "docs/experiments.md", "docs/glossary.md",
                       "docs/importing.md", "docs/learner.md", "docs/motion.md",
                       "docs/performance.md", "docs/recording-format.md", "docs/results.md",
-                      "docs/robot.md", "docs/scene-format.md", "docs/scenes.md", "docs/studio.md",
-                      "docs/studio-protocol.md", "docs/tutorials/first-demonstration.md",
-                      "docs/tutorials/robot-program.md", "docs/tutorials/evaluate-two-learners.md",
+                      "docs/robot.md", "docs/robots.md", "docs/scene-format.md", "docs/scenes.md",
+                      "docs/studio.md", "docs/studio-protocol.md",
+                      "docs/tutorials/first-demonstration.md", "docs/tutorials/robot-program.md",
+                      "docs/tutorials/evaluate-two-learners.md",
                       "docs/tutorials/scene-with-a-mechanism.md"));
 
 }  // namespace

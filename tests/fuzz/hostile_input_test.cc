@@ -63,7 +63,7 @@ const HostileReader kReaders[] = {
     {"json", FaultWithJson, ReasonThrownBy<std::invalid_argument, kReadJson>, 5, 14},
     {"mesh", FaultWithMesh, ReasonThrownBy<InputError, ImportHostileMesh>, 16, 27},
     {"page", FaultWithPageInput, ReasonAgainstPageInput, 5, 6},
-    {"robot", FaultWithRobot, ReasonThrownBy<InputError, ReadHostileRobot>, 5, 15, "robots"},
+    {"robot", FaultWithRobot, ReasonThrownBy<InputError, ReadHostileRobot>, 7, 18, "robots"},
     {"scene", FaultWithScene, ReasonAgainstScene, 23, 24, "scenes", ".xml"},
     {"trajectory", FaultWithTrajectory, ReasonThrownBy<InputError, ReadTrajectoryText>, 5, 15},
     {"xml", FaultWithXml, ReasonAgainstXml, 4, 12, "scenes", ".xml"},

@@ -32,6 +32,31 @@ bool IsSomewhere(const RigidTransform& X) {
   return X.translation().allFinite() && X.rotation().allFinite();
 }
 
+std::string FaultOf(const robot::Gripper& gripper, const robot::RobotModel& model) {
+  const auto is_joint = [&](int joint) { return joint >= 0 && joint < model.num_joints(); };
+  if (gripper.kind == robot::GripperKind::kSuction) {
+    return gripper.cup_radius > 0 && gripper.cup_capacity >= 0 ? "" : "a cup that is none";
+  }
+  if (!is_joint(gripper.left_finger) || !is_joint(gripper.right_finger)) {
+    return "a finger that does not exist";
+  }
+  if (gripper.kind == robot::GripperKind::kJaws) {
+    if (!is_joint(gripper.drive)) return "a drive that does not exist";
+    const bool rises = gripper.openings.back() > gripper.openings.front();
+    for (std::size_t i = 1; i < gripper.openings.size(); ++i) {
+      const double change = gripper.openings[i] - gripper.openings[i - 1];
+      if (!(rises ? change > 0 : change < 0)) return "an opening that does not change";
+    }
+    return std::isfinite(gripper.openings.front()) ? "" : "an opening that is none";
+  }
+  for (int finger : {gripper.left_finger, gripper.right_finger}) {
+    if (model.links[static_cast<std::size_t>(finger)].lower != 0) {
+      return "a finger that does not slide from 0 on";
+    }
+  }
+  return std::isfinite(gripper.closed_opening) ? "" : "an opening that is none";
+}
+
 std::string FaultOf(const robot::RobotModel& model) {
   const int num_frames = static_cast<int>(model.frames.size());
   const auto is_joint = [&](int joint) { return joint >= 0 && joint < model.num_joints(); };
@@ -47,6 +72,10 @@ std::string FaultOf(const robot::RobotModel& model) {
     if (!(link.mass > 0) || !std::isfinite(link.mass) || !link.inertia.allFinite()) {
       return link.name + ": a mass that is none";
     }
+    if (link.mimic && (!is_joint(link.mimic->leader) || link.mimic->leader == i ||
+                       model.links[static_cast<std::size_t>(link.mimic->leader)].mimic)) {
+      return link.name + ": a leader that is none";
+    }
     for (const scene::Solid& solid : link.solids) {
       if (!IsSomewhere(solid.X_BS)) return link.name + ": a solid that is nowhere";
     }
@@ -60,12 +89,9 @@ std::string FaultOf(const robot::RobotModel& model) {
     }
     if (arm.tool < 0 || arm.tool >= num_frames) return arm.name + ": a tool that does not exist";
     if (!arm.gripper) continue;
-    for (int finger : {arm.gripper->left_finger, arm.gripper->right_finger}) {
-      if (!is_joint(finger) || model.links[static_cast<std::size_t>(finger)].lower != 0) {
-        return arm.name + ": a finger that does not slide from 0 on";
-      }
+    if (std::string fault = FaultOf(*arm.gripper, model); !fault.empty()) {
+      return arm.name + ": " + fault;
     }
-    if (!std::isfinite(arm.gripper->closed_opening)) return arm.name + ": an opening that is none";
   }
   if (!robot::IsWithinLimits(model, model.q_start)) return "a start outside the limits";
   for (const robot::NamedPose& pose : model.poses) {

@@ -33,6 +33,8 @@ class ProgramTest : public ::testing::Test {
     directory_ =
         std::filesystem::temp_directory_path() / ("smile_" + std::to_string(getpid()) + "_" + test);
     std::filesystem::create_directories(directory_);
+    // The robots that a user added are of no matter here.
+    setenv("XDG_DATA_HOME", (directory_ / "data").c_str(), 1);
   }
   ~ProgramTest() override {
     if (HasFailure()) std::cerr << complaints_;

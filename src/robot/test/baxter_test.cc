@@ -38,7 +38,7 @@ TEST(Baxter, HasTwoArmsOfSevenJointsInTheirUsualOrder) {
     EXPECT_EQ(names, expected);
     EXPECT_EQ(model.frames[model.arms[i].tool].name, side + "_gripper");
   }
-  EXPECT_EQ(model.links[model.head->joint].joint_name, "head_pan");
+  EXPECT_EQ(model.links[model.head->joints.front()].joint_name, "head_pan");
   EXPECT_EQ(model.frames[model.head->camera].name, "eye");
 }
 
@@ -63,7 +63,7 @@ TEST(Baxter, HasTheLimitsOfTheRealRobot) {
       EXPECT_EQ(link.max_effort, limits[i].effort) << link.joint_name;
     }
   }
-  const scene::LinkSpec& head = Baxter().links[Baxter().head->joint];
+  const scene::LinkSpec& head = Baxter().links[Baxter().head->joints.front()];
   EXPECT_EQ(head.lower, -1.3963);
   EXPECT_EQ(head.upper, 1.3963);
 }

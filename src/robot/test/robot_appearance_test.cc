@@ -89,7 +89,7 @@ TEST(RobotAppearance, HasAFaceForEveryExpression) {
   std::map<FaceExpression, std::set<const scene::CustomMesh*>> faces;
   for (const LinkVisual& visual : Baxter().visuals) {
     if (!visual.face_expression) continue;
-    EXPECT_EQ(visual.link, Baxter().head->joint);
+    EXPECT_EQ(visual.link, Baxter().head->joints.front());
     faces[*visual.face_expression].insert(std::get<scene::DrawnMesh>(visual.shape).mesh.get());
     // Towards who stands in front, and down.
     for (const auto& [a, b, c] : SurfaceOf(visual).triangles) {

@@ -38,8 +38,8 @@ TEST_F(SideFile, NamesArmsGrippersPosesAndTheStart) {
   EXPECT_EQ(arm.name, "only");
   EXPECT_EQ(arm.joints, std::vector<int>{0});
   EXPECT_EQ(model.frames[arm.tool].name, "arm");
-  EXPECT_EQ(arm.gripper, (Gripper{1, 2}));
-  EXPECT_EQ(model.head->joint, 3);
+  EXPECT_EQ(arm.gripper, (Gripper{.left_finger = 1, .right_finger = 2}));
+  EXPECT_EQ(model.head->joints, std::vector<int>{3});
   EXPECT_EQ(model.never_collide, (std::vector<std::pair<int, int>>{{-1, 1}, {1, 2}}));
   EXPECT_EQ(model.q_start, (std::vector<double>{1.5, 0.05, 0.05, 0}));
 }
@@ -56,6 +56,21 @@ TEST_F(SideFile, NamesPlacesTheUrdfHasNoNameFor) {
             "r.robot.json: <frames/arm>: a link or frame of that name already exists");
 }
 
+TEST_F(SideFile, GivesContinuousJointsTheLimitsThatAreMissing) {
+  const std::string urdf = SmallRobot{.limit = "", .type = "continuous"}.Text();
+  EXPECT_EQ(
+      Complaint(urdf),
+      "r.urdf:7: <joint name=\"turn\">: has no <limit>, expected velocity and effort, here or "
+      "as limits in a side file");
+  const RobotModel model =
+      Read(urdf, R"({"format": 2, "limits": {"turn": {"velocity": 2, "effort": 30}}})");
+  EXPECT_EQ(model.links[0].max_velocity, 2);
+  EXPECT_EQ(model.links[0].max_effort, 30);
+  EXPECT_NE(Complaint(urdf, R"({"format": 2, "limits": {"turn": {"velocity": 2}}})"), "");
+  EXPECT_NE(Complaint(urdf, R"({"format": 2, "limits": {"turn": {"velocity": 2, "effort": 1e9}}})"),
+            "");
+}
+
 TEST_F(SideFile, MayBeMissing) {
   const RobotModel model = Read(Urdf());
   EXPECT_TRUE(model.arms.empty());
@@ -65,11 +80,12 @@ TEST_F(SideFile, MayBeMissing) {
 TEST_F(SideFile, ComplaintsNameThePlace) {
   EXPECT_EQ(ComplaintAbout("[]"), "r.robot.json: found array, expected an object");
   EXPECT_EQ(ComplaintAbout("{}"), "r.robot.json: has no member \"format\"");
-  EXPECT_EQ(ComplaintAbout(R"({"format": 2})"), "r.robot.json: <format>: found 2, expected 1");
-  EXPECT_EQ(ComplaintAbout(WithArm(R"(, "posse": {})")),
-            "r.robot.json: unknown member \"posse\", expected format, frames, arms, grippers, "
-            "gripper, head, limits, never_collide, poses, start, look or stands; did you mean "
-            "\"poses\"?");
+  EXPECT_EQ(ComplaintAbout(R"({"format": 3})"), "r.robot.json: <format>: found 3, expected 1 or 2");
+  EXPECT_EQ(
+      ComplaintAbout(WithArm(R"(, "posse": {})")),
+      "r.robot.json: unknown member \"posse\", expected format, urdf_hashes, frames, arms, "
+      "grippers, gripper, head, limits, never_collide, poses, start, look or stands; did you mean "
+      "\"poses\"?");
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": ["spin"], "tool": "arm"}}})"),
             "r.robot.json: <arms/a/joints/0>: found \"spin\", expected a joint that moves");
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": [7], "tool": "arm"}}})"),

@@ -31,7 +31,7 @@ class RandomRobot {
         return JointAngles{
             .arms = {{arm.name, std::vector<double>(arm.joints.size(), 0.5 + Uniform(0.5))}}};
       case 3:
-        return TurnJoint{.joint = random_() % 2 == 0 ? "left_w1" : "right_e9",
+        return TurnJoint{.joint = random_() % 2 == 0 ? NameOfLastJoint(simulation) : "right_e9",
                          .velocity = Uniform(2)};
       case 4:
         return MoveGripper{.arm = grippers[random_() % grippers.size()], .velocity = Uniform(0.2)};
@@ -43,6 +43,10 @@ class RandomRobot {
   }
 
  private:
+  static std::string NameOfLastJoint(const Simulation& simulation) {
+    const robot::RobotModel& model = simulation.robot()->model();
+    return model.links[model.arms[0].joints.back()].joint_name;
+  }
   /// From where the robot is, or from somewhere else.
   motion::JointTrajectory Wave(const Simulation& simulation) {
     const robot::RobotModel& model = simulation.robot()->model();

@@ -313,14 +313,31 @@ TEST_F(AnyArms, StandStillAtACommand) {
   }
 }
 
-/// The last seed has a robot of three arms.
 class RobotCommandsProperty : public SimulationFixture,
-                              public ::testing::WithParamInterface<unsigned> {};
+                              public ::testing::WithParamInterface<unsigned> {
+ protected:
+  /// Returns Tern with fingers as jaws: one of them drives the other.
+  static const robot::RobotModel& TernWithJaws() {
+    static const robot::RobotModel kTern =
+        robot::ReadRobot(DataFile("robots/tern.urdf"), {.side_file_text = R"({"format": 2,
+"arms": {"arm": {"joints": ["shoulder_turn", "shoulder_lift", "elbow", "forearm_turn", "wrist_bend",
+"wrist_turn"], "tool": "tool",
+"jaws": {"drive": "left_finger_slide", "left": "left_finger", "right": "right_finger"},
+"pads": ["left_finger", "right_finger"]}},
+"never_collide": [["palm", "left_finger"], ["palm", "right_finger"], ["left_finger", "right_finger"]],
+"poses": {"zero": {"opening": 0.05}, "ready": {"arm": [0, 0.54, 1.38, 0, 1.2216, 0]}},
+"start": "ready"})"});
+    return kTern;
+  }
+};
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RobotCommandsProperty, testing::Range(31u, 34u));
+INSTANTIATE_TEST_SUITE_P(Seeds, RobotCommandsProperty, testing::Range(31u, 35u));
 
 TEST_P(RobotCommandsProperty, EveryMotionCanBeUndoneAndRedone) {
-  const robot::RobotModel model = GetParam() == 33 ? robot::ThreeArms().Model() : Baxter();
+  // The last two have three arms, and a gripper of jaws with a coupling of joints.
+  const robot::RobotModel model = GetParam() == 33   ? robot::ThreeArms().Model()
+                                  : GetParam() == 34 ? TernWithJaws()
+                                                     : Baxter();
   const auto make = [&] {
     return std::make_unique<Simulation>(EverythingScene::Make(), RobotPlacement{.model = model});
   };

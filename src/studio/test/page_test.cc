@@ -84,7 +84,8 @@ TEST(SceneMessage, MarksGlowingVisualsAsFilmsDo) {
 TEST(SceneMessage, NamesTheJointOfTheHead) {
   robot::RobotModel robot = robot::ReadRobot(DataFile("robots/baxter.urdf"));
   robot.links[1].joint_name = "head_of_nothing";
-  const std::string pan = robot.links[static_cast<std::size_t>(robot.head->joint)].joint_name;
+  const std::string pan =
+      robot.links[static_cast<std::size_t>(robot.head->joints.front())].joint_name;
   const model::Model model({}, model::RobotPlacement{.model = std::move(robot)});
   const Json message =
       SceneMessage(1, model, PageMeshes(model.visual_model()),

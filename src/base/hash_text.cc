@@ -1,0 +1,13 @@
+#include "base/hash_text.h"
+
+#include <cstdio>
+
+namespace smile {
+
+std::string HashText(std::uint64_t hash) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+}  // namespace smile

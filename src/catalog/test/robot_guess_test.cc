@@ -1,0 +1,179 @@
+#include "catalog/robot_guess.h"
+
+#include <algorithm>
+
+#include "catalog/test/made_urdf.h"
+#include "model/robot_placement.h"
+#include "motion/articulation_probe.h"
+#include "robot/kinematics.h"
+
+namespace smile::catalog {
+namespace {
+
+/// Two fingers on the link `a6` that slide apart along y.
+std::string Fingers() {
+  const std::string size = "0.02 0.01 0.08";
+  return LinkText("l", size, "0 0.005 0.04") + LinkText("r", size, "0 -0.005 0.04") +
+         JointText("slide_l", "prismatic", "a6", "l", "0 0 0.14", "0 1 0",
+                   R"(lower="0" upper="0.05")") +
+         JointText("slide_r", "prismatic", "a6", "r", "0 0 0.14", "0 -1 0",
+                   R"(lower="0" upper="0.05")", "<mimic joint=\"slide_l\"/>");
+}
+
+/// A jaw on the link `a6` that turns away from a fixed one, which is part of that link.
+std::string OneJaw() {
+  return "<link name=\"fixed_jaw\">"
+         "<inertial><mass value=\"0.1\"/><inertia ixx=\"1e-4\" iyy=\"1e-4\" izz=\"1e-4\" ixy=\"0\" "
+         "ixz=\"0\" iyz=\"0\"/></inertial><collision><origin xyz=\"0 -0.01 0.05\"/><geometry><box "
+         "size=\"0.02 0.01 0.1\"/></geometry></collision></link>"
+         "<joint name=\"fix\" type=\"fixed\"><parent link=\"a6\"/><child "
+         "link=\"fixed_jaw\"/><origin "
+         "xyz=\"0 0 0.12\"/></joint>" +
+         LinkText("jaw", "0.02 0.01 0.1", "0 0.005 0.05") +
+         JointText("grip", "revolute", "a6", "jaw", "0 -0.005 0.12", "-1 0 0",
+                   R"(lower="0" upper="1")");
+}
+
+/// Two jaws on the link `a6`: the drive turns the left one, and the right one mimics it.
+std::string TwoJaws() {
+  return LinkText("l", "0.02 0.01 0.1", "0 0 0.05") + LinkText("r", "0.02 0.01 0.1", "0 0 0.05") +
+         JointText("drive", "revolute", "a6", "l", "0 0.03 0.12", "1 0 0",
+                   R"(lower="-0.5" upper="0.3")") +
+         JointText("follower", "revolute", "a6", "r", "0 -0.03 0.12", "1 0 0",
+                   R"(lower="-1" upper="1")", R"(<mimic joint="drive" multiplier="-1"/>)");
+}
+
+class RobotGuessTest : public MadeRobots {
+ protected:
+  /// Expects the tool of an arm at the start pose over the table, pointing down, nothing in
+  /// overlap.
+  static void ExpectReady(const robot::RobotModel& model) {
+    ASSERT_NE(FindPose(model, "ready"), nullptr);
+    EXPECT_EQ(model.q_start, FindPose(model, "ready")->q);
+    for (const robot::Arm& arm : model.arms) {
+      const RigidTransform X_BaseG = robot::FramePose(model, {}, model.q_start, arm.tool);
+      EXPECT_LT((X_BaseG.rotation().col(2) + Vector3::UnitZ()).norm(), 0.01) << arm.name;
+      EXPECT_GT(X_BaseG.translation().z(), 0) << arm.name;
+      EXPECT_GT(X_BaseG.translation().x(), 0) << arm.name;
+    }
+    motion::ArticulationProbe probe(robot::MakeArticulationSpec(model, {}));
+    EXPECT_EQ(probe.FirstOverlap(model.q_start), std::nullopt);
+  }
+};
+
+TEST_F(RobotGuessTest, FindsAnArmWithTwoFingersAndAReadyPose) {
+  const RobotGuess guess = Guess(ChainText("a", 6) + Fingers());
+  const robot::RobotModel model = Read(guess);
+  ASSERT_EQ(model.arms.size(), 1u);
+  const robot::Arm& arm = model.arms[0];
+  EXPECT_EQ(arm.name, "arm");
+  EXPECT_EQ(arm.joints, (std::vector<int>{0, 1, 2, 3, 4, 5}));
+  ASSERT_TRUE(arm.gripper.has_value());
+  EXPECT_EQ(model.links[arm.gripper->left_finger].joint_name, "slide_l");
+  EXPECT_EQ(OpeningRangeOf(model, *arm.gripper).open, 0.1);
+  // Between the fingers, a little inside of their tips.
+  const RigidTransform& X_LG = model.frames[arm.tool].X_LF;
+  EXPECT_LT((X_LG.translation() - Vector3(0, 0, 0.21)).norm(), 1e-5);
+  ExpectReady(model);
+  EXPECT_EQ(guess.side_file, Guess(ChainText("a", 6) + Fingers()).side_file);
+}
+
+TEST_F(RobotGuessTest, PrefersToolFramesWithUsualNamesThatPointOut) {
+  const std::string frames =
+      R"(<link name="tcp"/><joint name="t" type="fixed"><parent link="a6"/><child link="tcp"/>
+<origin xyz="0 0 0.2"/></joint>)";
+  EXPECT_EQ(Read(Guess(ChainText("a", 6) + Fingers() + frames)).frames.size(), 10u);
+  const robot::RobotModel model = Read(Guess(ChainText("a", 6) + Fingers() + frames));
+  EXPECT_EQ(model.frames[model.arms[0].tool].name, "tcp");
+  std::string aside = frames;
+  aside.replace(aside.find("0 0 0.2\""), 8, "0 0 0.2\" rpy=\"0 1.57 0\"");
+  const robot::RobotModel other = Read(Guess(ChainText("a", 6) + Fingers() + aside));
+  EXPECT_EQ(other.frames[other.arms[0].tool].name, "arm_tool");
+}
+
+TEST_F(RobotGuessTest, FindsAJawThatTurnsAgainstAFixedOne) {
+  const robot::RobotModel model = Read(Guess(ChainText("a", 6) + OneJaw()));
+  ASSERT_EQ(model.arms.size(), 1u);
+  EXPECT_EQ(model.arms[0].joints.size(), 6u);
+  ASSERT_TRUE(model.arms[0].gripper.has_value());
+  const robot::Gripper& gripper = *model.arms[0].gripper;
+  EXPECT_EQ(gripper.kind, robot::GripperKind::kJaws);
+  EXPECT_EQ(model.links[gripper.drive].joint_name, "grip");
+  EXPECT_EQ(std::min(gripper.left_finger, gripper.right_finger), 5) << "the palm";
+  EXPECT_NEAR(OpeningRangeOf(model, gripper).closed, 0, 0.006);
+  EXPECT_NEAR(OpeningRangeOf(model, gripper).open, 0.0875 * std::sin(1), 0.006);
+  ExpectReady(model);
+}
+
+TEST_F(RobotGuessTest, FindsJawsThatMimicTheirDrive) {
+  const robot::RobotModel model = Read(Guess(ChainText("a", 6) + TwoJaws()));
+  ASSERT_TRUE(model.arms.at(0).gripper.has_value());
+  const robot::Gripper& gripper = *model.arms[0].gripper;
+  EXPECT_EQ(gripper.kind, robot::GripperKind::kJaws);
+  EXPECT_EQ(JointsOf(model, gripper).size(), 2u);
+  EXPECT_NE(gripper.left_finger, gripper.right_finger);
+  // Negative positions of the drive open.
+  EXPECT_GT(gripper.openings.front(), gripper.openings.back());
+  EXPECT_NEAR(OpeningRangeOf(model, gripper).open, 0.05 + 2 * 0.0875 * std::sin(0.5), 0.02);
+}
+
+TEST_F(RobotGuessTest, FindsASuctionCupByItsName) {
+  const std::string cup =
+      R"(<link name="suction_cup"/><joint name="t" type="fixed"><parent link="a6"/>
+<child link="suction_cup"/><origin xyz="0 0 0.13"/></joint>)";
+  const robot::RobotModel model = Read(Guess(ChainText("a", 6) + cup));
+  ASSERT_TRUE(model.arms.at(0).gripper.has_value());
+  EXPECT_EQ(model.arms[0].gripper->kind, robot::GripperKind::kSuction);
+  EXPECT_EQ(model.frames[model.arms[0].tool].name, "suction_cup");
+}
+
+TEST_F(RobotGuessTest, FindsSeveralArmsOnATorso) {
+  const std::string torso = LinkText("torso", "0.05 0.3 0.3", "0 0 0.2") +
+                            JointText("lift", "prismatic", "base", "torso", "0 0 0.1", "0 0 1",
+                                      R"(lower="0" upper="0.1")");
+  const RobotGuess guess = Guess(torso + ChainText("p", 7, "torso", "0.1 -0.25 0.3") +
+                                 ChainText("q", 6, "torso", "0.1 0.25 0.3"));
+  const robot::RobotModel model = Read(guess);
+  ASSERT_EQ(model.arms.size(), 2u);
+  EXPECT_EQ(model.arms[0].name, "left");
+  EXPECT_EQ(model.arms[0].joints.size(), 6u);
+  EXPECT_EQ(model.arms[1].name, "right");
+  EXPECT_EQ(model.arms[1].joints.size(), 7u);
+  EXPECT_NE(std::ranges::find(guess.notes, "torso, which no arm contains: lift"),
+            guess.notes.end());
+}
+
+TEST_F(RobotGuessTest, ListsLinksThatAlwaysOverlapAsTouchingByConstruction) {
+  // The box of a5 reaches through a4 into a3.
+  std::string chain = ChainText("a", 6);
+  const std::string box = "size=\"0.04 0.04 0.1\"";
+  chain.replace(chain.find(box, chain.find("<link name=\"a5\">")), box.size(),
+                "size=\"0.04 0.04 0.6\"");
+  const robot::RobotModel model = Read(Guess(chain));
+  EXPECT_NE(std::ranges::find(model.never_collide, std::pair(2, 4)), model.never_collide.end());
+}
+
+TEST_F(RobotGuessTest, RefusesRobotsWithoutAnArm) {
+  EXPECT_EQ(Complaint(ChainText("a", 1)),
+            "r.urdf: found no arm among its 1 joints, expected a chain of two joints or more");
+  EXPECT_EQ(Complaint(""),
+            "r.urdf: found no arm among its 0 joints, expected a chain of two joints or more");
+  EXPECT_EQ(Complaint(ChainText("a", 200)),
+            "r.urdf: found a chain of 200 joints from \"a1\" to \"a200\", expected 16 at most in "
+            "an arm");
+  EXPECT_EQ(
+      Complaint(ChainText("a", 3) + JointText("back", "revolute", "a3", "a1", "0 0 0", "0 0 1")),
+      "r.urdf:3: <link name=\"a1\">: is the child of two joints, expected one at most");
+  EXPECT_EQ(Complaint(R"(<link name="m"><visual><geometry><mesh filename="no.stl"/></geometry>
+</visual></link><joint name="j" type="fixed"><parent link="base"/><child link="m"/></joint>)"),
+            "r.urdf:3: <link name=\"m\">: the mesh \"no.stl\": expected a file in the folder of "
+            "the robot, in a --path folder or below these");
+}
+
+TEST_F(RobotGuessTest, CanBeCanceled) {
+  const std::filesystem::path urdf = WriteUrdf(ChainText("a", 6));
+  EXPECT_THROW(GuessRobot(urdf, {}, [](double, double) { return false; }), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace smile::catalog

@@ -1,0 +1,100 @@
+// Descriptions of real robots, as tools/get_real_robots.sh installs them; skipped without.
+
+#include <vector>
+
+#include "program.h"
+
+namespace smile {
+namespace {
+
+struct RealRobot {
+  std::string name, urdf;
+  std::size_t num_arms, num_joints;  ///< joints of each arm
+  std::string gripper;               ///< member of the side file; empty: none
+};
+
+void PrintTo(const RealRobot& robot, std::ostream* out) { *out << robot.name; }
+
+class RealRobots : public ProgramTest, public ::testing::WithParamInterface<RealRobot> {
+ protected:
+  void SetUp() override {
+    packages_ = Shipped("build/real_robots/cmeel.prefix/share");
+    if (!std::filesystem::exists(packages_)) {
+      GTEST_SKIP() << "tools/get_real_robots.sh installs the robots";
+    }
+    urdf_ = packages_ / "example-robot-data/robots" / GetParam().urdf;
+  }
+  Answer Add(const std::string& name, const std::filesystem::path& urdf) {
+    return Smile("robots add " + name + " '" + urdf.string() + "' --package '" +
+                 packages_.string() + "'");
+  }
+  Json SideFileOf(const std::string& name) const {
+    return Json::parse(Read("data/smile/robots/" + name + "/" + name + ".robot.json"));
+  }
+  static void ExpectArms(const Json& side_file) {
+    EXPECT_EQ(side_file["arms"].size(), GetParam().num_arms);
+    for (const Json& arm : side_file["arms"]) {
+      EXPECT_EQ(arm["joints"].size(), GetParam().num_joints);
+      for (const std::string kind : {"fingers", "jaws", "suction"}) {
+        EXPECT_EQ(arm.contains(kind), kind == GetParam().gripper) << kind;
+      }
+    }
+  }
+
+  std::filesystem::path packages_, urdf_;
+};
+
+TEST_P(RealRobots, AreKnownByTheirContent) {
+  const Answer added = Add("mine", urdf_);
+  ASSERT_EQ(added.exit_code, 0) << added.err;
+  EXPECT_NE(added.out.find("which ships for this description"), std::string::npos) << added.out;
+  ExpectArms(SideFileOf("mine"));
+  const Answer check = Smile("robots check mine");
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+}
+
+TEST_P(RealRobots, AreUnderstoodWithoutASideFile) {
+  // Another content, of the same meaning; its relative references still lead to the package.
+  const std::string text = ReadFile(urdf_, 1 << 22) + "<!-- changed -->\n";
+  Write("changed.urdf", text);
+  const Answer added = Add("mine", directory_ / "changed.urdf");
+  ASSERT_EQ(added.exit_code, 0) << added.err;
+  EXPECT_NE(added.out.find("ready pose: each tool over the table, pointing down, free of overlaps"),
+            std::string::npos)
+      << added.out;
+  ExpectArms(SideFileOf("mine"));
+}
+
+TEST_P(RealRobots, MoveAndReplay) {
+  ASSERT_EQ(Add("mine", urdf_).exit_code, 0);
+  const Json arms = SideFileOf("mine")["arms"];
+  const std::string joint = arms.begin().value()["joints"][1];
+  Write("empty.xml", SceneOf(""));
+  Write("move.jsonl", "{\"do\": \"turn\", \"joint\": \"" + joint +
+                          "\", \"velocity\": -0.2}\n{\"do\": \"wait\", \"seconds\": 0.5}\n" +
+                          (GetParam().gripper.empty()
+                               ? ""
+                               : "{\"do\": \"gripper\", \"arm\": \"left\", \"velocity\": -0.2}\n") +
+                          "{\"do\": \"wait\", \"seconds\": 0.5}\n");
+  const Answer run =
+      Smile("run empty.xml --robot mine --commands move.jsonl --record demo --no-pictures --json");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json start = SideFileOf("mine")["poses"]["ready"][arms.begin().key()];
+  const Json joints = run.json()["robot"][arms.begin().key()]["joints"];
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    EXPECT_NEAR(joints[i].get<double>(), start[i].get<double>() - (i == 1 ? 0.2 : 0.0), 0.01) << i;
+  }
+  EXPECT_EQ(Smile("replay demo --verify").exit_code, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, RealRobots,
+    testing::Values(RealRobot{"panda", "panda_description/urdf/panda.urdf", 1, 7, "fingers"},
+                    RealRobot{"ur5", "ur_description/urdf/ur5_robot.urdf", 1, 6, ""},
+                    RealRobot{"xarm7", "xarm_description/urdf/xarm7.urdf", 1, 7, ""},
+                    RealRobot{"so101", "so_arm_description/urdf/so101.urdf", 1, 5, "jaws"},
+                    RealRobot{"baxter", "baxter_description/urdf/baxter.urdf", 2, 7, "fingers"}),
+    [](const auto& robot) { return robot.param.name; });
+
+}  // namespace
+}  // namespace smile

@@ -622,6 +622,8 @@ bool TraceReader::IsSound(const sim::Event& event) const {
     case kTriggered:
     case kAttended:
       return event.hand.has_value();
+    case kPressed:
+      return event.by.empty() || is_object(event.by);
     // Refusals change nothing and are never recorded.
     case kCommandRefused:
       return false;

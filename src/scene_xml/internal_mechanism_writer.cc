@@ -58,12 +58,24 @@ void WriteStage(const scene::TightnessStage& stage, XmlText* text) {
 
 }  // namespace
 
+void WriteTriggerRule(const scene::TriggerRule& rule, std::optional<scene::TriggerCause> usual,
+                      XmlText* text) {
+  // Only what differs from the defaults, since older programs refuse these attributes.
+  const scene::TriggerRule defaults;
+  if (rule.cause != usual) {
+    text->Attribute("trigger", scene::kTriggerCauses[static_cast<std::size_t>(rule.cause)]);
+  }
+  if (rule.press_force != defaults.press_force) text->Number("pressForce", rule.press_force);
+  if (rule.press_angle != defaults.press_angle) text->Angle("pressAngle", rule.press_angle);
+}
+
 void WriteControlAttributes(const scene::ToggleSwitch& toggle, XmlText* text) {
   text->Spans(toggle.size);
   text->Angle("angle", toggle.angle);
   text->Boolean("leftPressed", toggle.is_left_pressed);
   text->Count("numStates", toggle.num_states);
   text->Count("initState", toggle.initial_state);
+  WriteTriggerRule(toggle.trigger, scene::ToggleSwitch().trigger.cause, text);
 }
 
 void WriteControlAttributes(const scene::IndicatorLights& lights, XmlText* text) {

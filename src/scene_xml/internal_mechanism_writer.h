@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "scene/scene_spec.h"
 #include "scene_xml/internal_xml_text.h"
 
@@ -9,6 +11,11 @@ namespace smile::scene_xml {
 void WriteControlAttributes(const scene::ToggleSwitch& toggle, XmlText* text);
 void WriteControlAttributes(const scene::IndicatorLights& lights, XmlText* text);
 void WriteControlAttributes(const scene::CustomControl& control, XmlText* text);
+
+/// Writes `trigger`, and the force and angle of a press if they are not the defaults.
+/// @param usual  the cause that need not be written.
+void WriteTriggerRule(const scene::TriggerRule& rule, std::optional<scene::TriggerCause> usual,
+                      XmlText* text);
 
 /// Writes downstreams and states.
 void WriteControlContent(const scene::Shape& control, XmlText* text);

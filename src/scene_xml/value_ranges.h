@@ -27,6 +27,9 @@ inline constexpr Range<double> kFriction{0, 10};
 inline constexpr Range<double> kProportion{0, 1};
 // Beyond, a button would stand on its edge.
 inline constexpr Range<double> kButtonDegrees{0, 90};
+/// Beyond, hardly anything on a table could press.
+inline constexpr Range<double> kPressNewtons{0.01, 10000};
+inline constexpr Range<double> kPressDegrees{1, 89};
 inline constexpr Range<double> kFieldOfViewDegrees{1, 170};
 
 inline constexpr int kMaxStates = 256;  ///< of one control

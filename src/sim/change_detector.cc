@@ -19,10 +19,25 @@ bool IsOneOf(const Command& command) {
 /// Returns true for commands that fasten or loosen.
 bool TurnsBonds(const Command& command) { return IsOneOf<Fasten, Loosen>(command); }
 
+/// Returns the name of the arm that a link belongs to; `robot` for other links.
+std::string ArmOfLink(const robot::RobotModel& robot, int link) {
+  for (const robot::Arm& arm : robot.arms) {
+    const auto& gripper = arm.gripper;
+    const bool is_finger =
+        gripper && (link == gripper->left_finger || link == gripper->right_finger);
+    if (is_finger || std::ranges::find(arm.joints, link) != arm.joints.end()) return arm.name;
+  }
+  return "robot";
+}
+
 }  // namespace
 
 ChangeDetector::ChangeDetector(const RunningModel* running)
-    : running_(*running), held_by_grippers_(running->HeldByGrippers()) {}
+    : running_(*running), held_by_grippers_(running->HeldByGrippers()) {
+  const world::Tabletop& tabletop = running->tabletop();
+  // In a tick, controls change only by contact.
+  if (tabletop.has_pressable_controls()) mechanisms_.controls = tabletop.controls().states();
+}
 
 ChangeDetector::ChangeDetector(const RunningModel* running, const Command& command)
     : ChangeDetector(running) {
@@ -51,10 +66,22 @@ std::vector<Event> ChangeDetector::EventsOf(const Command& command) const {
   return events;
 }
 
-std::vector<Event> ChangeDetector::EventsOfTick() const {
+std::vector<Event> ChangeDetector::EventsOfTick(const TickReport& report) const {
   std::vector<Event> events;
   AppendGrippers(&events);
+  for (const world::Press& press : report.presses) AppendPress(press, &events);
+  if (!report.presses.empty()) AppendControls(&events);
   return events;
+}
+
+void ChangeDetector::AppendPress(const world::Press& press, std::vector<Event>* events) const {
+  const model::Model& model = *running_.model();
+  const model::Control& control = model.control(press.control);
+  Event event{
+      .kind = EventKind::kPressed, .object = model.id(control.object), .control = control.id()};
+  if (press.by_link >= 0) event.arm = ArmOfLink(*model.robot(), press.by_link);
+  if (const world::Object* by = running_.tabletop().Find(press.by)) event.by = by->id();
+  events->push_back(std::move(event));
 }
 
 std::vector<std::string> ChangeDetector::ChangedObjects() const {

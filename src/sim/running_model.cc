@@ -134,8 +134,8 @@ std::optional<Refusal> RunningModel::ExecuteOne(const Clear&) {
   return std::nullopt;
 }
 
-std::vector<const world::Object*> RunningModel::Tick() {
-  std::vector<const world::Object*> fallen;
+TickReport RunningModel::Tick() {
+  TickReport report;
   if (robot_) robot_->BeforeTick(tick_);
   for (int step = 0; step < kStepsPerTick; ++step) {
     // Hands act in each physics step, the robot's targets change once per tick.
@@ -143,10 +143,12 @@ std::vector<const world::Object*> RunningModel::Tick() {
     physics_.Step();
     if (robot_) robot_->AfterStep();
     // In each step, as an object that bounces may touch the floor for less than a tick.
-    std::ranges::copy(tabletop_.NoticeFallen(), std::back_inserter(fallen));
+    std::ranges::copy(tabletop_.NoticeFallen(), std::back_inserter(report.fallen));
+    tabletop_.NoticePushes();
   }
+  report.presses = tabletop_.PressControls(SecondsOf(1));
   ++tick_;
-  return fallen;
+  return report;
 }
 
 std::vector<std::vector<physics::BodyId>> RunningModel::HeldByGrippers() const {

@@ -16,6 +16,12 @@
 
 namespace smile::sim {
 
+/// What happened in a tick by itself, without a command.
+struct TickReport {
+  std::vector<const world::Object*> fallen;  ///< to the floor, in order of time
+  std::vector<world::Press> presses;         ///< of controls, by control
+};
+
 /// A model in motion: its physics world with tabletop, hands and robot, and the tick. Applies
 /// commands and advances; it has no history, listeners or recordings.
 ///
@@ -31,8 +37,7 @@ class RunningModel {
   /// @returns the reason if it was refused; nothing has then changed.
   std::optional<Refusal> Execute(const Command& command);
   /// Advances by 1/60 s.
-  /// @returns the objects that fell to the floor, in order of time.
-  std::vector<const world::Object*> Tick();
+  TickReport Tick();
 
   std::uint64_t tick() const { return tick_; }
   /// See Simulation::model().

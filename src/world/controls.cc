@@ -87,9 +87,7 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
     if (!part.empty() && part != raised) {
       return Named(part) + " is already pressed; press " + Named(raised);
     }
-    // The lowered button comes up and the other one goes down; the state advances either way.
-    state.position = 1 - state.position;
-    state.state = (state.state + 1) % toggle.num_states;
+    TurnOver(toggle, &state);
     return std::nullopt;
   };
   const auto advance = [&](const CustomControl& custom) -> std::optional<Refusal> {
@@ -122,6 +120,23 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
   // Other controls follow only after the control has changed itself.
   if (!refusal) model::DriveDownstream(model_->all_controls(), index, &states_);
   return refusal;
+}
+
+void Controls::TurnOver(const ToggleSwitch& toggle, ControlState* state) {
+  // The lowered button comes up and the other one goes down; the state advances either way.
+  state->position = 1 - state->position;
+  state->state = (state->state + 1) % toggle.num_states;
+}
+
+bool Controls::Press(model::ControlIndex index, int next_state) {
+  const model::Control& control = model_->control(index);
+  if (const auto* toggle = std::get_if<ToggleSwitch>(&control.part->shape)) {
+    TurnOver(*toggle, &states_[index]);
+  } else if (!model::TakeState(control, next_state, &states_[index])) {
+    return false;
+  }
+  model::DriveDownstream(model_->all_controls(), index, &states_);
+  return true;
 }
 
 void Controls::Set(model::ControlIndex control, int state) {

@@ -39,6 +39,7 @@ Tabletop::Tabletop(physics::World* world, std::shared_ptr<const model::Model> mo
       objects_(ObjectsOf(*model_)),
       controls_(*model_),
       object_states_(objects_.size()),
+      presses_(world, *model_, &objects_, &object_states_),
       bonds_(world, *model_, &objects_, &object_states_, &controls_) {
   // Table and floor come first: their ids precede those of all objects, which fixes the order in
   // physics.
@@ -62,6 +63,7 @@ void Tabletop::Grow(std::shared_ptr<const model::Model> model) {
   object_states_.resize(objects_.size());
   // The states of existing objects stay; those of new ones are initial.
   controls_.Grow(*model);
+  presses_.Grow(*model);
   bonds_.Grow(*model);
   model_ = std::move(model);
   AddBeyond(extent);
@@ -171,6 +173,13 @@ std::optional<Refusal> Tabletop::Trigger(std::string_view id, std::string_view p
   return std::nullopt;
 }
 
+std::vector<Press> Tabletop::PressControls(double seconds) {
+  const std::vector<ControlState> before = controls_.states();
+  std::vector<Press> presses = presses_.AfterTick(seconds, &controls_);
+  if (!presses.empty()) FollowControls(before);
+  return presses;
+}
+
 std::optional<Refusal> Tabletop::Fasten(const Object& object, const Vector3& p_WQ) {
   const std::vector<ControlState> before = controls_.states();
   if (auto refusal = bonds_.Fasten(object.index, p_WQ)) return refusal;
@@ -208,6 +217,7 @@ model::SceneState Tabletop::scene_state() const {
 TabletopState Tabletop::state() const {
   TabletopState state{.controls = controls_.states(),
                       .bonds = bonds_.states(),
+                      .presses = presses_.states(),
                       .objects = object_states_,
                       .bodies = {}};
   for (const Object& object : objects_) state.bodies.push_back(object.body);
@@ -221,6 +231,7 @@ void Tabletop::Restore(const TabletopState& state, std::shared_ptr<const model::
   object_states_ = state.objects;
   controls_.Restore(state.controls, *model);
   bonds_.Restore(state.bonds, *model);
+  presses_.Restore(state.presses, *model);
   model_ = std::move(model);
 }
 
@@ -238,6 +249,7 @@ void Tabletop::AddToHash(StateHash* hash) const {
     hash->Add(std::uint64_t{bond.is_locked});
     hash->Add(std::uint64_t{bond.joint.value});
   }
+  presses_.AddToHash(hash);
   // In physics versions 1 and 2 also the many to which nothing has happened.
   const bool adds_all = model_->scene().physics_version < 3;
   for (std::size_t i = 0; i < object_states_.size(); ++i) {

@@ -11,6 +11,7 @@
 #include "world/bonds.h"
 #include "world/controls.h"
 #include "world/object.h"
+#include "world/presses.h"
 
 namespace smile::world {
 
@@ -21,6 +22,7 @@ inline constexpr double kFloorDepth = 0.9;
 struct TabletopState {
   std::vector<ControlState> controls;   ///< by model::ControlIndex
   std::vector<BondState> bonds;         ///< by model::HostIndex
+  std::vector<PressState> presses;      ///< by model::ControlIndex
   std::vector<ObjectState> objects;     ///< in scene order
   std::vector<physics::BodyId> bodies;  ///< of the objects, including destroyed ones
 
@@ -63,6 +65,14 @@ class Tabletop {
   /// held nor connected with a held one. An object that started down there must fall first.
   /// @returns those that had not fallen before, in scene order.
   std::vector<const Object*> NoticeFallen();
+  /// Call after each physics step: notes which controls are pushed.
+  void NoticePushes() { presses_.AfterStep(); }
+  /// Call after the steps of a tick, which took `seconds`: triggers the controls that contact
+  /// pressed.
+  /// @returns the presses.
+  std::vector<Press> PressControls(double seconds);
+  /// Returns true if contact can press a control.
+  bool has_pressable_controls() const { return !presses_.is_empty(); }
 
   const model::Model& model() const { return *model_; }
   const Controls& controls() const { return controls_; }
@@ -112,6 +122,7 @@ class Tabletop {
   std::vector<Object> objects_;
   Controls controls_;
   std::vector<ObjectState> object_states_;  ///< one per object
+  Presses presses_;
   Bonds bonds_;
 };
 

@@ -28,7 +28,7 @@ inline std::string SceneOfEverything() {
     <composite location='(0,0,1)'>
       <description name='a' value='b'/>
       <ring radiusInner='0' location='(0,0,0)' pointable='1'/>
-      <toggleSwitch id='S' angle='20' location='(0,0,0)'><downstream id='L'/></toggleSwitch>
+      <toggleSwitch id='S' angle='20' pressAngle='20' location='(0,0,0)'><downstream id='L'/></toggleSwitch>
       <guestBondPoint type='M3' initBondHostId='H' initBondTightness='1'/>
       <indicatorLights id='L' location='(0,0,0)'>
         <state><light id='1' color=' #12aBcD'/></state>
@@ -43,7 +43,7 @@ inline std::string SceneOfEverything() {
     <customControl name='dial' location='(0,0,0)'>
       <state descriptionName='on'>
         <composite location='(0,0,0)'>
-          <frustum location='(0,0,0)' nextStateWhenTriggered='-1'/>
+          <frustum location='(0,0,0)' nextStateWhenTriggered='-1' trigger='press' pressForce='0.3'/>
         </composite>
       </state>
     </customControl>

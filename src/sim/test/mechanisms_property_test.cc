@@ -26,7 +26,9 @@ TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
     std::uint64_t hash;
     Command command;
   };
-  Simulation simulation(EverythingScene::Make());
+  scene::SceneSpec scene = EverythingScene::Make();
+  EverythingScene::AddWeight(&scene);
+  Simulation simulation(scene);
   RandomHands hands(GetParam());
   std::vector<Moment> moments;
   std::map<std::size_t, int> num_done;  // of each kind of command
@@ -51,6 +53,7 @@ TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
   EXPECT_GT(counter.num_events[EventKind::kReleased], num_done[Command(Release{}).index()]);
   EXPECT_GT(counter.num_events[EventKind::kFell], 0);
   EXPECT_GT(counter.num_events[EventKind::kAttended], 0);
+  EXPECT_GT(counter.num_events[EventKind::kPressed], 0);
   const std::uint64_t end = simulation.state_hash();
 
   for (auto moment = moments.rbegin(); moment != moments.rend(); ++moment) {
@@ -66,7 +69,7 @@ TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
     EXPECT_EQ(other.state_hash(), end);
   };
   do_again(simulation, 0);
-  Simulation elsewhere(EverythingScene::Make());
+  Simulation elsewhere(scene);
   elsewhere.Restore(moments[40].state);
   do_again(elsewhere, 40);
 }

@@ -11,7 +11,9 @@ constexpr std::uint8_t kNoHand = 255;
 constexpr std::uint32_t kMaxProperties = 256;
 
 /// True for kinds of events that name the object that did it.
-bool HasCause(sim::EventKind kind) { return kind == sim::EventKind::kPressed; }
+bool HasCause(sim::EventKind kind) {
+  return kind == sim::EventKind::kPressed || kind == sim::EventKind::kUsed;
+}
 
 }  // namespace
 
@@ -67,7 +69,7 @@ std::optional<sim::Event> GetEvent(ByteReader* in) {
   const auto kind = in->Get<std::uint8_t>();
   const auto hand = in->Get<std::uint8_t>();
   const bool is_known = kind <= static_cast<std::uint8_t>(sim::EventKind::kCleared) ||
-                        kind == static_cast<std::uint8_t>(sim::EventKind::kPressed);
+                        HasCause(static_cast<sim::EventKind>(kind));
   if (!is_known) return std::nullopt;
   if (hand != kNoHand && hand >= demonstrator::kHandNames.size()) return std::nullopt;
   sim::Event event{.kind = static_cast<sim::EventKind>(kind)};

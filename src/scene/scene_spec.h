@@ -7,6 +7,7 @@
 #include "scene/camera_spec.h"
 #include "scene/mechanism.h"
 #include "scene/shape.h"
+#include "scene/tool.h"
 
 namespace smile::scene {
 
@@ -46,6 +47,7 @@ struct ObjectSpec {
   Vector3 center_of_mass = Vector3::Zero();
   std::vector<Description> descriptions;  ///< `shape` first, then as in the file
   Surface surface;
+  std::optional<ToolSpec> tool;  ///< nullopt: it is no tool
 
   const std::string& id() const { return whole.id; }
   const RigidTransform& pose_in_world() const { return whole.X_PE; }

@@ -12,9 +12,10 @@ namespace smile::scene {
 enum class TriggerCause {
   kHand,   ///< a hand of the demonstrator only
   kPress,  ///< anything that pushes it in
+  kCut,    ///< a tool that cuts it, and no hand
 };
 /// Names of the causes in scene files.
-inline constexpr std::array<std::string_view, 2> kTriggerCauses{"hand", "press"};
+inline constexpr std::array<std::string_view, 3> kTriggerCauses{"hand", "press", "cut"};
 
 /// Rule by which a switch or a part of a control is triggered.
 struct TriggerRule {

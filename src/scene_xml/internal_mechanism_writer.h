@@ -20,6 +20,8 @@ void WriteTriggerRule(const scene::TriggerRule& rule, std::optional<scene::Trigg
 /// Writes downstreams and states.
 void WriteControlContent(const scene::Shape& control, XmlText* text);
 
+void WriteTool(const scene::ToolSpec& tool, XmlText* text);
+
 void WriteBondPoints(const scene::Composite& composite, XmlText* text);
 
 void WriteSlider(const scene::SliderSpec& slider, const scene::ObjectSpec& first,

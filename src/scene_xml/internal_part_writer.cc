@@ -135,6 +135,7 @@ void WriteObject(const ObjectSpec& object, const RigidTransform& X_PE, XmlText* 
   WriteSurface(object.surface, text);
   if (object.whole.is_pointable) text->Boolean("pointable", true);
   WriteDescriptions(object, text);
+  if (object.tool) WriteTool(*object.tool, text);
   WriteContent(object.whole, text);
   text->Close();
 }

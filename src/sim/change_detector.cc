@@ -35,8 +35,11 @@ std::string ArmOfLink(const robot::RobotModel& robot, int link) {
 ChangeDetector::ChangeDetector(const RunningModel* running)
     : running_(*running), held_by_grippers_(running->HeldByGrippers()) {
   const world::Tabletop& tabletop = running->tabletop();
-  // In a tick, controls change only by contact.
-  if (tabletop.has_pressable_controls()) mechanisms_.controls = tabletop.controls().states();
+  // In a tick, they change only by contact and by tools.
+  if (tabletop.has_pressable_controls() || tabletop.has_tools()) {
+    mechanisms_.controls = tabletop.controls().states();
+  }
+  if (tabletop.has_tools()) mechanisms_.bonds = tabletop.bonds().states();
 }
 
 ChangeDetector::ChangeDetector(const RunningModel* running, const Command& command)
@@ -47,7 +50,7 @@ ChangeDetector::ChangeDetector(const RunningModel* running, const Command& comma
     const world::Object* held = tabletop.Find(running_.demonstrator().hand(*hand).held);
     if (held != nullptr) held_by_hand_ = held->id();
   }
-  if (TurnsBonds(command) || IsOneOf<Trigger, Destroy, Remove, Clear>(command)) {
+  if (TurnsBonds(command) || IsOneOf<Trigger, Use, Destroy, Remove, Clear>(command)) {
     mechanisms_ = tabletop.state();
   }
   if (!IsOneOf<Spawn, Remove, Clear>(command)) return;
@@ -60,7 +63,7 @@ std::vector<Event> ChangeDetector::EventsOf(const Command& command) const {
   std::vector<Event> events;
   // The order is part of recordings: cause first, then its consequences.
   AppendOwn(command, &events);
-  AppendBonds(command, &events);
+  AppendBonds(TurnsBonds(command) ? HandOf(command) : std::nullopt, &events);
   AppendControls(&events);
   AppendGrippers(&events);
   return events;
@@ -70,8 +73,20 @@ std::vector<Event> ChangeDetector::EventsOfTick(const TickReport& report) const 
   std::vector<Event> events;
   AppendGrippers(&events);
   for (const world::Press& press : report.presses) AppendPress(press, &events);
-  if (!report.presses.empty()) AppendControls(&events);
+  for (const world::ToolUse& use : report.uses) events.push_back(EventOf(use));
+  if (!report.uses.empty()) AppendBonds(/*hand=*/std::nullopt, &events);
+  if (!report.presses.empty() || !report.uses.empty()) AppendControls(&events);
   return events;
+}
+
+Event ChangeDetector::EventOf(const world::ToolUse& use) const {
+  const model::Model& model = *running_.model();
+  return {.kind = EventKind::kUsed,
+          .arm = use.arm >= 0 ? model.robot()->arms[use.arm].name : "",
+          .object = model.id(use.object),
+          .part = use.target,
+          .state = use.verb,
+          .by = model.id(model.tool(use.tool).object)};
 }
 
 void ChangeDetector::AppendPress(const world::Press& press, std::vector<Event>* events) const {
@@ -133,6 +148,11 @@ void ChangeDetector::AppendOwn(const Command& command, std::vector<Event>* event
                          .object = model.id(model.control(*control).object),
                          .control = trigger.control};
           },
+          [&](const Use& use) -> std::optional<Event> {
+            Event used = EventOf(running_.last_use());
+            used.hand = use.hand;
+            return used;
+          },
           [&](const Spawn&) -> std::optional<Event> {
             return Event{.kind = EventKind::kAdded, .objects = ChangedObjects()};
           },
@@ -147,7 +167,8 @@ void ChangeDetector::AppendOwn(const Command& command, std::vector<Event>* event
   if (event) events->push_back(*event);
 }
 
-void ChangeDetector::AppendBonds(const Command& command, std::vector<Event>* events) const {
+void ChangeDetector::AppendBonds(const std::optional<HandName>& hand,
+                                 std::vector<Event>* events) const {
   const auto& before = mechanisms_.bonds;
   const model::Model& model = *running_.model();
   // Over the hosts before the command: `before` is empty unless the command may change bonds.
@@ -159,7 +180,7 @@ void ChangeDetector::AppendBonds(const Command& command, std::vector<Event>* eve
     const model::GuestIndex guest = is.guest ? *is.guest : *was.guest;
     events->push_back(
         {.kind = is.tightness > was.tightness ? EventKind::kFastened : EventKind::kLoosened,
-         .hand = TurnsBonds(command) ? HandOf(command) : std::nullopt,
+         .hand = hand,
          .object = model.id(model.guest(guest).object),
          .guest = guest,
          .host = host,

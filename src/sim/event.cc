@@ -41,6 +41,8 @@ std::string_view ToString(EventKind kind) {
       return "loaded";
     case EventKind::kPressed:
       return "pressed";
+    case EventKind::kUsed:
+      return "used";
   }
   return "";
 }

@@ -33,6 +33,9 @@ enum class EventKind {
   kCleared,          ///< the same for all objects except held ones
   kLoaded,           ///< another scene was loaded, its name in `object`; in no trace
   kPressed,          ///< contact pressed `control` of `object`: an `arm`, or the object `by`
+  /// a tool, `by`, was used: `state` is `cut`, `fasten` or `loosen`, `part` in words what it worked
+  /// on, which is (a part of) `object`; without a hand if it was not by a command
+  kUsed,
 };
 
 std::string_view ToString(EventKind kind);

@@ -88,6 +88,10 @@ std::optional<Refusal> RunningModel::ExecuteOne(const Loosen& loosen) {
   return demonstrator_.Loosen(loosen.hand, loosen.object, loosen.p_WQ);
 }
 
+std::optional<Refusal> RunningModel::ExecuteOne(const Use& use) {
+  return demonstrator_.Use(use.hand, use.loosens, &last_use_);
+}
+
 std::optional<Refusal> RunningModel::ExecuteOne(const Markers& markers) {
   if (markers.points_in_world.size() <= kMaxMarkers) return std::nullopt;
   return "there are more than " + std::to_string(kMaxMarkers) + " markers";
@@ -147,8 +151,24 @@ TickReport RunningModel::Tick() {
     tabletop_.NoticePushes();
   }
   report.presses = tabletop_.PressControls(SecondsOf(1));
+  if (tabletop_.has_tools()) report.uses = tabletop_.UseTools(Holders(), &report.refusals);
   ++tick_;
   return report;
+}
+
+std::vector<world::Holder> RunningModel::Holders() const {
+  std::vector<world::Holder> holders;
+  for (const demonstrator::HandName name : demonstrator::kHandNames) {
+    const demonstrator::Hand& hand = demonstrator_.hand(name);
+    if (hand.is_holding()) holders.push_back({.body = hand.held});
+  }
+  for (int arm = 0; robot_ && arm < robot_->body().num_arms(); ++arm) {
+    for (const physics::BodyId body : robot_->body().HeldBodies(arm)) {
+      const bool is_closing = robot_->body().state().grippers[arm].opening_velocity < 0;
+      holders.push_back({.body = body, .arm = arm, .is_squeezing = is_closing});
+    }
+  }
+  return holders;
 }
 
 std::vector<std::vector<physics::BodyId>> RunningModel::HeldByGrippers() const {

@@ -121,6 +121,9 @@ void Simulation::Tick() {
   // The tick before its events, since these are recorded with the poses at its end.
   for (Listener* listener : listeners_) listener->OnTick(*this);
   for (const Event& event : changes.EventsOfTick(report)) Notify(event);
+  for (const Refusal& reason : report.refusals) {
+    Notify({.kind = EventKind::kCommandRefused, .reason = reason});
+  }
   for (const world::Object* object : report.fallen) {
     Notify({.kind = EventKind::kFell, .object = object->id()});
   }

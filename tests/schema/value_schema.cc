@@ -6,6 +6,7 @@
 
 #include "base/wording.h"
 #include "math/color.h"
+#include "scene/tool.h"
 #include "scene/trigger_rule.h"
 #include "scene_xml/value_ranges.h"
 
@@ -83,6 +84,8 @@ std::vector<ValueType> ValueTypes() {
           RealType("buttonAngle", kButtonDegrees),
           RealType("pressForce", kPressNewtons),
           RealType("pressAngle", kPressDegrees),
+          RealType("turnAngle", kTurnDegrees),
+          RealType("toolAngle", kToolDegrees),
           RealType("fieldOfView", kFieldOfViewDegrees),
           RealType("unit", kMetersPerUnitRange),
           WholeType("numStates", kNumStates),
@@ -96,6 +99,9 @@ std::vector<ValueType> ValueTypes() {
           WholeType("polygonSides", kPolygonSides),
           WordType("boolean", "true|false|1|0"),
           WordType("triggerCause", WordsPattern(scene::kTriggerCauses)),
+          WordType("toolAction", WordsPattern(scene::kToolActions)),
+          WordType("noYes", WordsPattern(kNoYes)),
+          WordType("handTool", WordsPattern(kHandTool)),
           WordType("color", ColorPattern()),
           WordType("vector", NumbersPattern(3)),
           WordType("matrix", NumbersPattern(9))};

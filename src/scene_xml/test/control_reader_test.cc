@@ -57,9 +57,10 @@ TEST(ControlReader, ReadsWhatTriggersASwitchOrAPart) {
 }
 
 TEST(ControlReader, RefusesTriggersWithoutAMeaning) {
-  EXPECT_EQ(FaultOfControl("<toggleSwitch" + kAtOrigin + " trigger='pres'/>"),
-            "test.xml:3: <toggleSwitch>: found trigger=\"pres\", expected hand or press; did you "
-            "mean \"press\"?");
+  EXPECT_EQ(
+      FaultOfControl("<toggleSwitch" + kAtOrigin + " trigger='prress'/>"),
+      "test.xml:3: <toggleSwitch>: found trigger=\"prress\", expected hand, press or cut; did you "
+      "mean \"press\"?");
   EXPECT_EQ(FaultOfControl("<toggleSwitch" + kAtOrigin + " trigger='hand' pressForce='3'/>"),
             "test.xml:3: <toggleSwitch>: found pressForce=\"3\", expected pressForce only with "
             "trigger=\"press\"");
@@ -170,9 +171,10 @@ TEST(ControlFaults, ReportWhichElementsAreAllowedWhere) {
             "test.xml:3: <hostBondPoint>: found an element that does not belong here, expected "
             "block, box, "
             "composite, custom, cylinder, frustum, ring or sphere");
-  EXPECT_EQ(FaultOfControl("<toggleSwitch" + kAtOrigin + "><state/></toggleSwitch>"),
-            "test.xml:3: <state>: found an element that does not belong here, expected description "
-            "or downstream");
+  EXPECT_EQ(
+      FaultOfControl("<toggleSwitch" + kAtOrigin + "><state/></toggleSwitch>"),
+      "test.xml:3: <state>: found an element that does not belong here, expected description, "
+      "tool or downstream");
   EXPECT_EQ(FaultOfControl("<block" + kAtOrigin + " nextStateWhenTriggered='0'/>"),
             "test.xml:3: <block>: found nextStateWhenTriggered=\"0\", expected "
             "nextStateWhenTriggered only inside a state of a customControl");

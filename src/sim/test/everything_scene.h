@@ -30,9 +30,13 @@ class EverythingScene {
     return scene;
   }
 
-  /// Appends `weight`, which falls on the dial.
-  static void AddWeight(scene::SceneSpec* scene) {
+  /// Appends `weight`, which falls on the dial, and `shears` of a long reach, which cut the chain
+  /// from anywhere.
+  static void AddWeightAndShears(scene::SceneSpec* scene) {
     scene->objects.push_back(Simple("weight", scene::Block{{0.04, 0.04, 0.04}}, {0.1, 0.3, 0.2}));
+    scene->objects.push_back(Simple("shears", scene::Block{{0.1, 0.04, 0.02}}, {0, -0.1, 0.02}));
+    scene->objects.back().tool = scene::ToolSpec{
+        .action = scene::ToolAction::kCut, .axis = {1, 0, 0}, .edge = 0.1, .reach = 5};
   }
 
  private:
@@ -126,7 +130,8 @@ class EverythingScene {
   }
 
   static void AddChain(scene::SceneSpec* scene) {
-    scene::ChainSpec chain{.start_id = "rope-start",
+    scene::ChainSpec chain{.id = "rope",
+                           .start_id = "rope-start",
                            .end_id = "rope-end",
                            .p_WStart = {-0.6, -0.4, 0.5},
                            .p_WEnd = {-0.1, -0.4, 0.4},

@@ -27,7 +27,7 @@ TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
     Command command;
   };
   scene::SceneSpec scene = EverythingScene::Make();
-  EverythingScene::AddWeight(&scene);
+  EverythingScene::AddWeightAndShears(&scene);
   Simulation simulation(scene);
   RandomHands hands(GetParam());
   std::vector<Moment> moments;
@@ -35,7 +35,10 @@ TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
   Counter counter;
   simulation.AddListener(&counter);
   for (int i = 0; i < 80; ++i) {
-    const Command command = hands.Next(simulation);
+    Command command = hands.Next(simulation);
+    // Now and then the shears.
+    if (i % 16 == 5) command = Grasp{.hand = HandName::kRight, .object = "shears"};
+    if (i % 16 == 6) command = Use{.hand = HandName::kRight};
     moments.push_back({simulation.Save(), simulation.state_hash(), command});
     const std::uint64_t before = simulation.state_hash();
     if (simulation.Apply(command)) {
@@ -47,6 +50,7 @@ TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
   }
   EXPECT_GT(num_done[Command(Trigger{}).index()], 0);
   EXPECT_GT(num_done[Command(Fasten{}).index()] + num_done[Command(Loosen{}).index()], 0);
+  EXPECT_GT(num_done[Command(Use{}).index()], 0);
   EXPECT_GT(num_done[Command(Plane{}).index()], 0);
   EXPECT_GT(num_done[Command(MoveTo{}).index()], 0);
   // Some release because another hand needs them.

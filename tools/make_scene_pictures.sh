@@ -18,7 +18,7 @@ for file in scenes/*.xml; do
   name=$(basename "$file" .xml)
   case $name in
     tower_robot) continue ;;
-    strings | everything)  # strings sink before they are seen
+    strings | scissors | everything)  # strings sink before they are seen
       "$program" run "$file" --seconds 3 --no-robot --record "$scratch/$name-settled" >"$scratch/$name.txt"
       picture "$scratch/$name-settled" "$name"
       ;;

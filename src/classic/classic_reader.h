@@ -49,6 +49,7 @@ struct ClassicAction {
   /// control.
   std::string object;
   std::string part, control;
+  std::string verb;  ///< of a tool, which is the object
   std::string host, host_object, guest;
   int tightness = 0;
   std::vector<std::string> properties;

@@ -138,6 +138,8 @@ std::string ClassicRecorder::FieldsOf(const sim::Event& event) const {
     }
     case kAttended:
       return action + "," + event.object + Joined(event.properties);
+    case kUsed:
+      return action + Joined({event.by, event.state, event.part});
     default:
       return action;
   }

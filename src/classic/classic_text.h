@@ -24,14 +24,15 @@ struct ClassicWord {
   std::string_view word;
   sim::EventKind kind;
 };
-inline constexpr std::array<ClassicWord, 8> kClassicWords{{{"grasp", sim::EventKind::kGrasped},
+inline constexpr std::array<ClassicWord, 9> kClassicWords{{{"grasp", sim::EventKind::kGrasped},
                                                            {"release", sim::EventKind::kReleased},
                                                            {"destroy", sim::EventKind::kDestroyed},
                                                            {"trigger", sim::EventKind::kTriggered},
                                                            {"pointTo", sim::EventKind::kPointed},
                                                            {"fasten", sim::EventKind::kFastened},
                                                            {"loosen", sim::EventKind::kLoosened},
-                                                           {"attend", sim::EventKind::kAttended}}};
+                                                           {"attend", sim::EventKind::kAttended},
+                                                           {"use", sim::EventKind::kUsed}}};
 /// Returns the word for an event; empty if the format has none.
 std::string_view ClassicWordFor(sim::EventKind kind);
 

@@ -173,6 +173,14 @@ ClassicAction TakeAction(EventKind kind, Fields* fields) {
       action.object = fields->TakeId("the object of the guest point");
       action.tightness = static_cast<int>(fields->TakeCount("a tightness", kMaxTightness));
       break;
+    case EventKind::kUsed:
+      action.object = fields->TakeId("a tool");
+      action.verb = fields->Take("what the tool did");
+      if (action.verb != "cut" && action.verb != "fasten" && action.verb != "loosen") {
+        Malformed("found " + Quoted(action.verb) + ", expected cut, fasten or loosen");
+      }
+      action.part = fields->Take("what the tool worked on");
+      break;
     case EventKind::kAttended:
       action.object = fields->TakeId("an object");
       // More properties than the limit remain in the line, and RequireEnd() rejects them.

@@ -128,6 +128,10 @@ void ClassicPlayer::Follow(const ClassicAction& action) {
   if (!action.object.empty()) event.object = NameOf(action.object);
   // Pointing at an object as a whole names it twice; both follow the id of the scene.
   if (action.part == action.object) event.part = event.object;
+  if (action.kind == sim::EventKind::kUsed) {
+    event.by = event.object;
+    event.state = action.verb;
+  }
   if (!action.host.empty()) {
     // An event without host and guest would not be a valid bond event, so it appears in the texts
     // only.

@@ -234,7 +234,13 @@ std::optional<Refusal> Demonstrator::Turn(HandName name, std::string_view object
   }
   const physics::Body& body = world_->body(object->body);
   if (body.is_carried() && !IsInAHand(body.id())) return Named(object_id) + " is held by the robot";
+  // Of several guest points of an object, the one nearest to this point is turned.
+  const Vector3 p_WPoint = p_WQ.value_or(body.pose_in_world().translation());
+  return MoveGoalsWith([&] { return (tabletop_->*turning)(*object, p_WPoint); });
+}
 
+std::optional<Refusal> Demonstrator::MoveGoalsWith(
+    const std::function<std::optional<Refusal>()>& change) {
   // Remember where held objects are: fastening may move them with their assemblies. Compared bit by
   // bit below, which is exact as bodies that are not moved keep their poses.
   std::array<RigidTransform, kHandNames.size()> before;
@@ -242,9 +248,7 @@ std::optional<Refusal> Demonstrator::Turn(HandName name, std::string_view object
     if (state_.hands[i].is_holding())
       before[i] = world_->body(state_.hands[i].held).pose_in_world();
   }
-  // Of several guest points of an object, the one nearest to this point is turned.
-  const Vector3 p_WPoint = p_WQ.value_or(body.pose_in_world().translation());
-  if (auto refusal = (tabletop_->*turning)(*object, p_WPoint)) return refusal;
+  if (auto refusal = change()) return refusal;
   // Held objects that the bond moved: their goals move with them, or hands would pull them back.
   for (std::size_t i = 0; i < before.size(); ++i) {
     Hand& hand_of = state_.hands[i];
@@ -254,6 +258,37 @@ std::optional<Refusal> Demonstrator::Turn(HandName name, std::string_view object
     hand_of.X_WB_goal = X_WB * (before[i].inverse() * hand_of.X_WB_goal);
   }
   return std::nullopt;
+}
+
+std::optional<Refusal> Demonstrator::Use(HandName name, bool loosens, world::ToolUse* use) {
+  if (auto refusal = RefuseIfEmpty(name)) return refusal;
+  const world::Object& tool = *tabletop_->Find(hand(name).held);
+  return MoveGoalsWith([&]() -> std::optional<Refusal> {
+    Refusal refusal;
+    const auto target = tabletop_->TargetOf(tool, &refusal);
+    if (!target) return refusal;
+    const world::Object& work = tabletop_->objects()[target->object];
+    const Vector3 p_WW = world_->body(work.body).pose_in_world().translation();
+    const auto done = tabletop_->Use(tool, loosens, &refusal);
+    if (!done) return refusal;
+    *use = *done;
+    FollowWork(tool, work, p_WW);
+    return std::nullopt;
+  });
+}
+
+void Demonstrator::FollowWork(const world::Object& tool, const world::Object& work,
+                              const Vector3& p_WW_before) {
+  // Overlap that the tool may have with other objects at its new place [m].
+  constexpr double kMaxOverlap = 0.002;
+  const Vector3 moved = world_->body(work.body).pose_in_world().translation() - p_WW_before;
+  if (moved == Vector3(Vector3::Zero())) return;
+  const RigidTransform X_WB = world_->body(tool.body).pose_in_world();
+  const RigidTransform X_there(X_WB.rotation(), X_WB.translation() + moved);
+  for (const physics::BodyId blocker : world_->OverlapsAt(tool.body, X_there, kMaxOverlap).bodies) {
+    if (blocker != work.body) return;
+  }
+  world_->MoveAssembly(tool.body, X_there);
 }
 
 void Demonstrator::BeforeStep() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -96,6 +97,12 @@ class Demonstrator {
   [[nodiscard]] std::optional<Refusal> Loosen(HandName hand, std::string_view object_id,
                                               const std::optional<Vector3>& p_WQ);
 
+  /// Uses the tool that a hand holds; see world::Tools::Use(). Its tip stays where it works: the
+  /// tool follows what it has moved.
+  /// @param loosens  direction of a tool that is turned.
+  /// @param use      what it did.
+  [[nodiscard]] std::optional<Refusal> Use(HandName hand, bool loosens, world::ToolUse* use);
+
   /// Call before each physics step: drives held objects towards their goals.
   void BeforeStep();
 
@@ -125,6 +132,10 @@ class Demonstrator {
   bool IsInAHand(physics::BodyId body) const;
   std::optional<Refusal> Turn(HandName name, std::string_view object_id,
                               const std::optional<Vector3>& p_WQ, Turning turning);
+  /// Carries out a change that may move held objects at once: their goals move with them.
+  std::optional<Refusal> MoveGoalsWith(const std::function<std::optional<Refusal>()>& change);
+  /// Moves a held tool by the displacement of what it worked on, unless something is in the way.
+  void FollowWork(const world::Object& tool, const world::Object& work, const Vector3& p_WW_before);
 
   physics::World* world_;
   world::Tabletop* tabletop_;

@@ -12,6 +12,8 @@ using ControlIndex = Index<struct ControlTag>;
 /// scene::HostsOf().
 using GuestIndex = Index<struct GuestTag>;
 using HostIndex = Index<struct HostTag>;
+/// Index of a tool, in the order of the scene.
+using ToolIndex = Index<struct ToolTag>;
 /// Index of a moving link of the robot, in the order of RobotModel::links.
 using LinkIndex = Index<struct LinkTag>;
 /// Index of a frame of the visual model, see scene::FramePoses.

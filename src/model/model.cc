@@ -86,6 +86,9 @@ void Model::AddMechanismsOf(ObjectIndex object) {
     host_of_id_.insert_or_assign(point->id, HostIndex(hosts_.size()));
     hosts_.push_back({.point = point, .object = object, .X_BH = X_BH});
   }
+  if (const auto& tool = scene_.objects[object].tool) {
+    tools_.push_back({.spec = &*tool, .object = object});
+  }
 }
 
 void Model::ConnectMechanisms() {
@@ -133,6 +136,13 @@ std::optional<GuestIndex> Model::FindGuest(std::string_view id) const {
 
 std::optional<HostIndex> Model::FindHost(std::string_view id) const {
   return FindIn(host_of_id_, id);
+}
+
+std::optional<ToolIndex> Model::ToolOf(ObjectIndex object) const {
+  for (const ToolIndex tool : tools()) {
+    if (tools_[tool].object == object) return tool;
+  }
+  return std::nullopt;
 }
 
 const scene::ChainSpec* Model::chain_of_link(ObjectIndex object) const {

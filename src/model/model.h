@@ -13,6 +13,7 @@
 #include "model/control.h"
 #include "model/indices.h"
 #include "model/robot_placement.h"
+#include "model/tool.h"
 #include "robot/face_expression.h"
 #include "scene/scene_spec.h"
 #include "scene/visual_model.h"
@@ -75,6 +76,11 @@ class Model {
   const Host& host(HostIndex host) const { return hosts_[host]; }
   [[nodiscard]] std::optional<HostIndex> FindHost(std::string_view id) const;
 
+  IndexRange<ToolIndex> tools() const { return IndexRange<ToolIndex>(tools_.size()); }
+  const Tool& tool(ToolIndex tool) const { return tools_[tool]; }
+  /// Returns the tool that an object is; nullopt for other objects.
+  [[nodiscard]] std::optional<ToolIndex> ToolOf(ObjectIndex object) const;
+
   const std::optional<RobotPlacement>& robot_placement() const { return *placement_; }
   /// Returns the robot, or nullptr.
   const robot::RobotModel* robot() const {
@@ -132,6 +138,7 @@ class Model {
   std::vector<ControlIndex> first_control_;  ///< of each object; one more at the end
   std::vector<Guest> guests_;
   std::vector<Host> hosts_;
+  std::vector<Tool> tools_;
   IndexOfId<ObjectIndex> object_of_id_;
   IndexOfId<ControlIndex> control_of_id_;
   IndexOfId<GuestIndex> guest_of_id_;

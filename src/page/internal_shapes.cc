@@ -116,9 +116,10 @@ JsonShape ActionSummaryShape() {
   return ObjectShape(
              {{"do",
                JsonShape::Word({"take", "put", "drop", "release", "destroy", "point", "trigger",
-                                "fasten", "loosen", "add", "remove", "clear", "load"})},
+                                "fasten", "loosen", "cut", "add", "remove", "clear", "load"})},
               {"hand", HandNameShape().OrNull(), true, "null for an action without a hand"},
               {"what", TextShape(), true, "an id, `5 objects`, or the name of a scene"},
+              {"with", TextShape(), kOptional, "id of the tool"},
               {"on", TextShape(), kOptional, "id of the object beneath, empty for the table"},
               {"into", TextShape(), kOptional},
               {"words", TextShape(), true, "description of the action"}})

@@ -110,6 +110,7 @@ JsonShape EventUpdateShape() {
                       {"hand", HandNameShape(), kOptional},
                       {"arm", TextShape(), kOptional},
                       {"object", TextShape(), kOptional},
+                      {"by", TextShape(), kOptional, "the object that did it"},
                       {"reason", TextShape(), kOptional},
                       {"part", TextShape(), kOptional},
                       {"control", TextShape(), kOptional},

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "physics/contact.h"
 #include "physics/internal_world_objects.h"
 
@@ -10,6 +12,10 @@ namespace smile::physics {
 /// Returns the contacts of bodies with a link, by body. Contacts up to 0.1 mm apart count.
 std::vector<Contact> FindContacts(const Articulation& articulation, int link,
                                   const WorldObjects& objects, Engine& engine);
+
+/// See World::PushesOn().
+std::vector<Push> FindPushes(std::span<const BodyId> ids, const WorldObjects& objects,
+                             Engine& engine);
 
 /// Returns the bodies that touch this one, by id: those up to 0.1 mm apart, and those that bounced
 /// off it in the last step.

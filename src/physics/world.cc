@@ -106,6 +106,10 @@ std::vector<Contact> World::ContactsWith(ArticulationId id, int link) const {
   return FindContacts(articulation(id), link, *objects_, *engine_);
 }
 
+std::vector<Push> World::PushesOn(std::span<const BodyId> ids) const {
+  return FindPushes(ids, *objects_, *engine_);
+}
+
 std::vector<BodyId> World::BodiesTouching(BodyId id) const {
   return FindTouchingBodies(body(id), *objects_);
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "physics/articulation.h"
@@ -83,6 +84,10 @@ class World {
 
   /// Returns the contacts of bodies with a link, by body. Contacts up to 0.1 mm apart count.
   std::vector<Contact> ContactsWith(ArticulationId id, int link) const;
+  /// Returns the pushes on these bodies in the last step, in the order of its contacts, with an
+  /// impulse above 0. Contacts between objects that sleep or never move are left out.
+  /// @param ids  in ascending order.
+  std::vector<Push> PushesOn(std::span<const BodyId> ids) const;
   /// Returns all bodies that touch this one, including static ones, by id: those up to 0.1 mm
   /// apart, and those that bounced off it in the last step.
   std::vector<BodyId> BodiesTouching(BodyId id) const;

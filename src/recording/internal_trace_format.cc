@@ -10,6 +10,11 @@ constexpr std::uint8_t kNoHand = 255;
 /// Limit on the properties that one event can name.
 constexpr std::uint32_t kMaxProperties = 256;
 
+/// True for kinds of events that name the object that did it.
+bool HasCause(sim::EventKind kind) {
+  return kind == sim::EventKind::kPressed || kind == sim::EventKind::kUsed;
+}
+
 }  // namespace
 
 void PutNames(const std::vector<std::string>& names, ByteWriter* out) {
@@ -54,6 +59,8 @@ void Put(const sim::Event& event, ByteWriter* out) {
   PutNames(event.properties, out);
   // Written only if not empty, since older programs do not know this field.
   if (!event.objects.empty()) PutNames(event.objects, out);
+  // These kinds are unknown to older programs as well.
+  if (HasCause(event.kind)) out->PutString(event.by);
 }
 
 std::optional<sim::Event> GetEvent(ByteReader* in) {
@@ -61,7 +68,9 @@ std::optional<sim::Event> GetEvent(ByteReader* in) {
   // switch on.
   const auto kind = in->Get<std::uint8_t>();
   const auto hand = in->Get<std::uint8_t>();
-  if (kind > static_cast<std::uint8_t>(sim::EventKind::kCleared)) return std::nullopt;
+  const bool is_known = kind <= static_cast<std::uint8_t>(sim::EventKind::kCleared) ||
+                        HasCause(static_cast<sim::EventKind>(kind));
+  if (!is_known) return std::nullopt;
   if (hand != kNoHand && hand >= demonstrator::kHandNames.size()) return std::nullopt;
   sim::Event event{.kind = static_cast<sim::EventKind>(kind)};
   if (hand != kNoHand) event.hand = demonstrator::kHandNames[hand];
@@ -73,6 +82,10 @@ std::optional<sim::Event> GetEvent(ByteReader* in) {
   event.host = IndexOf<model::HostIndex>(in->Get<int>());
   event.tightness = in->Get<int>();
   event.properties = GetNames(kMaxProperties, in);
+  if (HasCause(event.kind)) {
+    event.by = in->GetString();
+    return in->ok() ? std::optional(event) : std::nullopt;
+  }
   // An event ends with its record, so remaining bytes mean that the field is there.
   if (in->remaining() > 0) event.objects = GetNames(kMaxNames, in);
   if (!in->ok()) return std::nullopt;

@@ -613,8 +613,8 @@ bool TraceReader::IsSound(const sim::Event& event) const {
   switch (event.kind) {
     case kFastened:
     case kLoosened:
-      return (event.hand || event.kind == kLoosened) && is_one_of(event.host, now_.bonds.size()) &&
-             is_one_of(event.guest, limits_.num_guests);
+      // Without a hand if a tool fastened it, or its bond ended.
+      return is_one_of(event.host, now_.bonds.size()) && is_one_of(event.guest, limits_.num_guests);
     case kGrasped:
     case kReleased:
     case kDestroyed:
@@ -622,6 +622,11 @@ bool TraceReader::IsSound(const sim::Event& event) const {
     case kTriggered:
     case kAttended:
       return event.hand.has_value();
+    case kPressed:
+      return event.by.empty() || is_object(event.by);
+    case kUsed:
+      return is_object(event.by) &&
+             (event.state == "cut" || event.state == "fasten" || event.state == "loosen");
     // Refusals change nothing and are never recorded.
     case kCommandRefused:
       return false;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "math/rigid_transform.h"
+#include "scene/tool.h"
 
 namespace smile::scene {
 
@@ -17,6 +18,9 @@ struct GuestPoint {
   RigidTransform X_PG;
   std::string initial_host;   ///< id of the host to which it is fastened at the start; may be empty
   int initial_tightness = 0;  ///< 1 is the first stage; 0 = not fastened
+  bool can_be_cut = false;    ///< tools that cut can end its bond
+  bool refuses_hands = false;      ///< only tools fasten and loosen it
+  std::vector<ToolPlace> accepts;  ///< where tools fasten and loosen it
 
   bool operator==(const GuestPoint&) const = default;
 };

@@ -7,6 +7,7 @@
 #include "math/angles.h"
 #include "math/color.h"
 #include "math/rigid_transform.h"
+#include "scene/trigger_rule.h"
 
 namespace smile::scene {
 
@@ -21,12 +22,13 @@ enum class Button { kLeft, kRight };
 /// A rocker switch of two buttons about a hinge along y at its origin. In position 0 the left
 /// button (-x) lies flat and the right one is raised; in position 1 vice versa.
 struct ToggleSwitch {
-  Vector3 size{0.06, 0.03, 0.01};        ///< x: of both buttons together [m]
-  double angle = DegreesToRadians(6.0);  ///< by which a button is raised [rad]
-  bool is_left_pressed = true;           ///< position 0 at the start, else 1
-  int num_states = 2;                    ///< each press selects the next one
-  int initial_state = 0;                 ///< independent of the position
-  std::vector<std::string> downstream;   ///< ids of the controls it drives
+  Vector3 size{0.06, 0.03, 0.01};                      ///< x: of both buttons together [m]
+  double angle = DegreesToRadians(6.0);                ///< by which a button is raised [rad]
+  bool is_left_pressed = true;                         ///< position 0 at the start, else 1
+  int num_states = 2;                                  ///< each press selects the next one
+  int initial_state = 0;                               ///< independent of the position
+  std::vector<std::string> downstream;                 ///< ids of the controls it drives
+  TriggerRule trigger{.cause = TriggerCause::kPress};  ///< of the raised button
 
   bool operator==(const ToggleSwitch&) const = default;
 };

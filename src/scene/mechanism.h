@@ -49,6 +49,7 @@ struct ChainSpec {
   Vector3 link_size{0.01, 0.1, 0.01};                            ///< y: along the chain [m]
   double link_padding = 0.005;   ///< by which a link is drawn longer at both ends [m]
   double link_mass = 1;          ///< [kg]
+  bool can_be_cut = true;        ///< tools that cut can part it between any two pieces
   std::size_t first_object = 0;  ///< its start in SceneSpec::objects; then its end, then its links
 
   bool operator==(const ChainSpec&) const = default;

@@ -7,6 +7,7 @@
 #include "scene/camera_spec.h"
 #include "scene/mechanism.h"
 #include "scene/shape.h"
+#include "scene/tool.h"
 
 namespace smile::scene {
 
@@ -16,7 +17,7 @@ inline constexpr double kMetersPerUnit = 0.1;
 
 /// Version of the physics. A recording keeps the version it was made with, so that it replays to
 /// the same bits; docs/decisions/physics.md lists what each version changed.
-inline constexpr int kPhysicsVersion = 3;
+inline constexpr int kPhysicsVersion = 4;
 
 /// Name and value of the author's choice, for the recording's symbolic log.
 struct Description {
@@ -46,6 +47,7 @@ struct ObjectSpec {
   Vector3 center_of_mass = Vector3::Zero();
   std::vector<Description> descriptions;  ///< `shape` first, then as in the file
   Surface surface;
+  std::optional<ToolSpec> tool;  ///< nullopt: it is no tool
 
   const std::string& id() const { return whole.id; }
   const RigidTransform& pose_in_world() const { return whole.X_PE; }

@@ -91,6 +91,9 @@ struct Part {
   /// Inside a state of a custom control: the next state when triggered; -1: no change. Unset:
   /// inherited from the parent.
   std::optional<int> next_state;
+  /// Inside a state of a custom control: what triggers it. Unset: inherited from the parent; hands
+  /// only at the top.
+  std::optional<TriggerRule> trigger;
   Color color;  ///< of a simple shape or switch; the others have none of their own
   Shape shape;
 

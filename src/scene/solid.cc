@@ -20,53 +20,77 @@ struct Belonging {
   RigidTransform X_BE;
   int control = -1;
   int variant = 0;
+  // Inherited inside a state of a custom control.
+  int next_state = -1;
+  TriggerRule rule{};
 
-  Belonging Child(const RigidTransform& X_EC) const { return {X_BE * X_EC, control, variant}; }
+  Belonging Child(const RigidTransform& X_EC) const {
+    Belonging child = *this;
+    child.X_BE = X_BE * X_EC;
+    return child;
+  }
+  /// Returns this place with what the part says about its trigger.
+  Belonging Of(const Part& part) const {
+    Belonging own = *this;
+    own.next_state = part.next_state.value_or(next_state);
+    own.rule = part.trigger.value_or(rule);
+    return own;
+  }
 };
+
+/// Returns the trigger of a piece; nullopt if only hands can trigger it, or nothing would happen.
+std::optional<Trigger> TriggerOf(const TriggerRule& rule, const Vector3& inward_in_body,
+                                 int next_state) {
+  if (rule.cause == TriggerCause::kHand) return std::nullopt;
+  return Trigger{.rule = rule, .inward_in_body = inward_in_body, .next_state = next_state};
+}
 
 /// Collects the pieces of a body in the order of the file, numbering controls as ControlsOf() does.
 class SolidCollector {
  public:
-  void Append(const Part& part, const Belonging& place) {
+  void Append(const Part& part, const Belonging& parent) {
+    const Belonging place = parent.Of(part);
     std::visit(
-        Overloaded{
-            [&](const Box& box) { AppendContainer(box, part, place); },
-            [&](const Composite& composite) {
-              for (const Part& child : composite.parts) {
-                Append(child, place.Child(child.X_PE));
-              }
-            },
-            [&](const Frustum& frustum) { Add(HullOf(frustum), part, place); },
-            [&](const Ring& ring) {
-              for (const RingPiece& piece : PiecesOf(ring)) {
-                Add(piece.hull, part, place.Child(piece.X_RP));
-              }
-            },
-            [&](const Custom& custom) {
-              for (const Hull& hull : custom.mesh->pieces) {
-                Add(Scaled(hull, custom.scale), part, place);
-              }
-            },
-            [&](const ToggleSwitch& toggle) { AppendSwitch(toggle, part, place); },
-            [&](const IndicatorLights& lights) {
-              // Their discs do not depend on the state, but the number is taken: indices count all
-              // controls.
-              ++num_controls_;
-              for (int i = 0; i < lights.num_lights; ++i) {
-                const Belonging at = place.Child(PoseOfLight(lights, i));
-                solids_.push_back(
-                    {DiscOf(lights), at.X_BE, part.color, part.id, at.control, at.variant});
-              }
-            },
-            [&](const CustomControl& control) {
-              const int number = num_controls_++;
-              for (std::size_t variant = 0; variant < control.states.size(); ++variant) {
-                for (const Part& child : control.states[variant].parts) {
-                  Append(child, {place.X_BE * child.X_PE, number, static_cast<int>(variant)});
-                }
-              }
-            },
-            [&](const auto& simple) { Add(simple, part, place); }},
+        Overloaded{[&](const Box& box) { AppendContainer(box, part, place); },
+                   [&](const Composite& composite) {
+                     for (const Part& child : composite.parts) {
+                       Append(child, place.Child(child.X_PE));
+                     }
+                   },
+                   [&](const Frustum& frustum) { Add(HullOf(frustum), part, place); },
+                   [&](const Ring& ring) {
+                     for (const RingPiece& piece : PiecesOf(ring)) {
+                       Add(piece.hull, part, place.Child(piece.X_RP));
+                     }
+                   },
+                   [&](const Custom& custom) {
+                     for (const Hull& hull : custom.mesh->pieces) {
+                       Add(Scaled(hull, custom.scale), part, place);
+                     }
+                   },
+                   [&](const ToggleSwitch& toggle) { AppendSwitch(toggle, part, place); },
+                   [&](const IndicatorLights& lights) {
+                     // Their discs do not depend on the state, but the number is taken: indices
+                     // count all controls.
+                     ++num_controls_;
+                     for (int i = 0; i < lights.num_lights; ++i) {
+                       const Belonging at = place.Child(PoseOfLight(lights, i));
+                       solids_.push_back(
+                           {DiscOf(lights), at.X_BE, part.color, part.id, at.control, at.variant});
+                     }
+                   },
+                   [&](const CustomControl& control) {
+                     const int number = num_controls_++;
+                     for (std::size_t variant = 0; variant < control.states.size(); ++variant) {
+                       for (const Part& child : control.states[variant].parts) {
+                         Belonging at = place.Child(child.X_PE);
+                         at.control = number;
+                         at.variant = static_cast<int>(variant);
+                         Append(child, at);
+                       }
+                     }
+                   },
+                   [&](const auto& simple) { Add(simple, part, place); }},
         part.shape);
   }
 
@@ -74,15 +98,25 @@ class SolidCollector {
 
  private:
   void Add(const SolidShape& shape, const Part& part, const Belonging& place) {
-    solids_.push_back({shape, place.X_BE, part.color, part.id, place.control, place.variant});
+    // A cylinder's axis is y, that of all other shapes is z.
+    const bool is_cylinder = std::holds_alternative<Cylinder>(part.shape);
+    const Vector3 axis = place.X_BE.rotation().col(is_cylinder ? 1 : 2);
+    auto trigger = place.next_state >= 0 ? TriggerOf(place.rule, -axis, place.next_state)
+                                         : std::optional<Trigger>();
+    solids_.push_back({.shape = shape,
+                       .X_BS = place.X_BE,
+                       .color = part.color,
+                       .part_id = part.id,
+                       .control = place.control,
+                       .variant = place.variant,
+                       .trigger = std::move(trigger)});
   }
 
   /// Appends floor and walls of a box.
   void AppendContainer(const Box& box, const Part& part, const Belonging& place) {
     const double X = box.size.x(), Y = box.size.y(), Z = box.size.z(), t = box.thickness;
     const auto wall = [&](const Vector3& size, const Vector3& center) {
-      const Belonging at = place.Child(RigidTransform(center));
-      solids_.push_back({Block{size}, at.X_BE, part.color, part.id, at.control, at.variant});
+      Add(Block{size}, part, place.Child(RigidTransform(center)));
     };
     // The floor spans the full area; the walls (left, right, near, far) stand on it.
     wall({X, Y, t}, {0, 0, -Z / 2 + t / 2});
@@ -106,8 +140,19 @@ class SolidCollector {
       // right.
       const RigidTransform X_ERocker = position == 0 ? RigidTransform() : AboutY(toggle.angle);
       const auto add = [&](Button which, const RigidTransform& X_RockerButton) {
-        solids_.push_back({button, place.X_BE * (X_ERocker * X_RockerButton), part.color, part.id,
-                           number, position, which});
+        const RigidTransform X_BButton = place.X_BE * (X_ERocker * X_RockerButton);
+        // Only the raised button can be pressed.
+        const bool is_raised = (which == Button::kLeft) == (position == 1);
+        solids_.push_back(
+            {.shape = button,
+             .X_BS = X_BButton,
+             .color = part.color,
+             .part_id = part.id,
+             .control = number,
+             .variant = position,
+             .button = which,
+             .trigger = is_raised ? TriggerOf(toggle.trigger, -X_BButton.rotation().col(2), -1)
+                                  : std::nullopt});
       };
       add(Button::kLeft, X_flat);
       add(Button::kRight, X_raised);

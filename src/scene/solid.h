@@ -14,15 +14,27 @@ namespace smile::scene {
 /// Convex shape that physics collides and a camera draws directly.
 using SolidShape = std::variant<Block, Cylinder, Sphere, Hull>;
 
+/// Property of a piece that contact can trigger.
+struct Trigger {
+  TriggerRule rule;
+  /// Direction in which it is pushed in, in the body's frame: against the axis of its part, which
+  /// is z, or y for a cylinder.
+  Vector3 inward_in_body = Vector3::Zero();
+  int next_state = -1;  ///< of its custom control; -1: none, or a switch
+
+  bool operator==(const Trigger&) const = default;
+};
+
 /// Convex piece of a body B.
 struct Solid {
   SolidShape shape;
   RigidTransform X_BS;
   Color color;
-  std::string part_id;             ///< of the part it belongs to
-  int control = -1;                ///< index of its control, see ControlsOf(); -1: none
-  int variant = 0;                 ///< it is present only while the control has this variant
-  std::optional<Button> button{};  ///< of a switch; nullopt: none
+  std::string part_id;               ///< of the part it belongs to
+  int control = -1;                  ///< index of its control, see ControlsOf(); -1: none
+  int variant = 0;                   ///< it is present only while the control has this variant
+  std::optional<Button> button{};    ///< of a switch; nullopt: none
+  std::optional<Trigger> trigger{};  ///< nullopt: nothing but hands can trigger it
 
   bool operator==(const Solid&) const = default;
 };

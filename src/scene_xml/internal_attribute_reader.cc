@@ -125,6 +125,16 @@ bool AttributeReader::Boolean(std::string_view name, bool fallback) {
   return value.value_or(fallback);
 }
 
+int AttributeReader::Choice(std::string_view name, std::span<const std::string_view> words,
+                            int fallback) {
+  const std::string* text = Text(name);
+  if (!text) return fallback;
+  const auto word = std::ranges::find(words, *text);
+  if (word != words.end()) return static_cast<int>(word - words.begin());
+  Refuse(name, OneOf(words) + DidYouMean(*text, words));
+  return fallback;
+}
+
 int AttributeReader::Count(std::string_view name, int fallback, Range<int> range) {
   const std::string* text = Text(name);
   if (!text) return fallback;

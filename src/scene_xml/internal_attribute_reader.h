@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,8 @@ class AttributeReader {
   std::string Reference(std::string_view name);
 
   bool Boolean(std::string_view name, bool fallback);
+  /// Returns the number of one of these words.
+  int Choice(std::string_view name, std::span<const std::string_view> words, int fallback);
   int Count(std::string_view name, int fallback, Range<int> range);
   double Number(std::string_view name, double fallback, Range<double> range);
   smile::Color Color(std::string_view fallback = "gray");

@@ -1,12 +1,11 @@
 #include "scene_xml/internal_bond_reader.h"
 
-#include <algorithm>
 #include <array>
 #include <string>
 
 #include "scene_xml/internal_attribute_reader.h"
 #include "scene_xml/internal_element_choice.h"
-#include "scene_xml/internal_letters.h"
+#include "scene_xml/internal_tool_reader.h"
 #include "scene_xml/value_ranges.h"
 
 // Bond points: a guest (screw) fits a host (hole) of the same type, whose stages of tightness say
@@ -15,21 +14,6 @@
 
 namespace smile::scene_xml {
 namespace {
-
-/// Reads a bond type: an ASCII token as in XML.
-std::string ReadType(AttributeReader* attributes) {
-  const auto is_token_letter = [](char letter) {
-    return IsIdLetter(letter) || letter == '.' || letter == '-' || letter == ':';
-  };
-  std::string type = attributes->RequiredText("type");
-  // Missing: a finding already.
-  if (!attributes->Text("type")) return type;
-  if (type.empty() || type.size() > kMaxBondTypeBytes ||
-      !std::ranges::all_of(type, is_token_letter)) {
-    attributes->Refuse("type", "a word of letters A-Z and a-z, digits, _, -, . and :, at most 100");
-  }
-  return type;
-}
 
 /// Returns the ticket of a reference, which is resolved when the whole scene has been read; empty
 /// without a reference.
@@ -62,12 +46,31 @@ void CheckInitialBond(const scene::GuestPoint& guest, AttributeReader* attribute
                      "1 or more with an initBondHostId: at 0 they are not fastened");
 }
 
+/// Reads the places where tools work on the bond of a guest.
+void ReadToolPlaces(const SceneElement& element, scene::GuestPoint* guest,
+                    AttributeReader* attributes, ReadingContext* reading) {
+  for (const SceneElement& child : element.children) {
+    if (child.Is("accepts")) {
+      guest->accepts.push_back(ReadToolPlace(child, reading));
+    } else {
+      RefuseElement(child, std::array<std::string_view, 1>{"accepts"}, reading);
+    }
+  }
+  if (guest->accepts.size() > static_cast<std::size_t>(kMaxToolPlaces)) {
+    attributes->AddFinding("found " + std::to_string(guest->accepts.size()) +
+                           " accepts elements, expected at most " + std::to_string(kMaxToolPlaces));
+  }
+  if (guest->refuses_hands && guest->accepts.empty()) {
+    attributes->Refuse("by", "an accepts element inside: otherwise nothing can turn it");
+  }
+}
+
 }  // namespace
 
 scene::GuestPoint ReadGuestPoint(const SceneElement& element, ReadingContext* reading) {
   AttributeReader attributes(element, reading);
   scene::GuestPoint guest{.id = attributes.ClaimedId(),
-                          .type = ReadType(&attributes),
+                          .type = ReadTypeWord("type", &attributes),
                           .X_PG = attributes.PoseOrOrigin()};
   guest.initial_host =
       ReadReference(element, "initBondHostId", Target::kHost, &attributes, reading);
@@ -77,8 +80,10 @@ scene::GuestPoint ReadGuestPoint(const SceneElement& element, ReadingContext* re
   for (const char* name : {"downstream", "downstreamOverride", "downstreamLock"}) {
     attributes.Reference(name);
   }
+  guest.can_be_cut = ReadCut(false, &attributes);
+  guest.refuses_hands = attributes.Choice("by", kHandTool, 0) == 1;
   attributes.RefuseUnknown();
-  RefuseContent(element, reading);
+  ReadToolPlaces(element, &guest, &attributes, reading);
   CheckInitialBond(guest, &attributes);
   // A tightness without a host has no meaning, and templates may set it for all.
   if (guest.initial_host.empty()) guest.initial_tightness = 0;
@@ -88,7 +93,7 @@ scene::GuestPoint ReadGuestPoint(const SceneElement& element, ReadingContext* re
 scene::HostPoint ReadHostPoint(const SceneElement& element, ReadingContext* reading) {
   AttributeReader attributes(element, reading);
   scene::HostPoint host{.id = attributes.ClaimedId(),
-                        .type = ReadType(&attributes),
+                        .type = ReadTypeWord("type", &attributes),
                         .X_PH = attributes.PoseOrOrigin()};
   const auto read_reference = [&](const char* name, Target target) {
     return ReadReference(element, name, target, &attributes, reading);

@@ -7,6 +7,22 @@
 
 namespace smile::scene_xml {
 
+scene::TriggerRule ReadTriggerRule(scene::TriggerCause cause, AttributeReader* attributes) {
+  const scene::TriggerRule usual;
+  scene::TriggerRule rule{.cause = static_cast<scene::TriggerCause>(attributes->Choice(
+                              "trigger", scene::kTriggerCauses, static_cast<int>(cause)))};
+  rule.press_force = attributes->Number("pressForce", usual.press_force, kPressNewtons);
+  rule.press_angle = DegreesToRadians(attributes->Number("pressAngle", 45, kPressDegrees));
+  // Both have a meaning only with a press; set without one, something else was wanted.
+  for (const char* name : {"pressForce", "pressAngle"}) {
+    const bool is_of_press = rule.cause == scene::TriggerCause::kPress;
+    if (!is_of_press && attributes->Text(name)) {
+      attributes->Refuse(name, std::string(name) + " only with trigger=\"press\"");
+    }
+  }
+  return rule;
+}
+
 scene::Shape ReadToggleSwitch(AttributeReader* attributes) {
   // Sizes are in units here and in meters in the shape, so only the other defaults come from it.
   const scene::ToggleSwitch usual;
@@ -19,6 +35,7 @@ scene::Shape ReadToggleSwitch(AttributeReader* attributes) {
   toggle.is_left_pressed = attributes->Boolean("leftPressed", usual.is_left_pressed);
   toggle.num_states = attributes->Count("numStates", usual.num_states, kNumStates);
   toggle.initial_state = attributes->Count("initState", 0, kStates);
+  toggle.trigger = ReadTriggerRule(usual.trigger.cause, attributes);
   return toggle;
 }
 

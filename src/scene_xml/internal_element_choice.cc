@@ -18,7 +18,8 @@ using Names = std::span<const std::string_view>;
 /// True if the scene language has such an element, here or elsewhere.
 bool IsOfTheLanguage(std::string_view name) {
   // All elements except the shapes, which have a table of their own.
-  constexpr std::array kOthers{std::string_view("camera"),
+  constexpr std::array kOthers{std::string_view("accepts"),
+                               std::string_view("camera"),
                                std::string_view("chain"),
                                std::string_view("def"),
                                std::string_view("description"),
@@ -32,6 +33,7 @@ bool IsOfTheLanguage(std::string_view name) {
                                std::string_view("state"),
                                std::string_view("tabletop"),
                                std::string_view("tightness"),
+                               std::string_view("tool"),
                                std::string_view("var")};
   return std::ranges::find(kOthers, name) != kOthers.end() ||
          std::ranges::find(ShapeElements(), name, &ShapeElement::name) != ShapeElements().end();

@@ -9,6 +9,7 @@
 
 #include "base/wording.h"
 #include "scene_xml/internal_object_reader.h"
+#include "scene_xml/internal_tool_reader.h"
 #include "scene_xml/internal_units.h"
 #include "scene_xml/value_ranges.h"
 
@@ -127,6 +128,7 @@ void ReadChain(const SceneElement& element, ReadingContext* reading, ObjectList*
   const int wanted = attributes.Count("linkCount", 0, kNumLinks);
   chain.link_padding = attributes.SpanOrZero("linkPadding", 0.05);
   chain.link_mass = attributes.Number("linkMass", chain.link_mass, kLinkMassKilograms);
+  chain.can_be_cut = ReadCut(chain.can_be_cut, &attributes);
   attributes.RefuseUnknown();
   RefuseContent(element, reading);
   if (attributes.has_findings()) return;

@@ -56,7 +56,40 @@ void WriteStage(const scene::TightnessStage& stage, XmlText* text) {
   text->Close();
 }
 
+void WriteToolPlace(const scene::ToolPlace& place, XmlText* text) {
+  text->Open("accepts");
+  text->Attribute("tool", place.type);
+  text->Point("at", place.p_GS);
+  text->Direction("axis", place.axis);
+  text->Close();
+}
+
 }  // namespace
+
+void WriteTool(const scene::ToolSpec& tool, XmlText* text) {
+  const scene::ToolSpec usual;
+  text->Open("tool");
+  text->Attribute("action", scene::kToolActions[static_cast<std::size_t>(tool.action)]);
+  if (!tool.type.empty()) text->Attribute("type", tool.type);
+  text->Point("at", tool.p_BT);
+  text->Direction("axis", tool.axis);
+  if (tool.edge > 0) text->Length("edge", tool.edge);
+  if (tool.turn != usual.turn) text->Angle("turn", tool.turn);
+  text->Length("reach", tool.reach);
+  if (tool.angle != usual.angle) text->Angle("angle", tool.angle);
+  text->Close();
+}
+
+void WriteTriggerRule(const scene::TriggerRule& rule, std::optional<scene::TriggerCause> usual,
+                      XmlText* text) {
+  // Only what differs from the defaults, since older programs refuse these attributes.
+  const scene::TriggerRule defaults;
+  if (rule.cause != usual) {
+    text->Attribute("trigger", scene::kTriggerCauses[static_cast<std::size_t>(rule.cause)]);
+  }
+  if (rule.press_force != defaults.press_force) text->Number("pressForce", rule.press_force);
+  if (rule.press_angle != defaults.press_angle) text->Angle("pressAngle", rule.press_angle);
+}
 
 void WriteControlAttributes(const scene::ToggleSwitch& toggle, XmlText* text) {
   text->Spans(toggle.size);
@@ -64,6 +97,7 @@ void WriteControlAttributes(const scene::ToggleSwitch& toggle, XmlText* text) {
   text->Boolean("leftPressed", toggle.is_left_pressed);
   text->Count("numStates", toggle.num_states);
   text->Count("initState", toggle.initial_state);
+  WriteTriggerRule(toggle.trigger, scene::ToggleSwitch().trigger.cause, text);
 }
 
 void WriteControlAttributes(const scene::IndicatorLights& lights, XmlText* text) {
@@ -105,6 +139,9 @@ void WriteBondPoints(const scene::Composite& composite, XmlText* text) {
     WriteReference("initBondHostId", guest.initial_host, text);
     // The reader refuses a tightness of 0 with a host, and ignores one without.
     if (guest.initial_tightness > 0) text->Count("initBondTightness", guest.initial_tightness);
+    if (guest.can_be_cut) text->Attribute("cut", "yes");
+    if (guest.refuses_hands) text->Attribute("by", "tool");
+    for (const scene::ToolPlace& place : guest.accepts) WriteToolPlace(place, text);
     text->Close();
   }
   for (const scene::HostPoint& host : composite.hosts) {
@@ -151,6 +188,7 @@ void WriteChain(const scene::ChainSpec& chain, XmlText* text) {
   text->Count("linkCount", static_cast<int>(chain.link_ids.size()));
   text->Length("linkPadding", chain.link_padding);
   text->Number("linkMass", chain.link_mass);
+  if (!chain.can_be_cut) text->Attribute("cut", "no");
   text->Close();
 }
 

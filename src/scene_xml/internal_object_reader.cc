@@ -8,6 +8,7 @@
 
 #include "scene/solid.h"
 #include "scene_xml/internal_part_reader.h"
+#include "scene_xml/internal_tool_reader.h"
 #include "scene_xml/mesh_files.h"
 #include "scene_xml/value_ranges.h"
 
@@ -19,7 +20,8 @@ using scene::ObjectSpec;
 
 /// Limit of the physics on the convex pieces of one body.
 constexpr std::size_t kMaxPieces = 4096;
-constexpr std::array<std::string_view, 1> kDescription{"description"};
+/// Elements that belong to an object as a whole.
+constexpr std::array<std::string_view, 2> kOfWholes{"description", "tool"};
 
 /// Adds a description; a later value of the same name replaces the earlier one.
 void Describe(Description description, std::vector<Description>* descriptions) {
@@ -74,13 +76,18 @@ ObjectSpec ReadObject(const SceneElement& element, const ShapeElement& shape, Co
   object.descriptions = {{"shape", ShapeNameOf(shape, object.whole)}};
   std::vector<const SceneElement*> content;
   for (const SceneElement& child : element.children) {
-    if (child.Is(kDescription[0])) {
+    if (child.Is("description")) {
       Describe(ReadDescription(child, reading), &object.descriptions);
+    } else if (child.Is("tool") && object.tool) {
+      reading->findings->Add(child.place, AddressOf(child),
+                             "found a second tool, expected one in an object");
+    } else if (child.Is("tool")) {
+      object.tool = ReadTool(child, reading);
     } else {
       content.push_back(&child);
     }
   }
-  ReadContent(place, content, kDescription, &attributes, &object.whole, reading);
+  ReadContent(place, content, kOfWholes, &attributes, &object.whole, reading);
   // Counted from the shapes; the pieces themselves are not made here.
   CheckPieces(object.whole, &attributes);
   return object;

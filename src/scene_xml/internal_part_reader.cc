@@ -5,6 +5,7 @@
 
 #include "scene_xml/internal_bond_reader.h"
 #include "scene_xml/internal_control_reader.h"
+#include "scene_xml/internal_control_shapes.h"
 #include "scene_xml/value_ranges.h"
 
 namespace smile::scene_xml {
@@ -19,6 +20,20 @@ void ReadNextState(const PartPlace& place, AttributeReader* attributes, Part* pa
     attributes->Forbid(kName, std::string(kName) + " only inside a state of a customControl");
   } else if (attributes->Text(kName)) {
     part->next_state = attributes->Count(kName, -1, {kNextStates.least, place.num_states - 1});
+  }
+}
+
+/// Reads what triggers a part: inside a state of a custom control, if it says so. A switch reads
+/// its own.
+void ReadTrigger(const PartPlace& place, AttributeReader* attributes, Part* part) {
+  if (std::holds_alternative<scene::ToggleSwitch>(part->shape)) return;
+  for (const char* name : {"trigger", "pressForce", "pressAngle"}) {
+    if (place.container != Container::kState) {
+      attributes->Forbid(
+          name, std::string(name) + " only on a toggleSwitch or inside a state of a customControl");
+    } else if (attributes->Text(name) && !part->trigger) {
+      part->trigger = ReadTriggerRule(scene::TriggerCause::kHand, attributes);
+    }
   }
 }
 
@@ -50,6 +65,7 @@ Part ReadPartAttributes(const SceneElement& element, const ShapeElement& shape,
   if (!shape.default_color.empty()) part.color = attributes->Color(shape.default_color);
   part.shape = shape.read(attributes);
   ReadNextState(place, attributes, &part);
+  ReadTrigger(place, attributes, &part);
   if (shape.is_control) {
     const std::string* written = element.FindAttribute("id");
     reading->references.Declare(Target::kControl, written ? *written : "", part.id);

@@ -80,6 +80,7 @@ void WriteShapeAttributes(const Part& part, const RigidTransform& X_PE, XmlText*
   std::visit([&](const auto& shape) { Sizes(shape, text); }, part.shape);
   if (HasColor(part.shape)) text->Attribute("color", ToString(part.color));
   if (part.next_state) text->Count("nextStateWhenTriggered", *part.next_state);
+  if (part.trigger) WriteTriggerRule(*part.trigger, std::nullopt, text);
 }
 
 /// Writes the children.
@@ -134,6 +135,7 @@ void WriteObject(const ObjectSpec& object, const RigidTransform& X_PE, XmlText* 
   WriteSurface(object.surface, text);
   if (object.whole.is_pointable) text->Boolean("pointable", true);
   WriteDescriptions(object, text);
+  if (object.tool) WriteTool(*object.tool, text);
   WriteContent(object.whole, text);
   text->Close();
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <string_view>
 
 namespace smile::scene_xml {
 
@@ -27,6 +29,11 @@ inline constexpr Range<double> kFriction{0, 10};
 inline constexpr Range<double> kProportion{0, 1};
 // Beyond, a button would stand on its edge.
 inline constexpr Range<double> kButtonDegrees{0, 90};
+/// Beyond, hardly anything on a table could press.
+inline constexpr Range<double> kPressNewtons{0.01, 10000};
+inline constexpr Range<double> kPressDegrees{1, 89};
+inline constexpr Range<double> kTurnDegrees{5, 3600};
+inline constexpr Range<double> kToolDegrees{0.1, 90};
 inline constexpr Range<double> kFieldOfViewDegrees{1, 170};
 
 inline constexpr int kMaxStates = 256;  ///< of one control
@@ -46,6 +53,12 @@ inline constexpr Range<int> kTightness{0, kMaxStages};
 inline constexpr Range<int> kNumLinks{0, kMaxLinks};
 inline constexpr Range<int> kCylinderSides{3, 4096};
 inline constexpr Range<int> kPolygonSides{3, 1024};
+
+inline constexpr int kMaxToolPlaces = 16;  ///< of one guest point
+/// Values of `cut`.
+inline constexpr std::array<std::string_view, 2> kNoYes{"no", "yes"};
+/// Values of `by`.
+inline constexpr std::array<std::string_view, 2> kHandTool{"hand", "tool"};
 
 inline constexpr std::size_t kMaxIdBytes = 100;  ///< ids appear in every log line and label
 inline constexpr std::size_t kMaxRenameDigits = 10;

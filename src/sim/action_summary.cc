@@ -81,6 +81,8 @@ std::string_view ToString(ActionKind kind) {
       return "fasten";
     case kLoosen:
       return "loosen";
+    case kCut:
+      return "cut";
     case kAdd:
       return "add";
     case kRemove:
@@ -100,6 +102,14 @@ std::optional<ActionSummary> SummaryOf(const Event& event,
   const auto summary = [&event](ActionKind kind, const std::string& what) {
     return ActionSummary{.kind = kind, .hand = event.hand, .what = what, .onto = {}};
   };
+  const auto summary_of_use = [&] {
+    ActionSummary use = summary(event.state == "cut"      ? ActionKind::kCut
+                                : event.state == "fasten" ? ActionKind::kFasten
+                                                          : ActionKind::kLoosen,
+                                event.part);
+    use.with = event.by;
+    return use;
+  };
   using enum EventKind;
   // The name of the object, part or control that people would say.
   switch (event.kind) {
@@ -117,6 +127,8 @@ std::optional<ActionSummary> SummaryOf(const Event& event,
       return summary(ActionKind::kFasten, event.object);
     case kLoosened:
       return summary(ActionKind::kLoosen, event.object);
+    case kUsed:
+      return summary_of_use();
     case kAdded:
       return summary(ActionKind::kAdd, NameOf(event.objects));
     case kRemoved:
@@ -143,6 +155,7 @@ std::string WordsOf(const ActionSummary& summary) {
   // Third person for one hand, plural for both: `left hand takes`, `both hands take`.
   words += is_one_hand ? "s " : " ";
   words += (summary.kind == ActionKind::kPoint ? "at " : "") + summary.what;
+  if (!summary.with.empty()) words += " with " + summary.with;
   if (!summary.onto) return words;
   words += summary.onto->is_inside ? " into " : " on ";
   return words + (summary.onto->object.empty() ? "the table" : summary.onto->object);
@@ -152,6 +165,7 @@ Json ToJson(const std::optional<ActionSummary>& summary) {
   if (!summary) return nullptr;
   Json json = {{"do", ToString(summary->kind)}, {"hand", nullptr}, {"what", summary->what}};
   if (summary->hand) json["hand"] = ToString(*summary->hand);
+  if (!summary->with.empty()) json["with"] = summary->with;
   if (const auto& onto = summary->onto) json[onto->is_inside ? "into" : "on"] = onto->object;
   json["words"] = WordsOf(*summary);
   return json;

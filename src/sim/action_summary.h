@@ -23,6 +23,7 @@ constexpr std::optional<EventKind> EventOfAction() {
   if constexpr (std::is_same_v<Kind, Trigger>) return EventKind::kTriggered;
   if constexpr (std::is_same_v<Kind, Fasten>) return EventKind::kFastened;
   if constexpr (std::is_same_v<Kind, Loosen>) return EventKind::kLoosened;
+  if constexpr (std::is_same_v<Kind, Use>) return EventKind::kUsed;
   if constexpr (std::is_same_v<Kind, Spawn>) return EventKind::kAdded;
   if constexpr (std::is_same_v<Kind, Remove>) return EventKind::kRemoved;
   if constexpr (std::is_same_v<Kind, Clear>) return EventKind::kCleared;
@@ -48,13 +49,14 @@ enum class ActionKind {
   kTrigger,
   kFasten,
   kLoosen,
+  kCut,
   kAdd,
   kRemove,
   kClear,
   kLoad
 };
 /// Returns `take`, `put`, `drop`, `release`, `destroy`, `point`, `trigger`, `fasten`, `loosen`,
-/// `add`, `remove`, `clear` or `load`.
+/// `cut`, `add`, `remove`, `clear` or `load`.
 std::string_view ToString(ActionKind kind);
 
 /// Summary of an action.
@@ -63,7 +65,8 @@ struct ActionSummary {
   std::optional<HandName> hand;  ///< nullopt if no hand did it
   /// id of the object, part or control; the number of several objects: `5 objects`; or the name of
   /// the scene
-  std::string what;                    ///< id of the obj
+  std::string what;
+  std::string with;                    ///< id of the tool; empty without one
   std::optional<model::Support> onto;  ///< for a put or dropped object
 
   bool operator==(const ActionSummary&) const = default;
@@ -79,9 +82,9 @@ std::optional<ActionSummary> SummaryOf(const Event& event,
 /// crate`; `added b03`, `removed b03`, `cleared the table of 5 objects`, `loaded um`.
 std::string WordsOf(const ActionSummary& summary);
 
-/// Returns `{"do":"take","hand":"left","what":"b03","words":"left hand takes b03"}`; for a put or
-/// dropped object also `"on"` or `"into"` with the id of its support, empty for the table. `hand`
-/// is null if no hand did it. Returns null for nullopt.
+/// Returns `{"do":"take","hand":"left","what":"b03","words":"left hand takes b03"}`; with
+/// a tool also `"with"`; for a put or dropped object also `"on"` or `"into"` with the id of its
+/// support, empty for the table. `hand` is null if no hand did it. Returns null for nullopt.
 Json ToJson(const std::optional<ActionSummary>& summary);
 
 }  // namespace smile::sim

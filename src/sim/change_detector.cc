@@ -19,10 +19,28 @@ bool IsOneOf(const Command& command) {
 /// Returns true for commands that fasten or loosen.
 bool TurnsBonds(const Command& command) { return IsOneOf<Fasten, Loosen>(command); }
 
+/// Returns the name of the arm that a link belongs to; `robot` for other links.
+std::string ArmOfLink(const robot::RobotModel& robot, int link) {
+  for (const robot::Arm& arm : robot.arms) {
+    const auto& gripper = arm.gripper;
+    const bool is_finger =
+        gripper && (link == gripper->left_finger || link == gripper->right_finger);
+    if (is_finger || std::ranges::find(arm.joints, link) != arm.joints.end()) return arm.name;
+  }
+  return "robot";
+}
+
 }  // namespace
 
 ChangeDetector::ChangeDetector(const RunningModel* running)
-    : running_(*running), held_by_grippers_(running->HeldByGrippers()) {}
+    : running_(*running), held_by_grippers_(running->HeldByGrippers()) {
+  const world::Tabletop& tabletop = running->tabletop();
+  // In a tick, they change only by contact and by tools.
+  if (tabletop.has_pressable_controls() || tabletop.has_tools()) {
+    mechanisms_.controls = tabletop.controls().states();
+  }
+  if (tabletop.has_tools()) mechanisms_.bonds = tabletop.bonds().states();
+}
 
 ChangeDetector::ChangeDetector(const RunningModel* running, const Command& command)
     : ChangeDetector(running) {
@@ -32,7 +50,7 @@ ChangeDetector::ChangeDetector(const RunningModel* running, const Command& comma
     const world::Object* held = tabletop.Find(running_.demonstrator().hand(*hand).held);
     if (held != nullptr) held_by_hand_ = held->id();
   }
-  if (TurnsBonds(command) || IsOneOf<Trigger, Destroy, Remove, Clear>(command)) {
+  if (TurnsBonds(command) || IsOneOf<Trigger, Use, Destroy, Remove, Clear>(command)) {
     mechanisms_ = tabletop.state();
   }
   if (!IsOneOf<Spawn, Remove, Clear>(command)) return;
@@ -45,16 +63,40 @@ std::vector<Event> ChangeDetector::EventsOf(const Command& command) const {
   std::vector<Event> events;
   // The order is part of recordings: cause first, then its consequences.
   AppendOwn(command, &events);
-  AppendBonds(command, &events);
+  AppendBonds(TurnsBonds(command) ? HandOf(command) : std::nullopt, &events);
   AppendControls(&events);
   AppendGrippers(&events);
   return events;
 }
 
-std::vector<Event> ChangeDetector::EventsOfTick() const {
+std::vector<Event> ChangeDetector::EventsOfTick(const TickReport& report) const {
   std::vector<Event> events;
   AppendGrippers(&events);
+  for (const world::Press& press : report.presses) AppendPress(press, &events);
+  for (const world::ToolUse& use : report.uses) events.push_back(EventOf(use));
+  if (!report.uses.empty()) AppendBonds(/*hand=*/std::nullopt, &events);
+  if (!report.presses.empty() || !report.uses.empty()) AppendControls(&events);
   return events;
+}
+
+Event ChangeDetector::EventOf(const world::ToolUse& use) const {
+  const model::Model& model = *running_.model();
+  return {.kind = EventKind::kUsed,
+          .arm = use.arm >= 0 ? model.robot()->arms[use.arm].name : "",
+          .object = model.id(use.object),
+          .part = use.target,
+          .state = use.verb,
+          .by = model.id(model.tool(use.tool).object)};
+}
+
+void ChangeDetector::AppendPress(const world::Press& press, std::vector<Event>* events) const {
+  const model::Model& model = *running_.model();
+  const model::Control& control = model.control(press.control);
+  Event event{
+      .kind = EventKind::kPressed, .object = model.id(control.object), .control = control.id()};
+  if (press.by_link >= 0) event.arm = ArmOfLink(*model.robot(), press.by_link);
+  if (const world::Object* by = running_.tabletop().Find(press.by)) event.by = by->id();
+  events->push_back(std::move(event));
 }
 
 std::vector<std::string> ChangeDetector::ChangedObjects() const {
@@ -106,6 +148,11 @@ void ChangeDetector::AppendOwn(const Command& command, std::vector<Event>* event
                          .object = model.id(model.control(*control).object),
                          .control = trigger.control};
           },
+          [&](const Use& use) -> std::optional<Event> {
+            Event used = EventOf(running_.last_use());
+            used.hand = use.hand;
+            return used;
+          },
           [&](const Spawn&) -> std::optional<Event> {
             return Event{.kind = EventKind::kAdded, .objects = ChangedObjects()};
           },
@@ -120,7 +167,8 @@ void ChangeDetector::AppendOwn(const Command& command, std::vector<Event>* event
   if (event) events->push_back(*event);
 }
 
-void ChangeDetector::AppendBonds(const Command& command, std::vector<Event>* events) const {
+void ChangeDetector::AppendBonds(const std::optional<HandName>& hand,
+                                 std::vector<Event>* events) const {
   const auto& before = mechanisms_.bonds;
   const model::Model& model = *running_.model();
   // Over the hosts before the command: `before` is empty unless the command may change bonds.
@@ -132,7 +180,7 @@ void ChangeDetector::AppendBonds(const Command& command, std::vector<Event>* eve
     const model::GuestIndex guest = is.guest ? *is.guest : *was.guest;
     events->push_back(
         {.kind = is.tightness > was.tightness ? EventKind::kFastened : EventKind::kLoosened,
-         .hand = TurnsBonds(command) ? HandOf(command) : std::nullopt,
+         .hand = hand,
          .object = model.id(model.guest(guest).object),
          .guest = guest,
          .host = host,

@@ -22,15 +22,20 @@ class ChangeDetector {
   /// Returns the events of the command, which has been applied: its own, then those of bonds,
   /// controls and grippers that followed.
   std::vector<Event> EventsOf(const Command& command) const;
-  /// Returns the events of the tick, which is over: bodies that grippers grasped or released.
-  std::vector<Event> EventsOfTick() const;
+  /// Returns the events of the tick, which is over: bodies that grippers grasped or released, then
+  /// presses by contact, and the controls that they changed.
+  std::vector<Event> EventsOfTick(const TickReport& report) const;
 
  private:
   void AppendOwn(const Command& command, std::vector<Event>* events) const;
   /// Bonds that ended because an object was destroyed have no hand.
-  void AppendBonds(const Command& command, std::vector<Event>* events) const;
+  /// @param hand  that fastened or loosened; none if a tool did.
+  void AppendBonds(const std::optional<HandName>& hand, std::vector<Event>* events) const;
   void AppendControls(std::vector<Event>* events) const;
   void AppendGrippers(std::vector<Event>* events) const;
+  void AppendPress(const world::Press& press, std::vector<Event>* events) const;
+  /// Returns the event of a use, without the hand.
+  Event EventOf(const world::ToolUse& use) const;
   /// Returns the ids of the objects that were added or removed.
   std::vector<std::string> ChangedObjects() const;
 

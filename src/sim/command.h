@@ -208,6 +208,22 @@ struct Loosen {
   bool operator==(const Loosen&) const = default;
 };
 
+/// Uses the tool that the hand holds.
+struct Use {
+  static constexpr CommandName kName{
+      "use", "uses the held tool on what its tip is at: cuts it, or turns it by one stage"};
+  HandName hand = HandName::kAny;
+  bool loosens = false;  ///< direction of a tool that is turned
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.hand, kHandField);
+    visit(command.loosens, CommandField{"loosen", ValueKind::kFlag,
+                                        "turns a screwdriver so that it loosens (default: false)",
+                                        ValueUnit::kNone, Presence::kOptional});
+  }
+  bool operator==(const Use&) const = default;
+};
+
 /// Visits values of arms as the fields `left`, `right` and `arms`.
 void VisitArms(auto& arms, ValueUnit unit, auto&& visit) {
   using Values = std::remove_reference_t<decltype(arms)>;
@@ -472,9 +488,10 @@ struct FinishRecording {
 };
 
 /// Any command. Tools list the kinds in this order.
-using Command = std::variant<Grasp, MoveTo, Plane, Rotate, Release, Destroy, Attend, Point, Trigger,
-                             Fasten, Loosen, JointVelocities, JointAngles, TurnJoint, MoveGripper,
-                             TakePose, FollowTrajectory, ShowRobot, Face, Markers, Spawn, Remove,
-                             Clear, Load, Undo, Redo, StartRecording, FinishRecording>;
+using Command =
+    std::variant<Grasp, MoveTo, Plane, Rotate, Release, Destroy, Attend, Point, Trigger, Fasten,
+                 Loosen, Use, JointVelocities, JointAngles, TurnJoint, MoveGripper, TakePose,
+                 FollowTrajectory, ShowRobot, Face, Markers, Spawn, Remove, Clear, Load, Undo, Redo,
+                 StartRecording, FinishRecording>;
 
 }  // namespace smile::sim

@@ -39,6 +39,10 @@ std::string_view ToString(EventKind kind) {
       return "cleared";
     case EventKind::kLoaded:
       return "loaded";
+    case EventKind::kPressed:
+      return "pressed";
+    case EventKind::kUsed:
+      return "used";
   }
   return "";
 }

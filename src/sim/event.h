@@ -32,6 +32,10 @@ enum class EventKind {
   kRemoved,          ///< `objects` were removed from the world, without a hand
   kCleared,          ///< the same for all objects except held ones
   kLoaded,           ///< another scene was loaded, its name in `object`; in no trace
+  kPressed,          ///< contact pressed `control` of `object`: an `arm`, or the object `by`
+  /// a tool, `by`, was used: `state` is `cut`, `fasten` or `loosen`, `part` in words what it worked
+  /// on, which is (a part of) `object`; without a hand if it was not by a command
+  kUsed,
 };
 
 std::string_view ToString(EventKind kind);
@@ -51,6 +55,7 @@ struct Event {
   std::optional<model::HostIndex> host;    ///< for events of bonds
   int tightness = 0;
   std::vector<std::string> properties;  ///< properties that matter; empty: none in particular
+  std::string by;                       ///< id of the object that did it; empty: the arm or table
   std::vector<std::string> objects;     ///< ids of the added or removed objects, in scene order
 
   bool operator==(const Event&) const = default;

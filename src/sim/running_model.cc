@@ -88,6 +88,10 @@ std::optional<Refusal> RunningModel::ExecuteOne(const Loosen& loosen) {
   return demonstrator_.Loosen(loosen.hand, loosen.object, loosen.p_WQ);
 }
 
+std::optional<Refusal> RunningModel::ExecuteOne(const Use& use) {
+  return demonstrator_.Use(use.hand, use.loosens, &last_use_);
+}
+
 std::optional<Refusal> RunningModel::ExecuteOne(const Markers& markers) {
   if (markers.points_in_world.size() <= kMaxMarkers) return std::nullopt;
   return "there are more than " + std::to_string(kMaxMarkers) + " markers";
@@ -134,8 +138,8 @@ std::optional<Refusal> RunningModel::ExecuteOne(const Clear&) {
   return std::nullopt;
 }
 
-std::vector<const world::Object*> RunningModel::Tick() {
-  std::vector<const world::Object*> fallen;
+TickReport RunningModel::Tick() {
+  TickReport report;
   if (robot_) robot_->BeforeTick(tick_);
   for (int step = 0; step < kStepsPerTick; ++step) {
     // Hands act in each physics step, the robot's targets change once per tick.
@@ -143,10 +147,28 @@ std::vector<const world::Object*> RunningModel::Tick() {
     physics_.Step();
     if (robot_) robot_->AfterStep();
     // In each step, as an object that bounces may touch the floor for less than a tick.
-    std::ranges::copy(tabletop_.NoticeFallen(), std::back_inserter(fallen));
+    std::ranges::copy(tabletop_.NoticeFallen(), std::back_inserter(report.fallen));
+    tabletop_.NoticePushes();
   }
+  report.presses = tabletop_.PressControls(SecondsOf(1));
+  if (tabletop_.has_tools()) report.uses = tabletop_.UseTools(Holders(), &report.refusals);
   ++tick_;
-  return fallen;
+  return report;
+}
+
+std::vector<world::Holder> RunningModel::Holders() const {
+  std::vector<world::Holder> holders;
+  for (const demonstrator::HandName name : demonstrator::kHandNames) {
+    const demonstrator::Hand& hand = demonstrator_.hand(name);
+    if (hand.is_holding()) holders.push_back({.body = hand.held});
+  }
+  for (int arm = 0; robot_ && arm < robot_->body().num_arms(); ++arm) {
+    for (const physics::BodyId body : robot_->body().HeldBodies(arm)) {
+      const bool is_closing = robot_->body().state().grippers[arm].opening_velocity < 0;
+      holders.push_back({.body = body, .arm = arm, .is_squeezing = is_closing});
+    }
+  }
+  return holders;
 }
 
 std::vector<std::vector<physics::BodyId>> RunningModel::HeldByGrippers() const {

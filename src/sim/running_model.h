@@ -16,6 +16,14 @@
 
 namespace smile::sim {
 
+/// What happened in a tick by itself, without a command.
+struct TickReport {
+  std::vector<const world::Object*> fallen;  ///< to the floor, in order of time
+  std::vector<world::Press> presses;         ///< of controls, by control
+  std::vector<world::ToolUse> uses;          ///< of tools that grippers squeezed or that turned
+  std::vector<Refusal> refusals;             ///< of such uses
+};
+
 /// A model in motion: its physics world with tabletop, hands and robot, and the tick. Applies
 /// commands and advances; it has no history, listeners or recordings.
 ///
@@ -31,9 +39,10 @@ class RunningModel {
   /// @returns the reason if it was refused; nothing has then changed.
   std::optional<Refusal> Execute(const Command& command);
   /// Advances by 1/60 s.
-  /// @returns the objects that fell to the floor, in order of time.
-  std::vector<const world::Object*> Tick();
+  TickReport Tick();
 
+  /// Returns what the last command did with a tool, if it was a Use.
+  const world::ToolUse& last_use() const { return last_use_; }
   std::uint64_t tick() const { return tick_; }
   /// See Simulation::model().
   const std::shared_ptr<const model::Model>& model() const { return model_; }
@@ -57,6 +66,8 @@ class RunningModel {
   void Restore(const SimulationState& state);
 
  private:
+  /// Returns what hands and grippers hold.
+  std::vector<world::Holder> Holders() const;
   std::optional<Refusal> ExecuteOne(const Grasp& grasp);
   std::optional<Refusal> ExecuteOne(const MoveTo& move);
   std::optional<Refusal> ExecuteOne(const Plane& plane);
@@ -68,6 +79,7 @@ class RunningModel {
   std::optional<Refusal> ExecuteOne(const Trigger& trigger);
   std::optional<Refusal> ExecuteOne(const Fasten& fasten);
   std::optional<Refusal> ExecuteOne(const Loosen& loosen);
+  std::optional<Refusal> ExecuteOne(const Use& use);
   std::optional<Refusal> ExecuteOne(const Markers& markers);
   std::optional<Refusal> ExecuteOne(const Spawn& spawn);
   std::optional<Refusal> ExecuteOne(const Remove& remove);
@@ -80,6 +92,7 @@ class RunningModel {
   demonstrator::Demonstrator demonstrator_;
   std::optional<SimulatedRobot> robot_;
   std::uint64_t tick_ = 0;
+  world::ToolUse last_use_;  ///< a report, not state
 };
 
 }  // namespace smile::sim

@@ -117,11 +117,14 @@ void Simulation::Tick() {
   has_begun_ = true;
   // Grippers may grasp or release during the tick.
   const ChangeDetector changes(running_.get());
-  const std::vector<const world::Object*> fallen = running_->Tick();
+  const TickReport report = running_->Tick();
   // The tick before its events, since these are recorded with the poses at its end.
   for (Listener* listener : listeners_) listener->OnTick(*this);
-  for (const Event& event : changes.EventsOfTick()) Notify(event);
-  for (const world::Object* object : fallen) {
+  for (const Event& event : changes.EventsOfTick(report)) Notify(event);
+  for (const Refusal& reason : report.refusals) {
+    Notify({.kind = EventKind::kCommandRefused, .reason = reason});
+  }
+  for (const world::Object* object : report.fallen) {
     Notify({.kind = EventKind::kFell, .object = object->id()});
   }
 }

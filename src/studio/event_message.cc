@@ -10,6 +10,7 @@ Json EventMessage(const sim::Event& event, std::uint64_t tick, const model::Mode
   };
   add("arm", event.arm);
   add("object", event.object);
+  add("by", event.by);
   add("reason", event.reason);
   add("part", event.part);
   add("control", event.control);

@@ -119,6 +119,14 @@ void AppendBondEffects(const Episode& episode, std::vector<Effect>* effects) {
   }
 }
 
+/// True for the use of a tool that parted a chain.
+bool IsCutOfChain(const sim::Event& event, const scene::SceneSpec& scene) {
+  if (event.kind != sim::EventKind::kUsed || event.state != "cut") return false;
+  return std::ranges::any_of(scene.chains, [&event](const scene::ChainSpec& chain) {
+    return std::ranges::find(chain.link_ids, event.object) != chain.link_ids.end();
+  });
+}
+
 /// Appends the sliders that moved by more than kSlid.
 void AppendSlideEffects(const Episode& episode, std::vector<Effect>* effects) {
   for (const scene::SliderSpec& slider : episode.scene.sliders) {
@@ -130,6 +138,16 @@ void AppendSlideEffects(const Episode& episode, std::vector<Effect>* effects) {
     }
     const double from = OffsetOf(slider, episode.begin), to = OffsetOf(slider, episode.end);
     if (std::abs(to - from) > kSlid) effects->push_back(SlideEffect{second, from, to});
+  }
+}
+
+/// Appends the cuts of chains, in their order. Those of bonds and parts are effects of their own.
+void AppendCutEffects(const Episode& episode, std::vector<Effect>* effects) {
+  for (const ContactEvent& contact : episode.contacts) {
+    const sim::Event& event = contact.event;
+    if (IsCutOfChain(event, episode.scene)) {
+      effects->push_back(CutEffect{event.object, event.part, event.by});
+    }
   }
 }
 
@@ -207,6 +225,13 @@ class Ending {
     });
   }
 
+  bool IsAs(const CutEffect& wanted) const {
+    return std::ranges::any_of(episode_.contacts, [&](const ContactEvent& contact) {
+      return IsCutOfChain(contact.event, episode_.scene) &&
+             contact.event.object == counterpart_(wanted.object);
+    });
+  }
+
   bool IsAs(const ContainerEffect& wanted) const {
     const bool is_inside = std::ranges::any_of(contents_, [&](const Relation& relation) {
       return relation.object == counterpart_(wanted.object) &&
@@ -257,6 +282,7 @@ std::vector<Effect> EffectsOf(const Episode& episode) {
   AppendBondEffects(episode, &effects);
   AppendSlideEffects(episode, &effects);
   AppendContainerEffects(episode, &effects);
+  AppendCutEffects(episode, &effects);
   return effects;
 }
 
@@ -269,7 +295,8 @@ std::vector<std::string> ObjectsOf(const Effect& effect) {
                                [](const SlideEffect& slide) { return Ids{slide.object}; },
                                [](const ContainerEffect& in) {
                                  return Ids{in.object, in.container};
-                               }},
+                               },
+                               [](const CutEffect& cut) { return Ids{cut.object}; }},
                     effect);
 }
 
@@ -304,7 +331,8 @@ std::string WordsOf(const Effect& effect, double meters_per_unit) {
           },
           [](const ContainerEffect& in) {
             return in.object + (in.is_inside ? " put into " : " taken out of ") + in.container;
-          }},
+          },
+          [](const CutEffect& cut) { return cut.where + " cut with " + cut.tool; }},
       effect);
 }
 
@@ -334,6 +362,12 @@ Json ToJson(const Effect& effect, double meters_per_unit) {
                                          {"object", in.object},
                                          {"container", in.container},
                                          {"inside", in.is_inside}};
+                               },
+                               [](const CutEffect& cut) -> Json {
+                                 return {{"kind", "cut"},
+                                         {"object", cut.object},
+                                         {"where", cut.where},
+                                         {"tool", cut.tool}};
                                }},
                     effect);
 }

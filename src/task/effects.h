@@ -49,7 +49,16 @@ struct ContainerEffect {
   bool operator==(const ContainerEffect&) const = default;
 };
 
-using Effect = std::variant<ControlEffect, BondEffect, SlideEffect, ContainerEffect>;
+/// Cut of a chain between two of its pieces.
+struct CutEffect {
+  std::string object;  ///< a piece beside the cut
+  std::string where;   ///< in words: `Rope between link 4 and 5`
+  std::string tool;    ///< id
+
+  bool operator==(const CutEffect&) const = default;
+};
+
+using Effect = std::variant<ControlEffect, BondEffect, SlideEffect, ContainerEffect, CutEffect>;
 
 /// Returns the effects of an episode, in the order of the kinds above, each in scene order.
 std::vector<Effect> EffectsOf(const Episode& episode);
@@ -65,14 +74,15 @@ using Counterpart = std::function<std::string(const std::string& object)>;
 
 /// Returns for each effect whether it is achieved at the end of another episode: a control in the
 /// same state, a bond as tight, a slider within `tolerance` [m], an object in the container, or
-/// not.
+/// not, a chain cut beside the same piece.
 std::vector<bool> AreAchieved(const std::vector<Effect>& effects, const Episode& episode,
                               const Counterpart& counterpart, double tolerance);
 
 /// Returns a description for people: `Lamp from dark to blue`, `Tip fastened to Hole, stage 3`,
-/// `Lid slid from 0 to 4 units`, `Cherry taken out of Chest`.
+/// `Lid slid from 0 to 4 units`, `Cherry taken out of Chest`,
+/// `Rope between link 4 and 5 cut with Scissors`.
 std::string WordsOf(const Effect& effect, double meters_per_unit);
-/// Returns JSON with a `kind`: `control`, `bond`, `slide` or `container`; lengths in units.
+/// Returns JSON with a `kind`: `control`, `bond`, `slide`, `container` or `cut`; lengths in units.
 Json ToJson(const Effect& effect, double meters_per_unit);
 
 }  // namespace smile::task

@@ -17,7 +17,7 @@ constexpr recording::PoseGap kStayed{.distance = 0.01, .angle = DegreesToRadians
 bool IsContact(sim::EventKind kind) {
   using enum sim::EventKind;
   return kind == kGrasped || kind == kReleased || kind == kFastened || kind == kLoosened ||
-         kind == kFell || kind == kGripperHolds || kind == kGripperReleased;
+         kind == kFell || kind == kGripperHolds || kind == kGripperReleased || kind == kUsed;
 }
 
 /// Returns the contact of an event with the object's pose at `now`; nullopt for other events and

@@ -49,7 +49,6 @@ void Bonds::FastenInitially(GuestIndex first) {
   }
 }
 
-/// Returns the host that holds a guest, if any.
 std::optional<HostIndex> Bonds::HostOf(GuestIndex guest) const {
   for (HostIndex host : model_->hosts()) {
     if (states_[host].guest == guest) return host;
@@ -147,44 +146,67 @@ std::optional<Refusal> Bonds::Fasten(ObjectIndex object, const Vector3& p_WQ) {
   const std::string name = Named((*objects_)[object].id());
   const auto guest = NearestGuest(object, p_WQ);
   if (!guest) return name + " has no guestBondPoint to fasten it by";
-  if (const auto host = HostOf(*guest)) {
+  if (auto refusal = RefuseHands(*guest)) return refusal;
+  return TightenMore(*guest, {});
+}
+
+std::optional<Refusal> Bonds::TightenMore(GuestIndex guest, physics::BodyId tool) {
+  if (const auto host = HostOf(guest)) {
     const int tightness = states_[*host].tightness;
     // Stages count from 1; 0 means free.
     if (tightness == static_cast<int>(model_->host(*host).point->stages.size())) {
-      return name + " is already at its tightest stage";
+      return NameOf(BodyOf(guest)) + " is already at its tightest stage";
     }
-    return Tighten(*guest, *host, tightness + 1);
+    return Tighten(guest, *host, tightness + 1, tool);
   }
   Refusal refusal;
-  const auto host = HostInReach(*guest, kReachUnits * model_->scene().meters_per_unit, &refusal);
+  const auto host = HostInReach(guest, kReachUnits * model_->scene().meters_per_unit, &refusal);
   if (!host) return refusal;
-  return Tighten(*guest, *host, 1);
+  return Tighten(guest, *host, 1, tool);
+}
+
+std::optional<Refusal> Bonds::RefuseHands(GuestIndex guest) const {
+  const scene::GuestPoint& point = *model_->guest(guest).point;
+  if (!point.refuses_hands) return std::nullopt;
+  return NameOf(BodyOf(guest)) + " refuses bare hands; it takes a tool of type " +
+         point.accepts.front().type;
+}
+
+std::optional<Refusal> Bonds::Turn(GuestIndex guest, int direction, physics::BodyId tool) {
+  if (direction > 0) return TightenMore(guest, tool);
+  const auto host = HostOf(guest);
+  if (!host) return NameOf(BodyOf(guest)) + " is not fastened there";
+  return Tighten(guest, *host, states_[*host].tightness - 1, tool);
 }
 
 std::optional<Refusal> Bonds::Loosen(ObjectIndex object, const Vector3& p_WQ) {
   const auto guest = NearestGuest(object, p_WQ);
   const auto host = guest ? HostOf(*guest) : std::nullopt;
   if (!host) return Named((*objects_)[object].id()) + " is not fastened there";
+  if (auto refusal = RefuseHands(*guest)) return refusal;
   return Tighten(*guest, *host, states_[*host].tightness - 1);
 }
 
 /// Changes the stage, or refuses and leaves everything unchanged.
-std::optional<Refusal> Bonds::Tighten(GuestIndex guest, HostIndex host, int tightness) {
+std::optional<Refusal> Bonds::Tighten(GuestIndex guest, HostIndex host, int tightness,
+                                      physics::BodyId tool) {
   if (states_[host].is_locked) return Named(model_->host(host).point->id) + " is locked";
   const RigidTransform X_WB = GuestBodyAt(guest, host, tightness);
   // All reasons to refuse come before the first change.
-  if (auto refusal = RefuseToMove(guest, host, X_WB)) return refusal;
+  if (auto refusal = RefuseToMove(guest, host, X_WB, tool)) return refusal;
 
   // The present bond ends before the guest moves.
   if (states_[host].joint) world_->RemoveJoint(states_[host].joint);
   states_[host].joint = {};
   world_->MoveAssembly(BodyOf(guest), X_WB);
   Join(guest, host, tightness);
+  // The tip of the tool is where the guest is now.
+  if (tool) world_->IgnoreCollisionUntilSeparated(tool, BodyOf(guest));
   return std::nullopt;
 }
 
 std::optional<Refusal> Bonds::RefuseToMove(GuestIndex guest, HostIndex host,
-                                           const RigidTransform& X_WB) const {
+                                           const RigidTransform& X_WB, physics::BodyId tool) const {
   const physics::BodyId body = BodyOf(guest), holder = BodyOf(host);
   const physics::JointId bond = states_[host].joint;
   if (world_->body(body).is_static()) return NameOf(body) + " is fixed (its mass is 0)";
@@ -205,7 +227,7 @@ std::optional<Refusal> Bonds::RefuseToMove(GuestIndex guest, HostIndex host,
     for (physics::BodyId blocker : overlaps.bodies) {
       // A guest is inside its host's hole by design.
       const bool is_hole = member == body && blocker == holder;
-      if (is_hole || std::ranges::binary_search(moved, blocker)) continue;
+      if (is_hole || blocker == tool || std::ranges::binary_search(moved, blocker)) continue;
       return "there is no room for " + NameOf(member) + ": " + NameOf(blocker) + " is in the way";
     }
     if (overlaps.with_articulation) {
@@ -257,6 +279,16 @@ void Bonds::NotifyDownstream(HostIndex index) {
   if (host.downstream_lock) {
     states_[*host.downstream_lock].is_locked = model::LocksDownstreamAt(host, tightness);
   }
+}
+
+void Bonds::End(HostIndex host) {
+  BondState& state = states_[host];
+  const physics::BodyId body = BodyOf(*state.guest);
+  if (state.joint) world_->RemoveJoint(state.joint);
+  // The lock belongs to the host, not to the bond.
+  state = BondState{{.is_locked = state.is_locked}};
+  world_->IgnoreCollisionUntilSeparated(BodyOf(host), body);
+  NotifyDownstream(host);
 }
 
 void Bonds::EndBondsOf(ObjectIndex object) {

@@ -37,6 +37,15 @@ class Bonds {
   const std::vector<BondState>& states() const { return states_; }  ///< by HostIndex
   void Restore(std::vector<BondState> states, const model::Model& model);
 
+  /// Tightens or loosens a guest by one stage with a tool, which may be in the way of it.
+  /// @param direction  1: tightens, -1: loosens.
+  [[nodiscard]] std::optional<Refusal> Turn(GuestIndex guest, int direction, physics::BodyId tool);
+  /// Ends the bond of a host at once, as when it is cut: guest and host pass through each other
+  /// until they have separated.
+  void End(HostIndex host);
+  /// Returns the host that a guest is fastened to.
+  std::optional<HostIndex> HostOf(GuestIndex guest) const;
+
   /// Tightens the object's guest point nearest to `p_WQ` by one stage. A free guest goes to the
   /// nearest host that fits, is free, not locked, not on the floor, less than two units away and
   /// not already connected with the object. The guest and its assembly move to the place of the
@@ -48,7 +57,9 @@ class Bonds {
   void EndBondsOf(ObjectIndex object);
 
  private:
-  std::optional<HostIndex> HostOf(GuestIndex guest) const;
+  /// Returns the reason why hands cannot turn a guest.
+  std::optional<Refusal> RefuseHands(GuestIndex guest) const;
+  std::optional<Refusal> TightenMore(GuestIndex guest, physics::BodyId tool);
   std::optional<GuestIndex> NearestGuest(ObjectIndex object, const Vector3& p_WQ) const;
   /// Returns the host that a free guest would go to, or nullopt with the reason in `refusal`.
   std::optional<HostIndex> HostInReach(GuestIndex guest, double reach, Refusal* refusal) const;
@@ -63,11 +74,13 @@ class Bonds {
   /// Returns the name of a body's object for refusals.
   std::string NameOf(physics::BodyId body) const;
   RigidTransform GuestBodyAt(GuestIndex guest, HostIndex host, int tightness) const;
-  std::optional<Refusal> Tighten(GuestIndex guest, HostIndex host, int tightness);
+  /// @param tool  does not count as an obstacle.
+  std::optional<Refusal> Tighten(GuestIndex guest, HostIndex host, int tightness,
+                                 physics::BodyId tool = {});
   void Join(GuestIndex guest, HostIndex host, int tightness);
   /// Returns the reason why a guest and its assembly cannot be put at `X_WB`.
-  std::optional<Refusal> RefuseToMove(GuestIndex guest, HostIndex host,
-                                      const RigidTransform& X_WB) const;
+  std::optional<Refusal> RefuseToMove(GuestIndex guest, HostIndex host, const RigidTransform& X_WB,
+                                      physics::BodyId tool) const;
   bool IsHeldByRobot(physics::BodyId body) const;
   void NotifyDownstream(HostIndex host);
   bool IsInPlay(ObjectIndex object) const {

@@ -21,14 +21,16 @@ using scene::ToggleSwitch;
 struct Target {
   std::string part;
   int next_state;
+  bool is_cut;  ///< only tools trigger it
 };
 
 /// Appends a part and its children; children inherit the next state unless they name one.
-void AppendTargets(const scene::Part& part, int inherited, std::vector<Target>* targets) {
-  const int next_state = part.next_state.value_or(inherited);
-  targets->push_back({part.id, next_state});
+void AppendTargets(const scene::Part& part, const Target& inherited, std::vector<Target>* targets) {
+  Target target{part.id, part.next_state.value_or(inherited.next_state), inherited.is_cut};
+  if (part.trigger) target.is_cut = part.trigger->cause == scene::TriggerCause::kCut;
+  targets->push_back(target);
   if (const auto* composite = std::get_if<scene::Composite>(&part.shape)) {
-    for (const scene::Part& child : composite->parts) AppendTargets(child, next_state, targets);
+    for (const scene::Part& child : composite->parts) AppendTargets(child, target, targets);
   }
 }
 
@@ -36,7 +38,9 @@ void AppendTargets(const scene::Part& part, int inherited, std::vector<Target>* 
 std::vector<Target> TargetsOf(const CustomControl& control, int state) {
   std::vector<Target> targets;
   // -1: at the top level nothing is inherited, so such parts lead nowhere.
-  for (const scene::Part& part : control.states[state].parts) AppendTargets(part, -1, &targets);
+  for (const scene::Part& part : control.states[state].parts) {
+    AppendTargets(part, {.part = {}, .next_state = -1, .is_cut = false}, &targets);
+  }
   std::erase_if(targets, [&](const Target& target) {
     return target.next_state < 0 || target.next_state == state ||
            target.next_state >= static_cast<int>(control.states.size());
@@ -87,9 +91,7 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
     if (!part.empty() && part != raised) {
       return Named(part) + " is already pressed; press " + Named(raised);
     }
-    // The lowered button comes up and the other one goes down; the state advances either way.
-    state.position = 1 - state.position;
-    state.state = (state.state + 1) % toggle.num_states;
+    TurnOver(toggle, &state);
     return std::nullopt;
   };
   const auto advance = [&](const CustomControl& custom) -> std::optional<Refusal> {
@@ -103,6 +105,7 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
     }
     if (targets.empty())
       return "nothing would happen: no part of " + name + " leads to another state";
+    if (targets.front().is_cut) return name + " refuses bare hands; it takes a tool that cuts";
     // Without a named part, all parts must agree.
     const bool is_one = std::ranges::all_of(targets, [&](const Target& target) {
       return target.next_state == targets.front().next_state;
@@ -122,6 +125,23 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
   // Other controls follow only after the control has changed itself.
   if (!refusal) model::DriveDownstream(model_->all_controls(), index, &states_);
   return refusal;
+}
+
+void Controls::TurnOver(const ToggleSwitch& toggle, ControlState* state) {
+  // The lowered button comes up and the other one goes down; the state advances either way.
+  state->position = 1 - state->position;
+  state->state = (state->state + 1) % toggle.num_states;
+}
+
+bool Controls::Press(model::ControlIndex index, int next_state) {
+  const model::Control& control = model_->control(index);
+  if (const auto* toggle = std::get_if<ToggleSwitch>(&control.part->shape)) {
+    TurnOver(*toggle, &states_[index]);
+  } else if (!model::TakeState(control, next_state, &states_[index])) {
+    return false;
+  }
+  model::DriveDownstream(model_->all_controls(), index, &states_);
+  return true;
 }
 
 void Controls::Set(model::ControlIndex control, int state) {

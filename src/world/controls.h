@@ -32,6 +32,10 @@ class Controls {
   /// Presses a switch, or triggers a custom control. `part` is the button (`ID-b1`, `ID-b2`) or the
   /// id of a part of the control's present state; empty: any part that leads to another state.
   [[nodiscard]] std::optional<Refusal> Trigger(model::ControlIndex control, std::string_view part);
+  /// Triggers a control as contact does.
+  /// @param next_state  of a custom control; a switch takes the next of its own.
+  /// @returns false if nothing changes.
+  bool Press(model::ControlIndex control, int next_state);
   /// Sets a state without driving downstream controls; ignores a state that the control does not
   /// have.
   void Set(model::ControlIndex control, int state);
@@ -39,6 +43,9 @@ class Controls {
   void Override(model::ControlIndex control, int state);
 
  private:
+  /// Turns a switch over.
+  void TurnOver(const scene::ToggleSwitch& toggle, ControlState* state);
+
   const model::Model* model_;
   std::vector<ControlState> states_;
 };

@@ -39,7 +39,9 @@ Tabletop::Tabletop(physics::World* world, std::shared_ptr<const model::Model> mo
       objects_(ObjectsOf(*model_)),
       controls_(*model_),
       object_states_(objects_.size()),
-      bonds_(world, *model_, &objects_, &object_states_, &controls_) {
+      presses_(world, *model_, &objects_, &object_states_),
+      bonds_(world, *model_, &objects_, &object_states_, &controls_),
+      tools_(world, *model_, &objects_, &object_states_, &controls_, &bonds_) {
   // Table and floor come first: their ids precede those of all objects, which fixes the order in
   // physics.
   const scene::Solid table = scene::TableSolid(model_->scene().table);
@@ -62,7 +64,9 @@ void Tabletop::Grow(std::shared_ptr<const model::Model> model) {
   object_states_.resize(objects_.size());
   // The states of existing objects stay; those of new ones are initial.
   controls_.Grow(*model);
+  presses_.Grow(*model);
   bonds_.Grow(*model);
+  tools_.Grow(*model);
   model_ = std::move(model);
   AddBeyond(extent);
 }
@@ -171,6 +175,13 @@ std::optional<Refusal> Tabletop::Trigger(std::string_view id, std::string_view p
   return std::nullopt;
 }
 
+std::vector<Press> Tabletop::PressControls(double seconds) {
+  const std::vector<ControlState> before = controls_.states();
+  std::vector<Press> presses = presses_.AfterTick(seconds, &controls_);
+  if (!presses.empty()) FollowControls(before);
+  return presses;
+}
+
 std::optional<Refusal> Tabletop::Fasten(const Object& object, const Vector3& p_WQ) {
   const std::vector<ControlState> before = controls_.states();
   if (auto refusal = bonds_.Fasten(object.index, p_WQ)) return refusal;
@@ -183,6 +194,30 @@ std::optional<Refusal> Tabletop::Loosen(const Object& object, const Vector3& p_W
   if (auto refusal = bonds_.Loosen(object.index, p_WQ)) return refusal;
   FollowControls(before);
   return std::nullopt;
+}
+
+std::optional<ToolUse> Tabletop::TargetOf(const Object& tool, Refusal* refusal) const {
+  if (const auto index = model_->ToolOf(tool.index)) return tools_.Target(*index, refusal);
+  *refusal = Named(tool.id()) + " is no tool";
+  return std::nullopt;
+}
+
+std::optional<ToolUse> Tabletop::Use(const Object& tool, bool loosens, Refusal* refusal) {
+  // The reason of TargetOf() if it is no tool.
+  if (!TargetOf(tool, refusal)) return std::nullopt;
+  const std::vector<ControlState> before = controls_.states();
+  auto use = tools_.Use(*model_->ToolOf(tool.index), loosens, refusal);
+  if (use) FollowControls(before);
+  return use;
+}
+
+std::vector<ToolUse> Tabletop::UseTools(const std::vector<Holder>& holders,
+                                        std::vector<Refusal>* refusals) {
+  if (!has_tools()) return {};
+  const std::vector<ControlState> before = controls_.states();
+  std::vector<ToolUse> uses = tools_.AfterTick(holders, refusals);
+  if (!uses.empty()) FollowControls(before);
+  return uses;
 }
 
 void Tabletop::Destroy(const Object& object) {
@@ -208,6 +243,8 @@ model::SceneState Tabletop::scene_state() const {
 TabletopState Tabletop::state() const {
   TabletopState state{.controls = controls_.states(),
                       .bonds = bonds_.states(),
+                      .presses = presses_.states(),
+                      .tools = tools_.state(),
                       .objects = object_states_,
                       .bodies = {}};
   for (const Object& object : objects_) state.bodies.push_back(object.body);
@@ -221,6 +258,8 @@ void Tabletop::Restore(const TabletopState& state, std::shared_ptr<const model::
   object_states_ = state.objects;
   controls_.Restore(state.controls, *model);
   bonds_.Restore(state.bonds, *model);
+  presses_.Restore(state.presses, *model);
+  tools_.Restore(state.tools, *model);
   model_ = std::move(model);
 }
 
@@ -238,6 +277,8 @@ void Tabletop::AddToHash(StateHash* hash) const {
     hash->Add(std::uint64_t{bond.is_locked});
     hash->Add(std::uint64_t{bond.joint.value});
   }
+  presses_.AddToHash(hash);
+  tools_.AddToHash(hash);
   // In physics versions 1 and 2 also the many to which nothing has happened.
   const bool adds_all = model_->scene().physics_version < 3;
   for (std::size_t i = 0; i < object_states_.size(); ++i) {

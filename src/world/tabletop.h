@@ -11,6 +11,8 @@
 #include "world/bonds.h"
 #include "world/controls.h"
 #include "world/object.h"
+#include "world/presses.h"
+#include "world/tools.h"
 
 namespace smile::world {
 
@@ -19,8 +21,10 @@ inline constexpr double kFloorDepth = 0.9;
 
 /// State of a tabletop apart from its bodies, whose state is part of the physics world.
 struct TabletopState {
-  std::vector<ControlState> controls;   ///< by model::ControlIndex
-  std::vector<BondState> bonds;         ///< by model::HostIndex
+  std::vector<ControlState> controls;  ///< by model::ControlIndex
+  std::vector<BondState> bonds;        ///< by model::HostIndex
+  std::vector<PressState> presses;     ///< by model::ControlIndex
+  ToolsState tools;
   std::vector<ObjectState> objects;     ///< in scene order
   std::vector<physics::BodyId> bodies;  ///< of the objects, including destroyed ones
 
@@ -63,6 +67,14 @@ class Tabletop {
   /// held nor connected with a held one. An object that started down there must fall first.
   /// @returns those that had not fallen before, in scene order.
   std::vector<const Object*> NoticeFallen();
+  /// Call after each physics step: notes which controls are pushed.
+  void NoticePushes() { presses_.AfterStep(); }
+  /// Call after the steps of a tick, which took `seconds`: triggers the controls that contact
+  /// pressed.
+  /// @returns the presses.
+  std::vector<Press> PressControls(double seconds);
+  /// Returns true if contact can press a control.
+  bool has_pressable_controls() const { return !presses_.is_empty(); }
 
   const model::Model& model() const { return *model_; }
   const Controls& controls() const { return controls_; }
@@ -77,6 +89,13 @@ class Tabletop {
   /// See Bonds::Fasten() and Bonds::Loosen(). The object must be one of objects() and present.
   [[nodiscard]] std::optional<Refusal> Fasten(const Object& object, const Vector3& p_WQ);
   [[nodiscard]] std::optional<Refusal> Loosen(const Object& object, const Vector3& p_WQ);
+  /// Returns what a tool would do if it were used now, or nullopt with the reason in `refusal`.
+  std::optional<ToolUse> TargetOf(const Object& tool, Refusal* refusal) const;
+  /// Uses a tool; see Tools::Use().
+  std::optional<ToolUse> Use(const Object& tool, bool loosens, Refusal* refusal);
+  /// Call after the steps of a tick; see Tools::AfterTick().
+  std::vector<ToolUse> UseTools(const std::vector<Holder>& holders, std::vector<Refusal>* refusals);
+  bool has_tools() const { return !tools_.is_empty(); }
   /// Removes a present object, with its joints, bonds and controls.
   void Destroy(const Object& object);
 
@@ -112,7 +131,9 @@ class Tabletop {
   std::vector<Object> objects_;
   Controls controls_;
   std::vector<ObjectState> object_states_;  ///< one per object
+  Presses presses_;
   Bonds bonds_;
+  Tools tools_;
 };
 
 }  // namespace smile::world

@@ -64,7 +64,7 @@ const HostileReader kReaders[] = {
     {"mesh", FaultWithMesh, ReasonThrownBy<InputError, ImportHostileMesh>, 16, 27},
     {"page", FaultWithPageInput, ReasonAgainstPageInput, 5, 6},
     {"robot", FaultWithRobot, ReasonThrownBy<InputError, ReadHostileRobot>, 7, 18, "robots"},
-    {"scene", FaultWithScene, ReasonAgainstScene, 23, 24, "scenes", ".xml"},
+    {"scene", FaultWithScene, ReasonAgainstScene, 24, 25, "scenes", ".xml"},
     {"trajectory", FaultWithTrajectory, ReasonThrownBy<InputError, ReadTrajectoryText>, 5, 15},
     {"xml", FaultWithXml, ReasonAgainstXml, 4, 12, "scenes", ".xml"},
 };

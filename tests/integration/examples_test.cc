@@ -183,6 +183,25 @@ void TheSpareIsInTheRack(const Json& end) {
   EXPECT_EQ(end["controls"]["RackLight2"], "ready");
 }
 
+void TheStringIsCutAndTheWeightDown(const Json& end) {
+  // On the anvil, which is 0.4 high, or beside it.
+  EXPECT_LT(PositionOf(end, "Weight")[2], 1.2);
+  EXPECT_NEAR(PositionOf(end, "Scissors")[2], 0.1, kMillimeter);
+}
+
+void TheFourScrewsAreOutAndTheCoverIsOff(const Json& end) {
+  ExpectNear(PositionOf(end, "Cover"), {-5.4, -4, 0.15}, 0.1, "Cover");
+  for (const char* screw : {"ScrewNW", "ScrewNE", "ScrewSW", "ScrewSE"}) {
+    EXPECT_GT(std::abs(PositionOf(end, screw)[0]), 4) << screw;
+  }
+}
+
+void TheBoltIsTightAndTheSignIsGlued(const Json& end) {
+  // The third stage, after a use of the wrench and a turn of it.
+  ExpectNear(PositionOf(end, "Bolt"), {-3, 2, 1}, kMillimeter, "Bolt");
+  ExpectNear(PositionOf(end, "Sign"), {3, 2, 0.46}, kMillimeter, "Sign");
+}
+
 const std::vector<Example>& AllExamples() {
   static const std::vector<Example> kExamples{
       {"tower", "", TheTowerStands},
@@ -200,11 +219,14 @@ const std::vector<Example>& AllExamples() {
       {"drive", "--no-robot", TheSpareIsInTheRack},
       {"robot_poses", "", TheRobotIsReadyAndHasTouchedNothing, "tower"},
       {"scenes/controls", "--no-robot", TheSignalIsGreen},
+      {"scenes/cover", "--no-robot", TheFourScrewsAreOutAndTheCoverIsOff},
       {"scenes/dial", "--no-robot", TheDigitIsSeven},
       {"scenes/dock", "--no-robot", TheSpareHasReplacedTheFailedDrive},
       {"scenes/dock", "", TheSpareHasReplacedTheFailedDrive},
+      {"scenes/fastening", "--no-robot", TheBoltIsTightAndTheSignIsGlued},
       {"scenes/lidbox", "--no-robot", TheRedBlockIsOutAndTheLidShut},
       {"scenes/panel", "--no-robot", TheScrewIsOutAndTheCoverOff},
+      {"scenes/scissors", "--no-robot", TheStringIsCutAndTheWeightDown},
       {"scenes/screws", "--no-robot", BothScrewsAreTight},
       {"scenes/strings", "--no-robot", TheWeightLiesOnTheAnvil},
       {"scenes/trapdoor", "--no-robot", TheBlocksHaveDropped},

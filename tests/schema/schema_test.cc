@@ -135,6 +135,8 @@ std::vector<RangeInScene> RangesInScenes() {
       Real("<block" + kPoint + " friction='%'/>", kFriction),
       Real("<block" + kPoint + " restitution='%'/>", kProportion),
       Real("<toggleSwitch" + kPoint + " angle='%'/>", kButtonDegrees),
+      Real("<toggleSwitch" + kPoint + " pressForce='%'/>", kPressNewtons),
+      Real("<toggleSwitch" + kPoint + " pressAngle='%'/>", kPressDegrees),
       Real("<camera id='c' location='(0,0,1)' target='(0,1,0)' fov='%'/>", kFieldOfViewDegrees),
       Real(chain + "linkMass='%'/>", kLinkMassKilograms),
       Real("<sliderJoint" + kPoint + " min='%' max='1e6'><block" + kPoint + "/><block" + kPoint +

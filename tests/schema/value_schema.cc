@@ -1,10 +1,13 @@
 #include "value_schema.h"
 
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "base/wording.h"
 #include "math/color.h"
+#include "scene/tool.h"
+#include "scene/trigger_rule.h"
 #include "scene_xml/value_ranges.h"
 
 namespace smile::scene_xml {
@@ -53,6 +56,13 @@ std::string ColorPattern() {
   return pattern;
 }
 
+std::string WordsPattern(std::span<const std::string_view> words) {
+  std::string pattern;
+  for (const std::string_view word : words)
+    pattern += (pattern.empty() ? "" : "|") + std::string(word);
+  return pattern;
+}
+
 /// `(a,b,…)`.
 std::string NumbersPattern(int count) {
   const std::string number = R"([+\-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+\-]?[0-9]+)?)";
@@ -72,6 +82,10 @@ std::vector<ValueType> ValueTypes() {
           RealType("friction", kFriction),
           RealType("proportion", kProportion),
           RealType("buttonAngle", kButtonDegrees),
+          RealType("pressForce", kPressNewtons),
+          RealType("pressAngle", kPressDegrees),
+          RealType("turnAngle", kTurnDegrees),
+          RealType("toolAngle", kToolDegrees),
           RealType("fieldOfView", kFieldOfViewDegrees),
           RealType("unit", kMetersPerUnitRange),
           WholeType("numStates", kNumStates),
@@ -84,6 +98,10 @@ std::vector<ValueType> ValueTypes() {
           WholeType("cylinderSides", kCylinderSides),
           WholeType("polygonSides", kPolygonSides),
           WordType("boolean", "true|false|1|0"),
+          WordType("triggerCause", WordsPattern(scene::kTriggerCauses)),
+          WordType("toolAction", WordsPattern(scene::kToolActions)),
+          WordType("noYes", WordsPattern(kNoYes)),
+          WordType("handTool", WordsPattern(kHandTool)),
           WordType("color", ColorPattern()),
           WordType("vector", NumbersPattern(3)),
           WordType("matrix", NumbersPattern(9))};

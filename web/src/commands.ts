@@ -105,6 +105,15 @@ export interface LoosenCommand {
   point?: [number, number, number];
 }
 
+/** It uses the held tool on what its tip is at: cuts it, or turns it by one stage. */
+export interface UseCommand {
+  do: "use";
+  /** hand of the demonstrator */
+  hand: "left" | "right" | "both" | "any";
+  /** turns a screwdriver so that it loosens (default: false) */
+  loosen?: boolean;
+}
+
 /** It sets the robot's velocities until the next such command. */
 export interface JointVelocitiesCommand {
   do: "joint_velocities";
@@ -278,6 +287,7 @@ export type Command =
   | TriggerCommand
   | FastenCommand
   | LoosenCommand
+  | UseCommand
   | JointVelocitiesCommand
   | JointAnglesCommand
   | TurnCommand

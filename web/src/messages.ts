@@ -77,11 +77,13 @@ export interface Hand {
 
 /** An action; `on` and `into` name the object beneath a put or dropped object. */
 export interface ActionSummary {
-  do: "take" | "put" | "drop" | "release" | "destroy" | "point" | "trigger" | "fasten" | "loosen" | "add" | "remove" | "clear" | "load";
+  do: "take" | "put" | "drop" | "release" | "destroy" | "point" | "trigger" | "fasten" | "loosen" | "cut" | "add" | "remove" | "clear" | "load";
   /** null for an action without a hand */
   hand: HandName | null;
   /** an id, `5 objects`, or the name of a scene */
   what: string;
+  /** id of the tool */
+  with?: string;
   /** id of the object beneath, empty for the table */
   on?: string;
   into?: string;
@@ -192,6 +194,8 @@ export interface EventMessage {
   hand?: HandName;
   arm?: string;
   object?: string;
+  /** the object that did it */
+  by?: string;
   reason?: string;
   part?: string;
   control?: string;

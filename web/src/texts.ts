@@ -175,7 +175,15 @@ export const texts = {
 
   theme: { system: "Theme: system", light: "Theme: light", dark: "Theme: dark" },
 
-  menu: { trigger: "Trigger", point: "Point to", fasten: "Fasten", loosen: "Loosen", title: (object: string) => `Actions for ${object}` },
+  menu: {
+    trigger: "Trigger",
+    point: "Point to",
+    fasten: "Fasten",
+    loosen: "Loosen",
+    use: (tool: string) => `Use ${tool}`,
+    useLoosening: (tool: string) => `Loosen with ${tool}`,
+    title: (object: string) => `Actions for ${object}`,
+  },
   menuReasons: {
     noControl: "It is not part of a control",
   },

@@ -41,6 +41,34 @@ TEST(ControlReader, ReadsASwitchWithAllAttributes) {
                                  .downstream = {"S"}}));
 }
 
+TEST(ControlReader, ReadsWhatTriggersASwitchOrAPart) {
+  const auto toggle = MustReadControl<scene::ToggleSwitch>("<toggleSwitch" + kAtOrigin +
+                                                           " pressForce='2' pressAngle='30'/>");
+  EXPECT_EQ(toggle.trigger, (scene::TriggerRule{.cause = scene::TriggerCause::kPress,
+                                                .press_force = 2,
+                                                .press_angle = DegreesToRadians(30)}));
+  const auto control = MustReadControl<scene::CustomControl>(
+      "<customControl" + kAtOrigin + "><state><composite" + kAtOrigin +
+      " nextStateWhenTriggered='0' trigger='press'><block" + kAtOrigin +
+      "/></composite></state></customControl>");
+  const scene::Part& group = control.states[0].parts[0];
+  EXPECT_EQ(group.trigger, (scene::TriggerRule{.cause = scene::TriggerCause::kPress}));
+  EXPECT_EQ(std::get<scene::Composite>(group.shape).parts[0].trigger, std::nullopt);
+}
+
+TEST(ControlReader, RefusesTriggersWithoutAMeaning) {
+  EXPECT_EQ(
+      FaultOfControl("<toggleSwitch" + kAtOrigin + " trigger='prress'/>"),
+      "test.xml:3: <toggleSwitch>: found trigger=\"prress\", expected hand, press or cut; did you "
+      "mean \"press\"?");
+  EXPECT_EQ(FaultOfControl("<toggleSwitch" + kAtOrigin + " trigger='hand' pressForce='3'/>"),
+            "test.xml:3: <toggleSwitch>: found pressForce=\"3\", expected pressForce only with "
+            "trigger=\"press\"");
+  EXPECT_EQ(FaultOfControl("<block" + kAtOrigin + " trigger='press'/>"),
+            "test.xml:3: <block>: found trigger=\"press\", expected trigger only on a toggleSwitch "
+            "or inside a state of a customControl");
+}
+
 TEST(ControlReader, ReadsLightsAndTheirStates) {
   const auto lights = MustReadControl<scene::IndicatorLights>(
       "<indicatorLights" + kAtOrigin + " numLights='3' lightRadius='0.7' initState='1' mass='2'>" +
@@ -143,9 +171,10 @@ TEST(ControlFaults, ReportWhichElementsAreAllowedWhere) {
             "test.xml:3: <hostBondPoint>: found an element that does not belong here, expected "
             "block, box, "
             "composite, custom, cylinder, frustum, ring or sphere");
-  EXPECT_EQ(FaultOfControl("<toggleSwitch" + kAtOrigin + "><state/></toggleSwitch>"),
-            "test.xml:3: <state>: found an element that does not belong here, expected description "
-            "or downstream");
+  EXPECT_EQ(
+      FaultOfControl("<toggleSwitch" + kAtOrigin + "><state/></toggleSwitch>"),
+      "test.xml:3: <state>: found an element that does not belong here, expected description, "
+      "tool or downstream");
   EXPECT_EQ(FaultOfControl("<block" + kAtOrigin + " nextStateWhenTriggered='0'/>"),
             "test.xml:3: <block>: found nextStateWhenTriggered=\"0\", expected "
             "nextStateWhenTriggered only inside a state of a customControl");

@@ -140,9 +140,10 @@ TEST(SceneFaults, RefusesMassAndDescriptionsOfParts) {
 }
 
 TEST(SceneFaults, RefusesElementsInsideSimpleShapes) {
-  EXPECT_EQ(FaultOfObject("<block location='(0,0,0)'><descripton/></block>"),
-            "test.xml:3: <descripton>: found an unknown element, expected description; did you "
-            "mean \"description\"?");
+  EXPECT_EQ(
+      FaultOfObject("<block location='(0,0,0)'><descripton/></block>"),
+      "test.xml:3: <descripton>: found an unknown element, expected description or tool; did you "
+      "mean \"description\"?");
   EXPECT_EQ(FaultOfObject("<composite location='(0,0,0)'><block location='(0,0,0)'><block/>"
                           "</block></composite>"),
             "test.xml:3: <block>: found an element that does not belong here, expected nothing "

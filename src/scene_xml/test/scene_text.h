@@ -21,15 +21,19 @@ inline std::string SceneOfEverything() {
   return SceneText(R"(
     <sliderJoint location='(0, -.5,1.0E-4)' init='0.5' softness='1'>
       <box location='(0,0,0)'/>
-      <cylinder radius='.4' location='(0,0,0)' mass='0'/>
+      <cylinder radius='.4' location='(0,0,0)' mass='0'>
+        <tool action='cut' at='(0,1,0)' axis='(0,1,0)' edge='2'/>
+      </cylinder>
     </sliderJoint>
     <camera id='overhead' location='(0,0,12)' target='(0,0, .5)' up='(0,1,0)' fov='45'/>
-    <chain start='(0,0,1)' end='(0,3,1)' linkCount='0' linkPadding='0'/>
+    <chain start='(0,0,1)' end='(0,3,1)' linkCount='0' linkPadding='0' cut='no'/>
     <composite location='(0,0,1)'>
       <description name='a' value='b'/>
       <ring radiusInner='0' location='(0,0,0)' pointable='1'/>
-      <toggleSwitch id='S' angle='20' location='(0,0,0)'><downstream id='L'/></toggleSwitch>
-      <guestBondPoint type='M3' initBondHostId='H' initBondTightness='1'/>
+      <toggleSwitch id='S' angle='20' pressAngle='20' location='(0,0,0)'><downstream id='L'/></toggleSwitch>
+      <guestBondPoint type='M3' initBondHostId='H' initBondTightness='1' by='tool' cut='yes'>
+        <accepts tool='phillips' at='(0,0,1)'/>
+      </guestBondPoint>
       <indicatorLights id='L' location='(0,0,0)'>
         <state><light id='1' color=' #12aBcD'/></state>
       </indicatorLights>
@@ -43,7 +47,7 @@ inline std::string SceneOfEverything() {
     <customControl name='dial' location='(0,0,0)'>
       <state descriptionName='on'>
         <composite location='(0,0,0)'>
-          <frustum location='(0,0,0)' nextStateWhenTriggered='-1'/>
+          <frustum location='(0,0,0)' nextStateWhenTriggered='-1' trigger='press' pressForce='0.3'/>
         </composite>
       </state>
     </customControl>

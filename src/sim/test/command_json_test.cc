@@ -84,7 +84,7 @@ TEST(CommandJson, ReportsWhatWasFoundAndExpected) {
             "\"grasp\" lacks \"hand\": hand of the demonstrator");
   EXPECT_EQ(MessageOf(R"({"do":"grab","hand":"left"})"),
             "\"do\" is \"grab\", expected one of grasp, move_to, plane, rotate, release, "
-            "destroy, attend, point, trigger, fasten, loosen, "
+            "destroy, attend, point, trigger, fasten, loosen, use, "
             "joint_velocities, joint_angles, turn, gripper, pose, trajectory, robot, face, "
             "markers, spawn, remove, clear, load, undo, redo, start, finish");
   EXPECT_EQ(MessageOf(R"({"hand":"third","do":"release"})"),

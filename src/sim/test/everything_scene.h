@@ -10,10 +10,10 @@
 namespace smile::sim {
 
 /// One of every mechanism, in 0.1 m units made of plain values:
-/// a panel with a switch `power`, lamps `lamps` and a dial `dial`; a nut with a host `thread` and
-/// three stages that drive the lamps, override them and lock the nut `other`; a screw with the
-/// guest `tip`, a spare screw; a drawer in a case; a chain of five links; a loose ball; a block
-/// beyond the table's edge that falls for 0.7 s.
+/// a panel with a switch `power`, lamps `lamps` and a dial `dial`, which contact presses; a nut
+/// with a host `thread` and three stages that drive the lamps, override them and lock the nut
+/// `other`; a screw with the guest `tip`, a spare screw; a drawer in a case; a chain of five links;
+/// a loose ball; a block beyond the table's edge that falls for 0.7 s.
 class EverythingScene {
  public:
   static scene::SceneSpec Make() {
@@ -28,6 +28,15 @@ class EverythingScene {
     AddChain(&scene);
     scene.objects.push_back(Simple("stray", scene::Block{}, {1.3, 0, 1.5}));
     return scene;
+  }
+
+  /// Appends `weight`, which falls on the dial, and `shears` of a long reach, which cut the chain
+  /// from anywhere.
+  static void AddWeightAndShears(scene::SceneSpec* scene) {
+    scene->objects.push_back(Simple("weight", scene::Block{{0.04, 0.04, 0.04}}, {0.1, 0.3, 0.2}));
+    scene->objects.push_back(Simple("shears", scene::Block{{0.1, 0.04, 0.02}}, {0, -0.1, 0.02}));
+    scene->objects.back().tool = scene::ToolSpec{
+        .action = scene::ToolAction::kCut, .axis = {1, 0, 0}, .edge = 0.1, .reach = 5};
   }
 
  private:
@@ -59,6 +68,8 @@ class EverythingScene {
           {.name = state == 0 ? "flat" : "tall",
            .parts = {BlockPart({0.05, 0.05, state == 0 ? 0.02 : 0.1},
                                {0, 0, state == 0 ? 0.01 : 0.05}, "knob", 1 - state)}});
+      dial.states.back().parts[0].trigger =
+          scene::TriggerRule{.cause = scene::TriggerCause::kPress};
     }
     scene::Composite panel;
     panel.parts = {BlockPart({0.4, 0.2, 0.04}, {0, 0, 0}),
@@ -119,7 +130,8 @@ class EverythingScene {
   }
 
   static void AddChain(scene::SceneSpec* scene) {
-    scene::ChainSpec chain{.start_id = "rope-start",
+    scene::ChainSpec chain{.id = "rope",
+                           .start_id = "rope-start",
                            .end_id = "rope-end",
                            .p_WStart = {-0.6, -0.4, 0.5},
                            .p_WEnd = {-0.1, -0.4, 0.4},

@@ -145,13 +145,10 @@ class GripperKinds : public SimulationFixture, public testing::WithParamInterfac
     ASSERT_EQ(simulation_->Apply(TurnJoint{.joint = "lift", .velocity = 0}), std::nullopt);
   }
   void Close() {
-    ASSERT_EQ(
-        simulation_->Apply(MoveGripper{.which = MoveGripper::Which::kLeft, .velocity = -0.05}),
-        std::nullopt);
+    ASSERT_EQ(simulation_->Apply(MoveGripper{.arm = "left", .velocity = -0.05}), std::nullopt);
   }
   void Open() {
-    ASSERT_EQ(simulation_->Apply(MoveGripper{.which = MoveGripper::Which::kLeft, .velocity = 0.05}),
-              std::nullopt);
+    ASSERT_EQ(simulation_->Apply(MoveGripper{.arm = "left", .velocity = 0.05}), std::nullopt);
   }
   /// Grasps the block, or sucks at its top.
   void Grasp() {
@@ -231,7 +228,7 @@ TEST_P(GripperKinds, AreTakenOverByAPoseAtOnce) {
   Grasp();
   const double before = PositionOf(*simulation_, "block").z();
   const double lift = robot().ArmAngles(0)[0];
-  ASSERT_EQ(simulation_->Apply(JointAngles{.left = std::vector<double>{lift - 0.2}}), std::nullopt);
+  ASSERT_EQ(simulation_->Apply(JointAngles{.arms = {{"left", {lift - 0.2}}}}), std::nullopt);
   EXPECT_NEAR(PositionOf(*simulation_, "block").z(), before + 0.2, 2e-3);
   ExpectThatFollowersFollow();
 }

@@ -26,14 +26,19 @@ TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
     std::uint64_t hash;
     Command command;
   };
-  Simulation simulation(EverythingScene::Make());
+  scene::SceneSpec scene = EverythingScene::Make();
+  EverythingScene::AddWeightAndShears(&scene);
+  Simulation simulation(scene);
   RandomHands hands(GetParam());
   std::vector<Moment> moments;
   std::map<std::size_t, int> num_done;  // of each kind of command
   Counter counter;
   simulation.AddListener(&counter);
   for (int i = 0; i < 80; ++i) {
-    const Command command = hands.Next(simulation);
+    Command command = hands.Next(simulation);
+    // Now and then the shears.
+    if (i % 16 == 5) command = Grasp{.hand = HandName::kRight, .object = "shears"};
+    if (i % 16 == 6) command = Use{.hand = HandName::kRight};
     moments.push_back({simulation.Save(), simulation.state_hash(), command});
     const std::uint64_t before = simulation.state_hash();
     if (simulation.Apply(command)) {
@@ -45,12 +50,14 @@ TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
   }
   EXPECT_GT(num_done[Command(Trigger{}).index()], 0);
   EXPECT_GT(num_done[Command(Fasten{}).index()] + num_done[Command(Loosen{}).index()], 0);
+  EXPECT_GT(num_done[Command(Use{}).index()], 0);
   EXPECT_GT(num_done[Command(Plane{}).index()], 0);
   EXPECT_GT(num_done[Command(MoveTo{}).index()], 0);
   // Some release because another hand needs them.
   EXPECT_GT(counter.num_events[EventKind::kReleased], num_done[Command(Release{}).index()]);
   EXPECT_GT(counter.num_events[EventKind::kFell], 0);
   EXPECT_GT(counter.num_events[EventKind::kAttended], 0);
+  EXPECT_GT(counter.num_events[EventKind::kPressed], 0);
   const std::uint64_t end = simulation.state_hash();
 
   for (auto moment = moments.rbegin(); moment != moments.rend(); ++moment) {
@@ -66,7 +73,7 @@ TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
     EXPECT_EQ(other.state_hash(), end);
   };
   do_again(simulation, 0);
-  Simulation elsewhere(EverythingScene::Make());
+  Simulation elsewhere(scene);
   elsewhere.Restore(moments[40].state);
   do_again(elsewhere, 40);
 }

@@ -21,7 +21,7 @@ class RandomHands {
     // Mostly two of them, so that they hold what the other wants; `any` is free for mechanisms.
     using enum HandName;
     const HandName hand = Pick(std::vector{kLeft, kLeft, kLeft, kRight, kRight, kRight, kBoth});
-    const std::string object = Pick(simulation.tabletop().objects()).id();
+    const std::string object = AnObject(simulation);
     switch (random_() % 15) {
       case 0:
       case 1:
@@ -67,6 +67,14 @@ class RandomHands {
   }
 
  private:
+  /// Returns the id of an object that is no tool.
+  std::string AnObject(const Simulation& simulation) {
+    std::vector<std::string> ids;
+    for (const world::Object& object : simulation.tabletop().objects()) {
+      if (!object.spec->tool) ids.push_back(object.id());
+    }
+    return Pick(ids);
+  }
   static std::string HeldBy(HandName hand, const Simulation& simulation) {
     const world::Object* held =
         simulation.tabletop().Find(simulation.demonstrator().hand(hand).held);
@@ -76,7 +84,7 @@ class RandomHands {
   Command NextChange(const Simulation& simulation) {
     if (random_() % 16 == 0) return Clear{};
     if (random_() % 2 == 0) return Spawn{.xml = SomethingNew()};
-    return Remove{.object = Pick(simulation.tabletop().objects()).id()};
+    return Remove{.object = AnObject(simulation)};
   }
 
   /// Returns a scene with new ids, and one of several mechanisms.

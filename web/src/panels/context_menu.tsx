@@ -1,5 +1,5 @@
 import type { Command } from "../commands";
-import { command, currentHand, scene } from "../studio";
+import { command, currentHand, heldObject, scene } from "../studio";
 import type { SceneObject } from "../protocol";
 import { texts } from "../texts";
 import { Menu, type MenuEntry } from "../ui/menu";
@@ -55,7 +55,17 @@ function choicesAt({ object, part, button, point }: Place): Choice[] {
     control: control.id,
     ...(triggered === null ? {} : { part: triggered }),
   };
+  const held = heldObject.value;
+  // What a tool in the hand would do, or in grey why not: how far its tip is from the work.
+  const uses: Choice[] =
+    held === null
+      ? []
+      : [
+          { label: menu.use(held), wanted: { do: "use", hand } },
+          { label: menu.useLoosening(held), wanted: { do: "use", hand, loosen: true } },
+        ];
   return [
+    ...uses,
     { label: menu.trigger, wanted: trigger },
     { label: menu.point, wanted: { do: "point", hand, part: pointed } },
     { label: menu.fasten, wanted: { do: "fasten", hand, object: object.id, point } },

@@ -116,8 +116,9 @@ class Checker {
     int num_reached = 0;
     for (int i = 0; i < kPlaces * kPlaces; ++i) {
       if (progress_ && !progress_(i, kPlaces * kPlaces)) throw std::runtime_error("interrupted");
-      const double aside = reach * ((i % kPlaces + 0.5) / kPlaces - 0.5) * 2;
-      const double forward = reach * (i / kPlaces + 0.5) / kPlaces;
+      const int row = i / kPlaces, column = i % kPlaces;
+      const double aside = reach * ((column + 0.5) / kPlaces - 0.5) * 2;
+      const double forward = reach * (row + 0.5) / kPlaces;
       const Vector3 place(p_WS.x() + aside, p_WS.y() + forward, kHeight * reach);
       num_reached += internal::ReachDown(model_, arm, X_WBase(), place, q_start).has_value();
     }

@@ -5,10 +5,15 @@ namespace smile::physics {
 Engine::Engine(const WorldConfig& config)
     : dispatcher(&collision_configuration),
       broadphase(config.has_close_bounds),
+      solver(config.has_firm_contacts),
       world(&dispatcher, &broadphase, &solver, &collision_configuration),
       dormant_islands(world, dispatcher, broadphase) {
   world.SetDormantIslands(&dormant_islands);
+  world.SetTurnsNormals(config.has_firm_contacts);
   compound_pairs.RegisterWith(&dispatcher);
+  if (config.has_firm_contacts) {
+    dispatcher.registerCollisionCreateFunc(BOX_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE, &box_pairs);
+  }
   world.setGravity(btVector3(0, 0, -config.gravity));
   world.getDispatchInfo().m_deterministicOverlappingPairs = true;
 
@@ -16,6 +21,8 @@ Engine::Engine(const WorldConfig& config)
   btContactSolverInfo& solving = world.getSolverInfo();
   solving.m_numIterations = config.solver_iterations;
   solving.m_erp = 0.2;
+  // Each island alone, since one may rest while another moves.
+  if (config.has_firm_contacts) solving.m_minimumSolverBatchSize = 1;
   solving.m_erp2 = 0.2;
   solving.m_globalCfm = 0;
   solving.m_splitImpulse = false;

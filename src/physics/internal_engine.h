@@ -1,9 +1,10 @@
 #pragma once
 
+#include "physics/internal_box_pairs.h"
 #include "physics/internal_compound_pairs.h"
+#include "physics/internal_constraint_solver.h"
 #include "physics/internal_dormant_islands.h"
 #include "physics/internal_exact_world.h"
-#include "physics/internal_joint_solver.h"
 #include "physics/internal_overlap_probe.h"
 #include "physics/internal_stateless_broadphase.h"
 #include "physics/world_config.h"
@@ -16,9 +17,10 @@ struct Engine {
 
   btDefaultCollisionConfiguration collision_configuration;
   CompoundPairAlgorithm::CreateFunc compound_pairs;
+  BoxPairAlgorithm::CreateFunc box_pairs;
   Dispatcher dispatcher;
   StatelessBroadphase broadphase;
-  JointSolver solver;
+  ConstraintSolver solver;
   ExactWorld world;
   DormantIslands dormant_islands;
   OverlapProbe overlap_probe;

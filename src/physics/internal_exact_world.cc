@@ -114,7 +114,38 @@ void ExactWorld::updateAabbs() {
 
 void ExactWorld::integrateTransforms(btScalar seconds) {
   for (int i = 0; i < m_multiBodies.size(); ++i) LimitJointSpeeds(seconds, m_multiBodies[i]);
+  if (turns_normals_) NoteRotations();
   btMultiBodyDynamicsWorld::integrateTransforms(seconds);
+}
+
+/// Notes how the bodies of contacts are turned before they move.
+void ExactWorld::NoteRotations() {
+  for (btPersistentManifold* manifold : manifolds()) {
+    const btCollisionObject &a = *manifold->getBody0(), &b = *manifold->getBody1();
+    const bool may_turn =
+        !a.isStaticObject() && !b.isStaticObject() && (a.isActive() || b.isActive());
+    if (!may_turn || manifold->getNumContacts() == 0) continue;
+    turning_.push_back(
+        {manifold, a.getWorldTransform().getBasis(), b.getWorldTransform().getBasis()});
+  }
+}
+
+void ExactWorld::TurnNormals() {
+  for (const auto& [manifold, R_WA, R_WB] : turning_) {
+    const btMatrix3x3& R_WA_now = manifold->getBody0()->getWorldTransform().getBasis();
+    const btMatrix3x3& R_WB_now = manifold->getBody1()->getWorldTransform().getBasis();
+    if (R_WA_now == R_WA || R_WB_now == R_WB) continue;
+    const btMatrix3x3 turn_a = R_WA_now.timesTranspose(R_WA);
+    const btMatrix3x3 turn_b = R_WB_now.timesTranspose(R_WB);
+    // The trace of a rotation falls with its angle.
+    const auto trace = [](const btMatrix3x3& R) { return R[0][0] + R[1][1] + R[2][2]; };
+    const btMatrix3x3& turn = trace(turn_a) > trace(turn_b) ? turn_a : turn_b;
+    for (int k = 0; k < manifold->getNumContacts(); ++k) {
+      btVector3& normal = manifold->getContactPoint(k).m_normalWorldOnB;
+      normal = turn * normal;
+    }
+  }
+  turning_.clear();
 }
 
 void ExactWorld::calculateSimulationIslands() {

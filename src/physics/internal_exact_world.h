@@ -59,6 +59,11 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   void TakeObjects(Predicate is_taken);
   /// Puts a body back that was left out. Call SortObjects() afterwards.
   void PutObject(btRigidBody* body);
+  /// Sets whether the normals of contacts turn with the bodies, as far as both turn. Bullet leaves
+  /// a point that stays anchored the normal with which it was found.
+  void SetTurnsNormals(bool turns_normals) { turns_normals_ = turns_normals; }
+  /// Turns normals. Call when all bodies have moved in a step.
+  void TurnNormals();
   /// Sets the islands that are returned when something reaches them.
   void SetDormantIslands(DormantIslands* islands) { dormant_islands_ = islands; }
   /// Removes a constraint and keeps the order; Bullet's own removal fills the gap with the last
@@ -86,12 +91,20 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   std::span<btPersistentManifold*> manifolds();
   void NumberObjects();
   void UniteTrees(btUnionFind* islands);
+  void NoteRotations();
   void EaseCloseFits();
   void LimitDepths();
 
   DormantIslands* dormant_islands_ = nullptr;
   std::vector<std::pair<BodyId, BodyId>> close_fits_;
   std::vector<int> smallest_in_island_;
+  /// Contacts with the rotations of both bodies before they move.
+  struct TurningContacts {
+    btPersistentManifold* manifold;
+    btMatrix3x3 R_WA, R_WB;
+  };
+  bool turns_normals_ = false;
+  std::vector<TurningContacts> turning_;
 };
 
 template <class Predicate>

@@ -13,8 +13,8 @@ bool DoCollide(const JointSpec& spec);
 
 /// Fixed, slider or ball joint as rows for Bullet's solver: frame K of B against frame J of A.
 ///
-/// All its rows hold exactly (JointSolver), except those of limits that were not pressed in the
-/// last step. The pressed limits are state and part of a snapshot.
+/// All its rows hold exactly (ConstraintSolver), except those of limits that were not pressed in
+/// the last step. The pressed limits are state and part of a snapshot.
 class JointConstraint : public btTypedConstraint {
  public:
   /// @param order  its place among all joints.

@@ -143,6 +143,7 @@ void World::Step() {
   engine_->world.stepSimulation(config_.step_seconds, /*maxSubSteps=*/0);
   for (const auto& articulation : objects_->articulations()) articulation->AfterStep();
   held_bodies_->MoveKinematicBodies();
+  engine_->world.TurnNormals();
   engine_->dormant_islands.LeaveOut();
 }
 

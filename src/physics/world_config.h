@@ -21,6 +21,10 @@ struct WorldConfig {
   /// False for physics versions 1 and 2, in which the hash of a state goes through all bodies in
   /// order. Otherwise it contains the sum of their hashes, of which those of sleepers are known.
   bool sums_hashes = true;
+  /// True for contacts that hold what friction holds, and no more. Not part of a physics version
+  /// yet: with Bullet's contacts, blocks stick to a plate that tilts, stacks slide on a slope, and
+  /// high stacks creep (docs/decisions/physics.md).
+  bool has_firm_contacts = false;
   MotorConfig motor;
 
   bool operator==(const WorldConfig&) const = default;

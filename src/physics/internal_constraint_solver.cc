@@ -1,4 +1,4 @@
-#include "physics/internal_joint_solver.h"
+#include "physics/internal_constraint_solver.h"
 
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
@@ -44,13 +44,18 @@ bool IsLink(const btCollisionObject* object) {
 
 }  // namespace
 
-void JointSolver::convertContacts(btPersistentManifold** manifolds, int num_manifolds,
-                                  const btContactSolverInfo& info) {
+void ConstraintSolver::convertContacts(btPersistentManifold** manifolds, int num_manifolds,
+                                       const btContactSolverInfo& info) {
   // Each kind keeps its order; only the contacts of links are converted with two directions.
   btAlignedObjectArray<btPersistentManifold*> of_bodies, of_links;
   for (int i = 0; i < num_manifolds; ++i) {
     const bool is_of_link = IsLink(manifolds[i]->getBody0()) || IsLink(manifolds[i]->getBody1());
     (is_of_link ? of_links : of_bodies).push_back(manifolds[i]);
+  }
+  if (has_firm_contacts_) {
+    const bool may_rest = of_links.size() == 0 && m_tmpSolverNonContactConstraintPool.size() == 0;
+    BeginContacts(All(of_bodies), may_rest, info);
+    of_bodies.resize(0);
   }
   const int num_of_bodies = of_bodies.size();
   btMultiBodyConstraintSolver::convertContacts(num_of_bodies > 0 ? &of_bodies[0] : nullptr,
@@ -60,8 +65,21 @@ void JointSolver::convertContacts(btPersistentManifold** manifolds, int num_mani
   for (int i = 0; i < of_links.size(); ++i) convertMultiBodyContact(of_links[i], in_all_directions);
 }
 
-void JointSolver::convertJoints(btTypedConstraint** joints, int num_joints,
-                                const btContactSolverInfo& info) {
+void ConstraintSolver::BeginContacts(std::span<btPersistentManifold*> of_bodies, bool may_rest,
+                                     const btContactSolverInfo& info) {
+  contacts_.clear();
+  const auto index_of = [this, &info](const btCollisionObject* object) {
+    return getOrInitSolverBody(const_cast<btCollisionObject&>(*object), info.m_timeStep);
+  };
+  for (btPersistentManifold* manifold : of_bodies) {
+    const int a = index_of(manifold->getBody0()), b = index_of(manifold->getBody1());
+    contacts_.push_back({manifold, a, b});
+  }
+  contact_block_.Begin(contacts_, may_rest, info, &m_tmpSolverBodyPool);
+}
+
+void ConstraintSolver::convertJoints(btTypedConstraint** joints, int num_joints,
+                                     const btContactSolverInfo& info) {
   btMultiBodyConstraintSolver::convertJoints(joints, num_joints, info);
   block_.Begin();
   if (num_joints == 0) return;
@@ -73,23 +91,25 @@ void JointSolver::convertJoints(btTypedConstraint** joints, int num_joints,
   block_.Factor(m_tmpSolverBodyPool);
 }
 
-btScalar JointSolver::solveSingleIteration(int iteration, btCollisionObject** bodies,
-                                           int num_bodies, btPersistentManifold** manifolds,
-                                           int num_manifolds, btTypedConstraint** joints,
-                                           int num_joints, const btContactSolverInfo& info,
-                                           btIDebugDraw* draw) {
+btScalar ConstraintSolver::solveSingleIteration(int iteration, btCollisionObject** bodies,
+                                                int num_bodies, btPersistentManifold** manifolds,
+                                                int num_manifolds, btTypedConstraint** joints,
+                                                int num_joints, const btContactSolverInfo& info,
+                                                btIDebugDraw* draw) {
   // Contacts come last in each iteration; the joint error that they leave is corrected in the next
   // step.
   if (num_joints > 0) block_.Solve(m_tmpSolverBodyPool);
-  return btMultiBodyConstraintSolver::solveSingleIteration(
+  const btScalar residual = btMultiBodyConstraintSolver::solveSingleIteration(
       iteration, bodies, num_bodies, manifolds, num_manifolds, joints, num_joints, info, draw);
+  return std::max(residual, contact_block_.Sweep());
 }
 
-btScalar JointSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int num_bodies,
-                                                    const btContactSolverInfo& info) {
+btScalar ConstraintSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int num_bodies,
+                                                         const btContactSolverInfo& info) {
   for (const auto& [row, joint, number] : RowsOf(m_tmpSolverNonContactConstraintPool)) {
     joint->NoteImpulse(number, row->m_appliedImpulse);
   }
+  contact_block_.NoteImpulses();
   return btMultiBodyConstraintSolver::solveGroupCacheFriendlyFinish(bodies, num_bodies, info);
 }
 

@@ -2,6 +2,7 @@
 
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 
+#include "physics/internal_contact_block.h"
 #include "physics/internal_joint_block.h"
 
 namespace smile::physics {
@@ -9,8 +10,11 @@ namespace smile::physics {
 /// Bullet's iterative solver, with joints between bodies solved exactly in each of its iterations.
 /// Limits out of reach stay with Bullet; one that was pressed in the last step counts as a joint's
 /// row. All typed constraints must be JointConstraints with their place in the order as user id.
-class JointSolver : public btMultiBodyConstraintSolver {
+class ConstraintSolver : public btMultiBodyConstraintSolver {
  public:
+  /// @param has_firm_contacts  see WorldConfig.
+  explicit ConstraintSolver(bool has_firm_contacts) : has_firm_contacts_(has_firm_contacts) {}
+
   btScalar solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int num_bodies,
                                          const btContactSolverInfo& info) override;
 
@@ -29,7 +33,14 @@ class JointSolver : public btMultiBodyConstraintSolver {
                                 const btContactSolverInfo& info, btIDebugDraw* draw) override;
 
  private:
+  /// Solves contacts between bodies by ContactBlock.
+  void BeginContacts(std::span<btPersistentManifold*> of_bodies, bool may_rest,
+                     const btContactSolverInfo& info);
+
+  bool has_firm_contacts_;
   JointBlock block_;
+  ContactBlock contact_block_;
+  std::vector<Contacts> contacts_;
 };
 
 }  // namespace smile::physics

@@ -1,6 +1,7 @@
 #include "physics/internal_compound_pairs.h"
 
 #include <new>
+#include <vector>
 
 // Contacts of bodies made of parts. Unlike with Bullet's own algorithm, each pair of parts has one
 // manifold, with the numbers of both parts, so that it can be found again in a snapshot
@@ -30,11 +31,30 @@ std::span<const PosedPart> PartsOf(const btCollisionObjectWrapper* object, Posed
   return {single, 1};
 }
 
-/// Returns true if the boxes of two parts are so close that their contacts may persist.
+/// Returns true if two boxes are so close that contacts of what is in them may persist.
 bool AreClose(const PosedPart& a, const PosedPart& b) {
   const btVector3 reach(gContactBreakingThreshold, gContactBreakingThreshold,
                         gContactBreakingThreshold);
   return TestAabbAgainstAabb2(a.min - reach, a.max + reach, b.min, b.max);
+}
+
+/// Returns a box around all parts, without a pose.
+PosedPart BoxOf(std::span<const PosedPart> parts) {
+  PosedPart box = parts.front();
+  for (const PosedPart& part : parts) {
+    box.min.setMin(part.min);
+    box.max.setMax(part.max);
+  }
+  return box;
+}
+
+/// Returns the numbers of the parts that are close to a box, or of all parts.
+std::vector<int> CloseTo(const PosedPart& box, std::span<const PosedPart> parts, bool all) {
+  std::vector<int> close;
+  for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
+    if (all || AreClose(box, parts[i])) close.push_back(i);
+  }
+  return close;
 }
 
 }  // namespace
@@ -73,22 +93,37 @@ void CompoundPairAlgorithm::CreateFunc::RegisterWith(btCollisionDispatcher* disp
 }
 
 CompoundPairAlgorithm::~CompoundPairAlgorithm() {
-  for (const PartPair& pair : pairs_) {
-    pair.algorithm->~btCollisionAlgorithm();
-    m_dispatcher->freeCollisionAlgorithm(pair.algorithm);
-  }
+  for (const auto& [numbers, pair] : pairs_) Free(pair);
 }
 
-void CompoundPairAlgorithm::MakePartPairs(const Parts& a, const Parts& b) {
-  for (int i = 0; i < static_cast<int>(a.posed.size()); ++i) {
-    for (int j = 0; j < static_cast<int>(b.posed.size()); ++j) {
+void CompoundPairAlgorithm::Free(const PartPair& pair) {
+  pair.algorithm->~btCollisionAlgorithm();
+  m_dispatcher->freeCollisionAlgorithm(pair.algorithm);
+}
+
+/// Finds the pairs of parts that are close, and ends those that neither are nor have contacts.
+void CompoundPairAlgorithm::UpdatePairs(const Parts& a, const Parts& b) {
+  for (auto& [numbers, pair] : pairs_) pair.are_close = false;
+  const bool all = AllPartPairsScope::is_active();
+  const std::vector<int> close_a = CloseTo(BoxOf(b.posed), a.posed, all);
+  const std::vector<int> close_b = CloseTo(BoxOf(a.posed), b.posed, all);
+  for (const int i : close_a) {
+    for (const int j : close_b) {
+      if (!all && !AreClose(a.posed[i], b.posed[j])) continue;
+      const auto [entry, is_new] = pairs_.try_emplace({i, j});
+      entry->second.are_close = true;
+      if (!is_new) continue;
       const btCollisionObjectWrapper part_a = Wrap(a, i), part_b = Wrap(b, j);
-      pairs_.push_back(
-          {i, j,
-           m_dispatcher->findAlgorithm(&part_a, &part_b, nullptr, BT_CONTACT_POINT_ALGORITHMS),
-           nullptr});
+      entry->second.algorithm =
+          m_dispatcher->findAlgorithm(&part_a, &part_b, nullptr, BT_CONTACT_POINT_ALGORITHMS);
     }
   }
+  std::erase_if(pairs_, [this](const auto& entry) {
+    const PartPair& pair = entry.second;
+    if (pair.are_close || pair.manifold->getNumContacts() > 0) return false;
+    Free(pair);
+    return true;
+  });
 }
 
 void CompoundPairAlgorithm::processCollision(const btCollisionObjectWrapper* a,
@@ -97,23 +132,23 @@ void CompoundPairAlgorithm::processCollision(const btCollisionObjectWrapper* a,
                                              btManifoldResult* result) {
   PosedPart single_a, single_b;
   const Parts parts_a = {a, PartsOf(a, &single_a)}, parts_b = {b, PartsOf(b, &single_b)};
-  // Made once for both bodies: their parts never change while they are in the world.
-  if (pairs_.empty()) MakePartPairs(parts_a, parts_b);
-  for (PartPair& pair : pairs_) {
-    const bool are_close = AllPartPairsScope::is_active() ||
-                           AreClose(parts_a.posed[pair.part_a], parts_b.posed[pair.part_b]);
-    if (!are_close && (pair.manifold == nullptr || pair.manifold->getNumContacts() == 0)) continue;
-    const btCollisionObjectWrapper part_a = Wrap(parts_a, pair.part_a);
-    const btCollisionObjectWrapper part_b = Wrap(parts_b, pair.part_b);
+  UpdatePairs(parts_a, parts_b);
+  for (auto& [numbers, pair] : pairs_) {
+    const btCollisionObjectWrapper part_a = Wrap(parts_a, numbers.first);
+    const btCollisionObjectWrapper part_b = Wrap(parts_b, numbers.second);
     const btCollisionObjectWrapper* whole_a = result->getBody0Wrap();
     const btCollisionObjectWrapper* whole_b = result->getBody1Wrap();
     // Bullet's result takes the poses and part numbers of contact points from these.
     result->setBody0Wrap(&part_a);
     result->setBody1Wrap(&part_b);
-    result->setShapeIdentifiersA(-1, pair.part_a);
-    result->setShapeIdentifiersB(-1, pair.part_b);
-    if (are_close) {
+    result->setShapeIdentifiersA(-1, numbers.first);
+    result->setShapeIdentifiersB(-1, numbers.second);
+    if (pair.are_close) {
       Collide(pair, part_a, part_b, info, result);
+      // Numbers begin at 1: 0 means a pair without parts.
+      if (pair.manifold != nullptr) {
+        pair.manifold->m_companionIdA = 1 + numbers.first * kMaxParts + numbers.second;
+      }
     } else {
       // The parts moved apart: let the points of earlier steps expire.
       result->setPersistentManifold(pair.manifold);
@@ -129,19 +164,15 @@ void CompoundPairAlgorithm::Collide(PartPair& pair, const btCollisionObjectWrapp
                                     btManifoldResult* result) {
   pair.algorithm->processCollision(&a, &b, info, result);
   if (pair.manifold != nullptr) return;
+  // The algorithm has a manifold from its first call on.
   btManifoldArray manifolds;
   pair.algorithm->getAllContactManifolds(manifolds);
-  for (int i = 0; i < manifolds.size(); ++i) {
-    pair.manifold = manifolds[i];
-    // The algorithm has a manifold from its first call on. Numbers begin at 1: 0 means a pair
-    // without parts.
-    pair.manifold->m_companionIdA = 1 + pair.part_a * kMaxParts + pair.part_b;
-  }
+  if (manifolds.size() > 0) pair.manifold = manifolds[0];
 }
 
 void CompoundPairAlgorithm::getAllContactManifolds(btManifoldArray& manifolds) {
   // Some algorithms have a manifold before their first call, which PartPair does not know.
-  for (const PartPair& pair : pairs_) pair.algorithm->getAllContactManifolds(manifolds);
+  for (const auto& [numbers, pair] : pairs_) pair.algorithm->getAllContactManifolds(manifolds);
 }
 
 }  // namespace smile::physics

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <vector>
+#include <map>
+#include <utility>
 
 #include "physics/internal_shapes.h"
 
@@ -47,19 +48,21 @@ class CompoundPairAlgorithm : public btCollisionAlgorithm {
 
  private:
   struct PartPair {
-    int part_a, part_b;
     btCollisionAlgorithm* algorithm;
-    btPersistentManifold* manifold;
+    btPersistentManifold* manifold = nullptr;
+    bool are_close = true;  ///< in this step
   };
+  using PartNumbers = std::pair<int, int>;  ///< of A, of B
 
   /// An object with its parts.
   struct Parts;
   static btCollisionObjectWrapper Wrap(const Parts& parts, int part);
-  void MakePartPairs(const Parts& a, const Parts& b);
+  void UpdatePairs(const Parts& a, const Parts& b);
   void Collide(PartPair& pair, const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b,
                const btDispatcherInfo& info, btManifoldResult* result);
+  void Free(const PartPair& pair);
 
-  std::vector<PartPair> pairs_;
+  std::map<PartNumbers, PartPair> pairs_;  ///< those that are close, or still have contacts
 };
 
 /// Returns the number of the pair of parts that a manifold belongs to; 0 for bodies of one part

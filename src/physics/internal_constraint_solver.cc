@@ -67,15 +67,15 @@ void ConstraintSolver::convertContacts(btPersistentManifold** manifolds, int num
 
 void ConstraintSolver::BeginContacts(std::span<btPersistentManifold*> of_bodies, bool may_rest,
                                      const btContactSolverInfo& info) {
-  contacts_.clear();
+  manifolds_.clear();
   const auto index_of = [this, &info](const btCollisionObject* object) {
     return getOrInitSolverBody(const_cast<btCollisionObject&>(*object), info.m_timeStep);
   };
   for (btPersistentManifold* manifold : of_bodies) {
     const int a = index_of(manifold->getBody0()), b = index_of(manifold->getBody1());
-    contacts_.push_back({manifold, a, b});
+    manifolds_.push_back({manifold, a, b});
   }
-  contact_block_.Begin(contacts_, may_rest, info, &m_tmpSolverBodyPool);
+  contacts_.Begin(manifolds_, may_rest, info, All(m_tmpSolverBodyPool));
 }
 
 void ConstraintSolver::convertJoints(btTypedConstraint** joints, int num_joints,
@@ -101,7 +101,7 @@ btScalar ConstraintSolver::solveSingleIteration(int iteration, btCollisionObject
   if (num_joints > 0) block_.Solve(m_tmpSolverBodyPool);
   const btScalar residual = btMultiBodyConstraintSolver::solveSingleIteration(
       iteration, bodies, num_bodies, manifolds, num_manifolds, joints, num_joints, info, draw);
-  return std::max(residual, contact_block_.Sweep());
+  return std::max(residual, contacts_.Sweep());
 }
 
 btScalar ConstraintSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int num_bodies,
@@ -109,7 +109,7 @@ btScalar ConstraintSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bod
   for (const auto& [row, joint, number] : RowsOf(m_tmpSolverNonContactConstraintPool)) {
     joint->NoteImpulse(number, row->m_appliedImpulse);
   }
-  contact_block_.NoteImpulses();
+  contacts_.End();
   return btMultiBodyConstraintSolver::solveGroupCacheFriendlyFinish(bodies, num_bodies, info);
 }
 

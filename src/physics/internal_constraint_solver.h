@@ -2,8 +2,8 @@
 
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 
-#include "physics/internal_contact_block.h"
 #include "physics/internal_joint_block.h"
+#include "physics/internal_manifold_solver.h"
 
 namespace smile::physics {
 
@@ -33,14 +33,14 @@ class ConstraintSolver : public btMultiBodyConstraintSolver {
                                 const btContactSolverInfo& info, btIDebugDraw* draw) override;
 
  private:
-  /// Solves contacts between bodies by ContactBlock.
+  /// Solves contacts between bodies by ManifoldSolver.
   void BeginContacts(std::span<btPersistentManifold*> of_bodies, bool may_rest,
                      const btContactSolverInfo& info);
 
   bool has_firm_contacts_;
   JointBlock block_;
-  ContactBlock contact_block_;
-  std::vector<Contacts> contacts_;
+  ManifoldSolver contacts_;
+  std::vector<SolverManifold> manifolds_;
 };
 
 }  // namespace smile::physics

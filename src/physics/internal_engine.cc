@@ -1,5 +1,7 @@
 #include "physics/internal_engine.h"
 
+#include "physics/internal_kept_contacts.h"
+
 namespace smile::physics {
 
 Engine::Engine(const WorldConfig& config)
@@ -11,9 +13,7 @@ Engine::Engine(const WorldConfig& config)
   world.SetDormantIslands(&dormant_islands);
   world.SetTurnsNormals(config.has_firm_contacts);
   compound_pairs.RegisterWith(&dispatcher);
-  if (config.has_firm_contacts) {
-    dispatcher.registerCollisionCreateFunc(BOX_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE, &box_pairs);
-  }
+  if (config.has_firm_contacts) dispatcher.setNearCallback(KeepOrCollide);
   world.setGravity(btVector3(0, 0, -config.gravity));
   world.getDispatchInfo().m_deterministicOverlappingPairs = true;
 

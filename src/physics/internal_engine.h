@@ -1,6 +1,5 @@
 #pragma once
 
-#include "physics/internal_box_pairs.h"
 #include "physics/internal_compound_pairs.h"
 #include "physics/internal_constraint_solver.h"
 #include "physics/internal_dormant_islands.h"
@@ -17,7 +16,6 @@ struct Engine {
 
   btDefaultCollisionConfiguration collision_configuration;
   CompoundPairAlgorithm::CreateFunc compound_pairs;
-  BoxPairAlgorithm::CreateFunc box_pairs;
   Dispatcher dispatcher;
   StatelessBroadphase broadphase;
   ConstraintSolver solver;

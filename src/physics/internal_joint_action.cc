@@ -9,11 +9,19 @@
 #include <utility>
 #include <vector>
 
+#include "mechanics/joint_graph.h"
 #include "physics/internal_body_dynamics.h"
-#include "physics/internal_joint_graph.h"
 
 namespace smile::physics {
 namespace {
+
+using mechanics::JointGroups;
+
+JointGroups GroupsOf(const WorldObjects& objects, const JointSet& joints, bool only_fixed) {
+  std::vector<JointGroups::Member> members;
+  for (const auto& body : objects.bodies()) members.push_back({body->id(), body->is_static()});
+  return {members, joints.joints(), only_fixed};
+}
 
 /// Returns the moment of inertia [kg m2] that another body adds to a carried one, as if the two
 /// were one rigid body: an upper bound for all axes (parallel axis theorem).
@@ -55,7 +63,7 @@ std::vector<double> InverseMassesOf(const JointGroups& rigid, const WorldObjects
 /// Loads each carried body with all bodies of its group, whatever joints lie between them.
 void LoadByJoints(const WorldObjects& objects, const JointSet& joints) {
   const auto& bodies = objects.bodies();
-  const JointGroups groups(bodies, joints.joints(), /*only_fixed=*/false);
+  const JointGroups groups = GroupsOf(objects, joints, /*only_fixed=*/false);
   std::vector<std::vector<std::size_t>> carried_in(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (bodies[i]->is_carried()) carried_in[groups.group_of(bodies[i]->id())].push_back(i);
@@ -105,7 +113,7 @@ void DampSliders(const WorldObjects& objects, const JointSet& joints, double ste
     if (!is_carried) kept *= std::pow(1 - slider->damping, step_seconds);
     if (kept == 1) continue;
     if (!rigid) {
-      rigid.emplace(objects.bodies(), joints.joints(), /*only_fixed=*/true);
+      rigid = GroupsOf(objects, joints, /*only_fixed=*/true);
       inverse_masses = InverseMassesOf(*rigid, objects);
     }
     // Equal and opposite impulses change the sliding speed by impulse (1/m_A + 1/m_B), where the

@@ -8,8 +8,8 @@
 
 #include "base/state_hash.h"
 #include "mechanics/checks.h"
+#include "mechanics/joint_graph.h"
 #include "physics/internal_body_dynamics.h"
-#include "physics/internal_joint_graph.h"
 
 // All joints of a world, in the order in which they were made. Welds are forwarded to HeldBodies;
 // all others are constraints of the solver. The map of constraints is sorted by id, so saving and
@@ -120,7 +120,7 @@ void JointSet::Wake(const std::pair<BodyId, BodyId>& pair) {
 
 std::vector<BodyId> JointSet::JoinedWith(BodyId id, JointId without) const {
   // Static bodies end the search: what is fixed to the same table is not one assembly.
-  return JointGraph(joints_, without).ConnectedWith(id, [this](BodyId other) {
+  return mechanics::JointGraph(joints_, without).ConnectedWith(id, [this](BodyId other) {
     return IsStatic(other);
   });
 }

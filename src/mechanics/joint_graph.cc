@@ -1,10 +1,8 @@
-#include "physics/internal_joint_graph.h"
+#include "mechanics/joint_graph.h"
 
 #include <algorithm>
 
-#include "physics/internal_joint_constraint.h"
-
-namespace smile::physics {
+namespace smile::mechanics {
 
 JointGraph::JointGraph(std::span<const Joint> joints, JointId without) {
   for (const Joint& joint : joints) {
@@ -38,13 +36,13 @@ std::vector<BodyId> JointGraph::ConnectedWith(BodyId start,
   return found;
 }
 
-JointGroups::JointGroups(const std::vector<std::unique_ptr<Body>>& bodies,
-                         const std::vector<Joint>& joints, bool only_fixed) {
+JointGroups::JointGroups(std::span<const Member> bodies, std::span<const Joint> joints,
+                         bool only_fixed) {
   std::vector<bool> is_static;
-  for (const auto& body : bodies) {
+  for (const Member& member : bodies) {
     parents_.push_back(static_cast<int>(ids_.size()));
-    ids_.push_back(body->id());
-    is_static.push_back(body->is_static());
+    ids_.push_back(member.body);
+    is_static.push_back(member.is_static);
   }
   is_anchored_ = is_static;
   for (const Joint& joint : joints) {
@@ -78,4 +76,4 @@ int JointGroups::FindRoot(int index) {
   return index;
 }
 
-}  // namespace smile::physics
+}  // namespace smile::mechanics

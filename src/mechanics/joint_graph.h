@@ -1,17 +1,15 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "physics/body.h"
-#include "physics/definitions.h"
+#include "mechanics/joint.h"
 
 // Connected bodies: around one of them, and for all of them.
 
-namespace smile::physics {
+namespace smile::mechanics {
 
 /// Graph of bodies (nodes) and joints between them (edges). Welds are not edges.
 class JointGraph {
@@ -31,10 +29,13 @@ class JointGraph {
 /// and connects no others; groups joined to it are anchored.
 class JointGroups {
  public:
-  /// @param bodies  sorted by id.
+  struct Member {
+    BodyId body;
+    bool is_static;
+  };
+  /// @param bodies  by id.
   /// @param only_fixed  true to count only fixed joints; welds never count.
-  JointGroups(const std::vector<std::unique_ptr<Body>>& bodies, const std::vector<Joint>& joints,
-              bool only_fixed);
+  JointGroups(std::span<const Member> bodies, std::span<const Joint> joints, bool only_fixed);
 
   /// Returns the number of the body's group: below the number of bodies, the same for the whole
   /// group.
@@ -50,4 +51,4 @@ class JointGroups {
   std::vector<bool> is_anchored_;  ///< of each root; also of static bodies, which form no group
 };
 
-}  // namespace smile::physics
+}  // namespace smile::mechanics

@@ -1,20 +1,16 @@
-#include "physics/internal_joint_graph.h"
+#include "mechanics/joint_graph.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-namespace smile::physics {
+namespace smile::mechanics {
 namespace {
 
-std::vector<std::unique_ptr<Body>> MakeBodies(std::uint32_t count, std::uint32_t num_static) {
-  std::vector<std::unique_ptr<Body>> bodies;
-  for (std::uint32_t id = 1; id <= count; ++id) {
-    BodySpec spec;
-    spec.mass.mass = id <= num_static ? 0 : 1;
-    bodies.push_back(std::make_unique<Body>(BodyId{id}, std::make_shared<const BodySpec>(spec)));
-  }
+std::vector<JointGroups::Member> MakeBodies(std::uint32_t count, std::uint32_t num_static) {
+  std::vector<JointGroups::Member> bodies;
+  for (std::uint32_t id = 1; id <= count; ++id) bodies.push_back({BodyId{id}, id <= num_static});
   return bodies;
 }
 
@@ -34,7 +30,7 @@ std::vector<Joint> MakeJoints(std::uint32_t count, std::uint32_t num_bodies,
 TEST(JointGraph, AgreesWithTheGroupsOfAllBodies) {
   constexpr std::uint32_t kStatic = 3, kBodies = 20;
   const auto bodies = MakeBodies(kBodies, kStatic);
-  const auto is_static = [&bodies](BodyId id) { return bodies[id.value - 1]->is_static(); };
+  const auto is_static = [&bodies](BodyId id) { return bodies[id.value - 1].is_static; };
   std::mt19937 random(1);
   for (std::uint32_t count = 0; count < 30; ++count) {
     const std::vector<Joint> joints = MakeJoints(count, kBodies, kStatic, &random);
@@ -48,8 +44,8 @@ TEST(JointGraph, AgreesWithTheGroupsOfAllBodies) {
         is_static(id) ? void(is_anchored = true) : moving.push_back(id);
       }
       std::vector<BodyId> expected;
-      for (const auto& body : bodies) {
-        if (groups.group_of(body->id()) == group) expected.push_back(body->id());
+      for (const auto& member : bodies) {
+        if (groups.group_of(member.body) == group) expected.push_back(member.body);
       }
       EXPECT_EQ(moving, expected) << "of body " << one << " with " << count << " joints";
       EXPECT_EQ(is_anchored, groups.is_anchored(group));
@@ -75,4 +71,4 @@ TEST(JointGraph, EndsPathsAtStaticBodiesAndPassesOverOneJoint) {
 }
 
 }  // namespace
-}  // namespace smile::physics
+}  // namespace smile::mechanics

@@ -117,7 +117,7 @@ TEST_F(ChangesTest, ARobotThatCarriesWhatIsFastenedReplaysIdentically) {
   const recording::Recording recording = recording::OpenRecording(Record(
       R"({"do":"joint_velocities","grippers":[-1,0]}
 {"do":"wait","seconds":1.5}
-{"do":"joint_velocities","left":[0.3,-0.4,0.2,-0.2,0,0,0.3]}
+{"do":"joint_velocities","left":[0.3,-0.4,0,0.6,0,0,0.3]}
 {"do":"wait","seconds":0.7}
 {"do":"joint_velocities","left":[0,0,0,0,0,0,0]}
 {"hand":"right","do":"loosen","object":"peg"}

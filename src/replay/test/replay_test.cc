@@ -220,7 +220,7 @@ TEST_F(ReplayTest, OpensARecordingTruncatedByACrashAndReportsIt) {
   const std::string commands = Text(directory / "commands.jsonl");
   Overwrite(directory / "commands.jsonl", commands.substr(0, commands.size() - 5));
   const std::string trace = Text(directory / "trace.bin");
-  Overwrite(directory / "trace.bin", trace.substr(0, trace.size() / 4 + 3));
+  Overwrite(directory / "trace.bin", trace.substr(0, trace.size() / 3));
 
   const recording::Recording recording = recording::OpenRecording(directory);
   EXPECT_EQ(recording.cuts,

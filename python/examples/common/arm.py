@@ -6,7 +6,7 @@ returns its sensor values. Lengths are in units, angles in radians.
 import numpy as np
 
 DOWN = np.array([0, 0, -1.0])
-START_POSTURES = 60  # from which plan() tries to reach the first pose
+START_POSTURES = 10  # from which plan() tries to reach the first pose
 GAIN = 4             # of the error of a joint [1/s]
 SETTLED = 0.002      # error of a joint at the end of a motion [rad]
 

@@ -14,6 +14,10 @@ class Place:
         """Returns the point of the world at x, y from the middle and at the height z."""
         return np.append(self.middle, z) + x * self.x + y * self.y
 
+    def moved(self, x, y):
+        """Returns the place at x, y from the middle, in the same directions."""
+        return Place(self.at(x, y, 0)[:2], self.y[:2])
+
     def inside(self, points):
         """Returns x, y of points of the world, seen from the middle."""
         return (points[:, :2] - self.middle) @ np.column_stack([self.x, self.y])[:2]

@@ -18,7 +18,7 @@ for file in scenes/*.xml; do
   name=$(basename "$file" .xml)
   case $name in
     tower_robot) continue ;;
-    strings | scissors | everything)  # strings sink before they are seen
+    strings | scissors | scissors_robot | everything)  # strings sink before they are seen
       "$program" run "$file" --seconds 3 --no-robot --record "$scratch/$name-settled" >"$scratch/$name.txt"
       picture "$scratch/$name-settled" "$name"
       ;;
@@ -26,7 +26,7 @@ for file in scenes/*.xml; do
   esac
 done
 # and when the script that belongs to a scene is done
-for script in examples/{um,row,bridge,box,hatch,drive}.jsonl examples/scenes/*.jsonl; do
+for script in examples/{um,row,bridge,box,hatch,drive,scissors}.jsonl examples/scenes/*.jsonl; do
   name=$(basename "$script" .jsonl)
   "$program" run "scenes/$name.xml" --commands "$script" --no-robot --record "$scratch/$name" >"$scratch/$name.txt"
   picture "$scratch/$name" "${name}_after"

@@ -1,6 +1,7 @@
 // The robot programs of python/examples and matlab/examples: each does its task in a layout that it
 // has not seen, and the recording replays to the last bit.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -52,6 +53,13 @@ void TheFailedDriveIsReplaced(const Json& end) {
   EXPECT_EQ(end.at("controls").at("RackLight2"), "ready");
 }
 
+void TheWeightIsInTheBox(const Json& end) {
+  const auto [x, y] = SeenFrom(end, "Box", "Weight");
+  EXPECT_LT(std::max(std::abs(x), std::abs(y)), 0.8);
+  EXPECT_NEAR(PositionOf(end, "Weight", 2), 0.45, 0.01);
+  EXPECT_NEAR(PositionOf(end, "Scissors", 2), 0.4, 0.01) << "they are put back";
+}
+
 class RobotPrograms : public ProgramTest, public ::testing::WithParamInterface<RobotProgram> {};
 
 TEST_P(RobotPrograms, DoTheirTaskWhereverItsObjectsStand) {
@@ -70,8 +78,9 @@ TEST_P(RobotPrograms, DoTheirTaskWhereverItsObjectsStand) {
 
 INSTANTIATE_TEST_SUITE_P(All, RobotPrograms,
                          ::testing::Values(RobotProgram{"python/examples/drive/drive.py",
-                                                        "drive_robot", 7,
-                                                        TheFailedDriveIsReplaced}),
+                                                        "drive_robot", 7, TheFailedDriveIsReplaced},
+                                           RobotProgram{"python/examples/scissors/scissors.py",
+                                                        "scissors_robot", 7, TheWeightIsInTheBox}),
                          [](const auto& parameter) { return NameOf(parameter.param); });
 
 }  // namespace

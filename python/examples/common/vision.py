@@ -23,13 +23,16 @@ class Place:
         return (points[:, :2] - self.middle) @ np.column_stack([self.x, self.y])[:2]
 
 
-def points_of(color, sensor, aux, tolerance=12):
+def points_of(color, sensor, aux, tolerance=12, is_shaded=False):
     """Returns the visible points (Nx3) of this color, (red, green, blue) from 0 to 255.
 
-    Upper faces and lamps have the color of the object in the picture; other faces are darker.
+    Upper faces and lamps have the color of the object in the picture; other faces are darker, and
+    count if `is_shaded`.
     """
-    difference = np.abs(sensor.rgbVision.astype(int) - color).max(axis=2)
-    row, column = np.nonzero((difference <= tolerance) & (sensor.depthVision > 0))
+    color, picture = np.array(color, float), sensor.rgbVision.astype(float)
+    brightness = np.clip(picture @ color / (color @ color), 0.3, 1) if is_shaded else 1.0
+    difference = np.abs(picture - np.multiply.outer(brightness, color)).max(axis=2)
+    row, column = np.nonzero((difference <= tolerance * brightness) & (sensor.depthVision > 0))
     # From pixels to points: along the ray of each pixel, as far as its depth.
     ray = np.linalg.solve(aux.cameraIntrinsics, [column + 0.5, row + 0.5, np.ones(len(row))])
     points = sensor.cameraPose[:3, :3] @ (ray * sensor.depthVision[row, column])

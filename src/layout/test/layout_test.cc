@@ -270,7 +270,7 @@ TEST(RandomLayout, FollowsTheNearEdgeOfTheTable) {
 }
 
 TEST(RandomLayout, OurRobotScenesAreWithinTheRegion) {
-  for (const char* name : {"tower", "row", "bridge", "box", "hatch", "drive"}) {
+  for (const char* name : {"tower", "row", "bridge", "box", "hatch", "drive", "scissors"}) {
     const scene::SceneSpec scene = Shipped(std::string(name) + "_robot");
     for (const scene::ObjectSpec& object : scene.objects) {
       EXPECT_TRUE(

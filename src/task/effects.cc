@@ -119,12 +119,18 @@ void AppendBondEffects(const Episode& episode, std::vector<Effect>* effects) {
   }
 }
 
-/// True for the use of a tool that parted a chain.
-bool IsCutOfChain(const sim::Event& event, const scene::SceneSpec& scene) {
-  if (event.kind != sim::EventKind::kUsed || event.state != "cut") return false;
-  return std::ranges::any_of(scene.chains, [&event](const scene::ChainSpec& chain) {
-    return std::ranges::find(chain.link_ids, event.object) != chain.link_ids.end();
+/// Returns the chain with this link, or nullptr.
+const scene::ChainSpec* ChainOf(const std::string& link, const scene::SceneSpec& scene) {
+  const auto chain = std::ranges::find_if(scene.chains, [&](const scene::ChainSpec& one) {
+    return std::ranges::find(one.link_ids, link) != one.link_ids.end();
   });
+  return chain == scene.chains.end() ? nullptr : &*chain;
+}
+
+/// Returns the chain that the use of a tool parted; nullptr for any other event.
+const scene::ChainSpec* CutChain(const sim::Event& event, const scene::SceneSpec& scene) {
+  if (event.kind != sim::EventKind::kUsed || event.state != "cut") return nullptr;
+  return ChainOf(event.object, scene);
 }
 
 /// Appends the sliders that moved by more than kSlid.
@@ -145,7 +151,7 @@ void AppendSlideEffects(const Episode& episode, std::vector<Effect>* effects) {
 void AppendCutEffects(const Episode& episode, std::vector<Effect>* effects) {
   for (const ContactEvent& contact : episode.contacts) {
     const sim::Event& event = contact.event;
-    if (IsCutOfChain(event, episode.scene)) {
+    if (CutChain(event, episode.scene)) {
       effects->push_back(CutEffect{event.object, event.part, event.by});
     }
   }
@@ -227,8 +233,8 @@ class Ending {
 
   bool IsAs(const CutEffect& wanted) const {
     return std::ranges::any_of(episode_.contacts, [&](const ContactEvent& contact) {
-      return IsCutOfChain(contact.event, episode_.scene) &&
-             contact.event.object == counterpart_(wanted.object);
+      const scene::ChainSpec* chain = CutChain(contact.event, episode_.scene);
+      return chain && chain == ChainOf(counterpart_(wanted.object), episode_.scene);
     });
   }
 

@@ -74,7 +74,7 @@ using Counterpart = std::function<std::string(const std::string& object)>;
 
 /// Returns for each effect whether it is achieved at the end of another episode: a control in the
 /// same state, a bond as tight, a slider within `tolerance` [m], an object in the container, or
-/// not, a chain cut beside the same piece.
+/// not, the same chain cut anywhere.
 std::vector<bool> AreAchieved(const std::vector<Effect>& effects, const Episode& episode,
                               const Counterpart& counterpart, double tolerance);
 

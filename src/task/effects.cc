@@ -100,13 +100,25 @@ void AppendControlEffects(const Episode& episode, std::vector<Effect>* effects) 
   }
 }
 
-/// Appends the bonds that are new or have another tightness, in the order of the hosts, then those
-/// that came free. A bond does not count as loosened if one of its objects was destroyed.
+/// True if a guest of the object was fastened or loosened meanwhile.
+bool WasTurned(const Episode& episode, const std::string& object) {
+  return std::ranges::any_of(episode.contacts, [&object](const ContactEvent& contact) {
+    const bool is_turn = contact.event.kind == sim::EventKind::kFastened ||
+                         contact.event.kind == sim::EventKind::kLoosened;
+    return is_turn && contact.event.object == object;
+  });
+}
+
+/// Appends the bonds that are new, have another tightness or were turned meanwhile, in the order of
+/// the hosts, then those that came free. A bond does not count as loosened if one of its objects
+/// was destroyed.
 void AppendBondEffects(const Episode& episode, std::vector<Effect>* effects) {
   const std::vector<BondEffect> before = BondsAt(episode.scene, episode.begin);
   const std::vector<BondEffect> after = BondsAt(episode.scene, episode.end);
   for (const BondEffect& bond : after) {
-    if (std::ranges::find(before, bond) == before.end()) effects->push_back(bond);
+    const bool is_kept = std::ranges::find(before, bond) != before.end();
+    // A cover is opened to be closed again: its screws must be tight in the end.
+    if (!is_kept || WasTurned(episode, bond.guest_object)) effects->push_back(bond);
   }
   for (BondEffect bond : before) {
     const bool is_kept =

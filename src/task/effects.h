@@ -23,7 +23,8 @@ struct ControlEffect {
   bool operator==(const ControlEffect&) const = default;
 };
 
-/// Change of a bond: a plug was fastened to a hole, tightened, or loosened.
+/// Change of a bond: a plug was fastened to a hole, tightened, or loosened; or turned and turned
+/// back.
 struct BondEffect {
   std::string guest_object, host_object;
   std::size_t guest_number = 0, host_number = 0;  ///< within their objects

@@ -22,18 +22,20 @@ class StructureTest : public recorder::RecordingFixture {
  protected:
   /// Of a scene and a script that we ship.
   recording::Recording Play(const std::string& scene) {
-    const auto text = [](const std::string& name) { return ReadFile(DataFile(name), 1 << 20); };
+    return Play(scene, ReadFile(DataFile("examples/scenes/" + scene + ".jsonl"), 1 << 20));
+  }
+  recording::Recording Play(const std::string& scene, const std::string& script) {
+    const std::filesystem::path folder = root_ / (scene + std::to_string(num_played_++));
     sim::Simulation simulation(scene_xml::LoadScene(DataFile("scenes/" + scene + ".xml")));
-    recorder::Recorder recorder(root_ / scene, {}, nullptr, simulation);
+    recorder::Recorder recorder(folder, {}, nullptr, simulation);
     simulation.AddListener(&recorder);
     EpisodeObserver observer(&simulation);
-    sim::ScriptPlayer player(
-        sim::ParseScript(text("examples/scenes/" + scene + ".jsonl"), scene, 0.1));
+    sim::ScriptPlayer player(sim::ParseScript(script, scene, 0.1));
     for (player.Advance(&simulation); !player.is_finished(); player.Advance(&simulation)) {
       simulation.Tick();
     }
     observed_ = observer.episode();
-    return recording::OpenRecording(root_ / scene);
+    return recording::OpenRecording(folder);
   }
 
   std::string TextOf(const Structure& structure) {
@@ -43,6 +45,7 @@ class StructureTest : public recorder::RecordingFixture {
   }
 
   Episode observed_;
+  int num_played_ = 0;
 };
 
 TEST_F(StructureTest, ContainsMovedObjectsAndTheirSupports) {
@@ -127,6 +130,22 @@ TEST_F(StructureTest, ReportsEffectsOfMechanisms) {
   const Structure screws = StructureOf(Play("screws"));
   ASSERT_EQ(screws.effects.size(), 2u);
   EXPECT_EQ(WordsOf(screws.effects[0], 0.1), "BrassScrewTip fastened to NutHole, stage 3");
+}
+
+TEST_F(StructureTest, ScrewsThatWereLoosenedAndFastenedAgainMustBeTight) {
+  const auto turn = [](const std::string& what) {
+    return R"({"hand":"right","do":")" + what +
+           R"(","object":"BrassScrew"})"
+           "\n"
+           R"({"do":"wait","seconds":0.1})"
+           "\n";
+  };
+  const recording::Recording demo = Play("screws", turn("loosen") + turn("fasten"));
+  const Structure structure = StructureOf(demo);
+  ASSERT_EQ(structure.effects.size(), 1u);
+  EXPECT_EQ(WordsOf(structure.effects[0], 0.1), "BrassScrewTip fastened to NutHole, stage 1");
+  EXPECT_TRUE(CompareWith(structure, EpisodeOf(demo)).is_achieved());
+  EXPECT_FALSE(CompareWith(structure, EpisodeOf(Play("screws", turn("loosen")))).achieved[0]);
 }
 
 TEST_F(StructureTest, IsAchievedByItselfAndNotByAnIdleRun) {

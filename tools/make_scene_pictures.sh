@@ -26,7 +26,7 @@ for file in scenes/*.xml; do
   esac
 done
 # and when the script that belongs to a scene is done
-for script in examples/{um,row,bridge,box,hatch,drive,scissors}.jsonl examples/scenes/*.jsonl; do
+for script in examples/{um,row,bridge,box,hatch,drive,scissors,cover}.jsonl examples/scenes/*.jsonl; do
   name=$(basename "$script" .jsonl)
   "$program" run "scenes/$name.xml" --commands "$script" --no-robot --record "$scratch/$name" >"$scratch/$name.txt"
   picture "$scratch/$name" "${name}_after"

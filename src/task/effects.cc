@@ -226,14 +226,18 @@ class Ending {
     });
   }
 
-  // A bond that came free (tightness 0) is achieved if the pair is not fastened.
+  // A bond that came free (tightness 0) is achieved if the pair is not fastened. A fastened one may
+  // be in any hole of the object: four equal screws around an object that looks the same from two
+  // sides have no holes of their own. Whether they are in the right places, their poses decide.
   bool IsAs(BondEffect wanted) const {
     wanted.guest_object = counterpart_(wanted.guest_object);
     wanted.host_object = counterpart_(wanted.host_object);
-    for (const BondEffect& bond : bonds_) {
-      if (IsSamePair(bond, wanted)) return bond.tightness == wanted.tightness;
-    }
-    return wanted.tightness == 0;
+    const auto is_it = [&wanted](BondEffect bond) {
+      if (wanted.tightness > 0) bond.host_number = wanted.host_number;
+      return IsSamePair(bond, wanted);
+    };
+    const auto bond = std::ranges::find_if(bonds_, is_it);
+    return (bond == bonds_.end() ? 0 : bond->tightness) == wanted.tightness;
   }
 
   bool IsAs(const SlideEffect& wanted) const {

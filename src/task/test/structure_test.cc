@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 
 #include "recorder/test/recording_fixture.h"
 #include "recording/recording.h"
 #include "recording/recording_history.h"
 #include "structure_maker.h"
+#include "task/comparison.h"
+#include "task/effects.h"
 #include "task/failure_reason.h"
 #include "task/structure_json.h"
 
@@ -146,6 +149,24 @@ TEST_F(StructureTest, ScrewsThatWereLoosenedAndFastenedAgainMustBeTight) {
   EXPECT_EQ(WordsOf(structure.effects[0], 0.1), "BrassScrewTip fastened to NutHole, stage 1");
   EXPECT_TRUE(CompareWith(structure, EpisodeOf(demo)).is_achieved());
   EXPECT_FALSE(CompareWith(structure, EpisodeOf(Play("screws", turn("loosen")))).achieved[0]);
+}
+
+TEST_F(StructureTest, EqualScrewsMayBeInOneAnothersHoles) {
+  const Episode episode = EpisodeOf(Play("cover", R"({"do":"wait","seconds":0.1})"));
+  const std::vector<BondEffect> bonds = BondsAt(episode.scene, episode.end);
+  ASSERT_EQ(bonds.size(), 4u);
+  // Around a housing that looks the same from both sides, each screw is where the opposite one was.
+  const std::map<std::string, std::string> opposite{{"ScrewNW", "ScrewSE"},
+                                                    {"ScrewSE", "ScrewNW"},
+                                                    {"ScrewNE", "ScrewSW"},
+                                                    {"ScrewSW", "ScrewNE"}};
+  const auto counterpart = [&](const std::string& id) {
+    return opposite.contains(id) ? opposite.at(id) : id;
+  };
+  std::vector<Effect> tight(bonds.begin(), bonds.end()), tighter = tight;
+  for (Effect& effect : tighter) ++std::get<BondEffect>(effect).tightness;
+  EXPECT_EQ(AreAchieved(tight, episode, counterpart, kTolerance), std::vector<bool>(4, true));
+  EXPECT_EQ(AreAchieved(tighter, episode, counterpart, kTolerance), std::vector<bool>(4, false));
 }
 
 TEST_F(StructureTest, IsAchievedByItselfAndNotByAnIdleRun) {

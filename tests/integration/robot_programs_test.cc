@@ -60,6 +60,25 @@ void TheWeightIsInTheBox(const Json& end) {
   EXPECT_NEAR(PositionOf(end, "Scissors", 2), 0.4, 0.01) << "they are put back";
 }
 
+void TheHousingIsClosedOverTheGoodFuse(const Json& end) {
+  const auto expect_over = [&end](const std::string& object, const std::string& base, double room,
+                                  double height) {
+    const auto [x, y] = SeenFrom(end, base, object);
+    EXPECT_LT(std::max(std::abs(x), std::abs(y)), room) << object;
+    EXPECT_NEAR(PositionOf(end, object, 2), height, 0.01) << object;
+  };
+  expect_over("Spare", "Housing", 0.1, 0.5);
+  expect_over("DeadFuse", "Bin", 0.5, 0.5);
+  expect_over("Screwdriver", "Holder", 0.07, 1.4);
+  expect_over("Cover", "Housing", 0.1, 1.15);
+  const double yaw = end.at("objects").at("Housing").at("rotation").at(2).get<double>();
+  for (const char* screw : {"ScrewNW", "ScrewNE", "ScrewSW", "ScrewSE"}) {
+    const double angle = end.at("objects").at(screw).at("rotation").at(2).get<double>();
+    EXPECT_NEAR(PositionOf(end, screw, 2), 1.3, 0.01) << screw;
+    EXPECT_NEAR(std::remainder(angle - yaw + 90, 360), 0, 1) << screw << " at its second stage";
+  }
+}
+
 class RobotPrograms : public ProgramTest, public ::testing::WithParamInterface<RobotProgram> {};
 
 TEST_P(RobotPrograms, DoTheirTaskWhereverItsObjectsStand) {
@@ -80,7 +99,10 @@ INSTANTIATE_TEST_SUITE_P(All, RobotPrograms,
                          ::testing::Values(RobotProgram{"python/examples/drive/drive.py",
                                                         "drive_robot", 7, TheFailedDriveIsReplaced},
                                            RobotProgram{"python/examples/scissors/scissors.py",
-                                                        "scissors_robot", 7, TheWeightIsInTheBox}),
+                                                        "scissors_robot", 7, TheWeightIsInTheBox},
+                                           RobotProgram{"python/examples/cover/cover.py",
+                                                        "cover_robot", 7,
+                                                        TheHousingIsClosedOverTheGoodFuse}),
                          [](const auto& parameter) { return NameOf(parameter.param); });
 
 }  // namespace

@@ -102,6 +102,8 @@ INSTANTIATE_TEST_SUITE_P(All, RobotPrograms,
                                                         "scissors_robot", 7, TheWeightIsInTheBox},
                                            RobotProgram{"python/examples/cover/cover.py",
                                                         "cover_robot", 7,
+                                                        TheHousingIsClosedOverTheGoodFuse},
+                                           RobotProgram{"matlab/examples/cover", "cover_robot", 8,
                                                         TheHousingIsClosedOverTheGoodFuse}),
                          [](const auto& parameter) { return NameOf(parameter.param); });
 

@@ -79,8 +79,12 @@ TEST_P(RobotPrograms, DoTheirTaskWhereverItsObjectsStand) {
 INSTANTIATE_TEST_SUITE_P(All, RobotPrograms,
                          ::testing::Values(RobotProgram{"python/examples/drive/drive.py",
                                                         "drive_robot", 7, TheFailedDriveIsReplaced},
+                                           RobotProgram{"matlab/examples/drive", "drive_robot", 8,
+                                                        TheFailedDriveIsReplaced},
                                            RobotProgram{"python/examples/scissors/scissors.py",
-                                                        "scissors_robot", 7, TheWeightIsInTheBox}),
+                                                        "scissors_robot", 7, TheWeightIsInTheBox},
+                                           RobotProgram{"matlab/examples/scissors",
+                                                        "scissors_robot", 8, TheWeightIsInTheBox}),
                          [](const auto& parameter) { return NameOf(parameter.param); });
 
 }  // namespace

@@ -95,17 +95,18 @@ TEST_P(RobotPrograms, DoTheirTaskWhereverItsObjectsStand) {
   EXPECT_EQ(Smile("replay run --verify").exit_code, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, RobotPrograms,
-                         ::testing::Values(RobotProgram{"python/examples/drive/drive.py",
-                                                        "drive_robot", 7, TheFailedDriveIsReplaced},
-                                           RobotProgram{"python/examples/scissors/scissors.py",
-                                                        "scissors_robot", 7, TheWeightIsInTheBox},
-                                           RobotProgram{"python/examples/cover/cover.py",
-                                                        "cover_robot", 7,
-                                                        TheHousingIsClosedOverTheGoodFuse},
-                                           RobotProgram{"matlab/examples/cover", "cover_robot", 8,
-                                                        TheHousingIsClosedOverTheGoodFuse}),
-                         [](const auto& parameter) { return NameOf(parameter.param); });
+INSTANTIATE_TEST_SUITE_P(
+    All, RobotPrograms,
+    ::testing::Values(
+        RobotProgram{"python/examples/drive/drive.py", "drive_robot", 7, TheFailedDriveIsReplaced},
+        RobotProgram{"matlab/examples/drive", "drive_robot", 8, TheFailedDriveIsReplaced},
+        RobotProgram{"python/examples/scissors/scissors.py", "scissors_robot", 7,
+                     TheWeightIsInTheBox},
+        RobotProgram{"matlab/examples/scissors", "scissors_robot", 8, TheWeightIsInTheBox},
+        RobotProgram{"python/examples/cover/cover.py", "cover_robot", 7,
+                     TheHousingIsClosedOverTheGoodFuse},
+        RobotProgram{"matlab/examples/cover", "cover_robot", 8, TheHousingIsClosedOverTheGoodFuse}),
+    [](const auto& parameter) { return NameOf(parameter.param); });
 
 }  // namespace
 }  // namespace smile

@@ -93,6 +93,7 @@ def carry(start, start_height, goal, goal_height, arms):
         planned = plan(arms, path, TABLE)
         if planned:
             break
+        yield  # a step for each plan, so that none takes long
     else:
         raise RuntimeError("no arm can carry the drive")
     arm, (to_drive, lower, raise_, cross, put, leave) = planned

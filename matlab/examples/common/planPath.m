@@ -12,10 +12,7 @@ function [arm, motions] = planPath(robot, aside, path, table)
   end
   [~, order] = sort(distances);
   for arm = order
-    rand('twister', 1);  % the same start angles each time
-    low = robot.minJointAngles(arm, :);
-    high = robot.maxJointAngles(arm, :);
-    starts = [aside(arm, :); robot.poses.untucked(arm, :); low + rand(10, 7) .* (high - low)];
+    starts = startAngles(robot, arm, aside);
     for row = 1:size(starts, 1)
       motions = planFrom(robot, arm, aside, starts(row, :), path, table);
       if numel(motions) == size(path, 1), return, end

@@ -62,7 +62,7 @@ def replace(motor, aux):
 
 def carry(arms, start, start_height, goal, goal_height, over):
     """Carries an object from a place to another one, and sets it down parallel to it."""
-    arm, (to_start, lower, raise_, cross, put, leave) = plan_carry(
+    arm, (to_start, lower, raise_, cross, put, leave) = carrying_plan(
         arms, start, start_height, goal, goal_height, over)
     print("carrying with the", arm.name, "arm")
     yield from arm.grip(-1, WIDE)
@@ -74,7 +74,7 @@ def carry(arms, start, start_height, goal, goal_height, over):
     yield from arm.go_aside()
 
 
-def plan_carry(arms, start, start_height, goal, goal_height, over):
+def carrying_plan(arms, start, start_height, goal, goal_height, over):
     """Returns an arm and its motions: to the object, down, up, across, down, up.
 
     The fingers are at the longer sides of the object; it may be grasped, and stand, in two ways. A

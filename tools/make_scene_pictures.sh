@@ -39,3 +39,4 @@ at_work() {  # NAME SECONDS
 }
 at_work drive 29
 at_work scissors 10
+at_work cover 9

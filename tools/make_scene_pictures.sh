@@ -18,7 +18,7 @@ for file in scenes/*.xml; do
   name=$(basename "$file" .xml)
   case $name in
     tower_robot) continue ;;
-    strings | scissors | everything)  # strings sink before they are seen
+    strings | scissors | scissors_robot | everything)  # strings sink before they are seen
       "$program" run "$file" --seconds 3 --no-robot --record "$scratch/$name-settled" >"$scratch/$name.txt"
       picture "$scratch/$name-settled" "$name"
       ;;
@@ -26,8 +26,17 @@ for file in scenes/*.xml; do
   esac
 done
 # and when the script that belongs to a scene is done
-for script in examples/{um,row,bridge,box,hatch,drive}.jsonl examples/scenes/*.jsonl; do
+for script in examples/{um,row,bridge,box,hatch,drive,scissors,cover}.jsonl examples/scenes/*.jsonl; do
   name=$(basename "$script" .jsonl)
   "$program" run "scenes/$name.xml" --commands "$script" --no-robot --record "$scratch/$name" >"$scratch/$name.txt"
   picture "$scratch/$name" "${name}_after"
 done
+# and robot programs at work
+at_work() {  # NAME SECONDS
+  "$program" run "scenes/$1_robot.xml" --brain "python/examples/$1/$1.py" --record "$scratch/$1_program" \
+    --no-pictures >"$scratch/$1_program.txt"
+  "$program" render "$scratch/$1_program" --out "$pictures/$1_program.png" --camera close --size 640x400 --at "$2"
+}
+at_work drive 29
+at_work scissors 10
+at_work cover 9

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/uniform.h"
+#include "layout/internal_fixtures.h"
 #include "layout/internal_object_group.h"
 #include "math/angles.h"
 #include "scene/solid.h"
@@ -236,7 +237,9 @@ void Put(const ObjectGroup& group, const Footprint& place, scene::SceneSpec* sce
 scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed, LayoutLevel level,
                               const LayoutRegion& region) {
   const std::vector<std::size_t> loose = LooseObjects(scene);
-  if (loose.empty()) {
+  const bool has_moving_fixtures = level == LayoutLevel::kFixtures && !scene.objects.empty();
+  if (has_moving_fixtures) MoveFixtures(seed, loose, region, &scene);
+  if (loose.empty() && !has_moving_fixtures) {
     throw std::invalid_argument("layout: no object in '" + scene.name +
                                 "' stands loose on the table, so no object can be moved");
   }

@@ -14,7 +14,9 @@ inline constexpr double kFingerGap = 0.04;
 /// Returns the scene with random positions of its loose objects, rotated about the vertical.
 ///
 /// An object is loose if it stands on the table by itself: not fixed, part of no slider, chain or
-/// bond, without controls, and in contact with the table only. Everything else keeps its place.
+/// bond, without controls, and in contact with the table only. Everything else keeps its place,
+/// except at LayoutLevel::kFixtures: there, fixed objects are displaced by up to 0.05 m and turned
+/// by up to 15 degrees, each with what it overlaps from above, such as the drives in a rack.
 /// Objects are at least kFingerGap apart, and up to 0.1 m while there is room; the region's strip
 /// stays free while there is room beside it.
 ///
@@ -22,7 +24,7 @@ inline constexpr double kFingerGap = 0.04;
 /// numbers of its own, by its id, and large objects are placed before small ones: adding or
 /// removing one object seldom moves the larger ones.
 ///
-/// @throws std::invalid_argument if no object is loose, or the region has no room.
+/// @throws std::invalid_argument if there is nothing to move, or the region has no room.
 scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed,
                               LayoutLevel level = LayoutLevel::kScattered,
                               const LayoutRegion& region = {});

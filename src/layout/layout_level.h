@@ -13,12 +13,13 @@ enum class LayoutLevel {
   kStacked,      ///< some equal blocks stand on others
   kEdges,        ///< every second object lies at the rim of the robot's reach and view
   kDistractors,  ///< three more blocks, of colors or sizes that the scene does not have
-  kMixed         ///< all of these
+  kMixed,        ///< all of these
+  kFixtures      ///< kScattered, and the fixtures are displaced and turned
 };
 
 /// Words for the levels, in their order: `scattered`, `touching`, …
-inline constexpr std::array<std::string_view, 6> kLayoutLevelWords{
-    "scattered", "touching", "stacked", "edges", "distractors", "mixed"};
+inline constexpr std::array<std::string_view, 7> kLayoutLevelWords{
+    "scattered", "touching", "stacked", "edges", "distractors", "mixed", "fixtures"};
 
 /// Returns the level of a word, or nullopt.
 std::optional<LayoutLevel> ParseLayoutLevel(std::string_view word);

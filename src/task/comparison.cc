@@ -60,16 +60,23 @@ StructureComparison CompareWith(const Structure& structure, const Episode& outco
   // Motion and match are optimized together; the match by appearance alone is the start, and stays
   // for objects that only effects refer to.
   const ObjectPoses poses = PosesAt(outcome.scene, outcome.end);
-  Placing placing =
-      FindPlacing(structure, outcome.scene, poses, MatchObjects(structure, outcome.scene));
-  StructureComparison comparison{
-      .match = std::move(placing.match), .goal = {}, .errors = {}, .order = {}, .achieved = {}};
+  StructureComparison comparison{.match = MatchObjects(structure, outcome.scene),
+                                 .goal = {},
+                                 .errors = {},
+                                 .order = {},
+                                 .achieved = {}};
+  for (const Structure& part : PartsOf(structure)) {
+    const Placing placing = FindPlacing(part, outcome.scene, poses, comparison.match);
+    for (const scene::ObjectSpec& object : part.objects) {
+      comparison.match[object.id()] = placing.match.at(object.id());
+      comparison.goal[object.id()] = placing.motion * object.pose_in_world();
+    }
+  }
   const std::set<std::string> held = HeldInTheEnd(outcome);
   std::size_t num_right = 0;
   for (const scene::ObjectSpec& object : structure.objects) {
     const std::string& id = object.id();
     const std::string& counterpart = comparison.match.at(id);
-    comparison.goal[id] = placing.motion * object.pose_in_world();
     comparison.errors[id] = ErrorOf(object, comparison.goal[id],
                                     ObjectIn(outcome.scene, counterpart), poses.at(counterpart));
     comparison.errors[id].is_held = held.contains(counterpart);

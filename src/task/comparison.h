@@ -40,8 +40,9 @@ struct StructureComparison {
 
 /// Compares up to a motion of the whole structure on the table, a shift along x and y and a turn
 /// about z, and up to an exchange of objects that look alike. Motion and match are chosen together
-/// so that as many objects as possible are within tolerance, then with least errors among these. A
-/// structure with fixed objects stands where these are in the scene.
+/// so that as many objects as possible are within tolerance, then with least errors among these.
+/// What stands on a fixed object stands where this is in the scene; of several fixed objects, each
+/// determines the place of what it carries.
 StructureComparison CompareWith(const Structure& structure, const Episode& outcome);
 
 }  // namespace smile::task

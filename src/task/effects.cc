@@ -100,13 +100,25 @@ void AppendControlEffects(const Episode& episode, std::vector<Effect>* effects) 
   }
 }
 
-/// Appends the bonds that are new or have another tightness, in the order of the hosts, then those
-/// that came free. A bond does not count as loosened if one of its objects was destroyed.
+/// True if a guest of the object was fastened or loosened meanwhile.
+bool WasTurned(const Episode& episode, const std::string& object) {
+  return std::ranges::any_of(episode.contacts, [&object](const ContactEvent& contact) {
+    const bool is_turn = contact.event.kind == sim::EventKind::kFastened ||
+                         contact.event.kind == sim::EventKind::kLoosened;
+    return is_turn && contact.event.object == object;
+  });
+}
+
+/// Appends the bonds that are new, have another tightness or were turned meanwhile, in the order of
+/// the hosts, then those that came free. A bond does not count as loosened if one of its objects
+/// was destroyed.
 void AppendBondEffects(const Episode& episode, std::vector<Effect>* effects) {
   const std::vector<BondEffect> before = BondsAt(episode.scene, episode.begin);
   const std::vector<BondEffect> after = BondsAt(episode.scene, episode.end);
   for (const BondEffect& bond : after) {
-    if (std::ranges::find(before, bond) == before.end()) effects->push_back(bond);
+    const bool is_kept = std::ranges::find(before, bond) != before.end();
+    // A cover is opened to be closed again: its screws must be tight in the end.
+    if (!is_kept || WasTurned(episode, bond.guest_object)) effects->push_back(bond);
   }
   for (BondEffect bond : before) {
     const bool is_kept =
@@ -119,12 +131,18 @@ void AppendBondEffects(const Episode& episode, std::vector<Effect>* effects) {
   }
 }
 
-/// True for the use of a tool that parted a chain.
-bool IsCutOfChain(const sim::Event& event, const scene::SceneSpec& scene) {
-  if (event.kind != sim::EventKind::kUsed || event.state != "cut") return false;
-  return std::ranges::any_of(scene.chains, [&event](const scene::ChainSpec& chain) {
-    return std::ranges::find(chain.link_ids, event.object) != chain.link_ids.end();
+/// Returns the chain with this link, or nullptr.
+const scene::ChainSpec* ChainOf(const std::string& link, const scene::SceneSpec& scene) {
+  const auto chain = std::ranges::find_if(scene.chains, [&](const scene::ChainSpec& one) {
+    return std::ranges::find(one.link_ids, link) != one.link_ids.end();
   });
+  return chain == scene.chains.end() ? nullptr : &*chain;
+}
+
+/// Returns the chain that the use of a tool parted; nullptr for any other event.
+const scene::ChainSpec* CutChain(const sim::Event& event, const scene::SceneSpec& scene) {
+  if (event.kind != sim::EventKind::kUsed || event.state != "cut") return nullptr;
+  return ChainOf(event.object, scene);
 }
 
 /// Appends the sliders that moved by more than kSlid.
@@ -145,7 +163,7 @@ void AppendSlideEffects(const Episode& episode, std::vector<Effect>* effects) {
 void AppendCutEffects(const Episode& episode, std::vector<Effect>* effects) {
   for (const ContactEvent& contact : episode.contacts) {
     const sim::Event& event = contact.event;
-    if (IsCutOfChain(event, episode.scene)) {
+    if (CutChain(event, episode.scene)) {
       effects->push_back(CutEffect{event.object, event.part, event.by});
     }
   }
@@ -208,14 +226,18 @@ class Ending {
     });
   }
 
-  // A bond that came free (tightness 0) is achieved if the pair is not fastened.
+  // A bond that came free (tightness 0) is achieved if the pair is not fastened. A fastened one may
+  // be in any hole of the object: four equal screws around an object that looks the same from two
+  // sides have no holes of their own. Whether they are in the right places, their poses decide.
   bool IsAs(BondEffect wanted) const {
     wanted.guest_object = counterpart_(wanted.guest_object);
     wanted.host_object = counterpart_(wanted.host_object);
-    for (const BondEffect& bond : bonds_) {
-      if (IsSamePair(bond, wanted)) return bond.tightness == wanted.tightness;
-    }
-    return wanted.tightness == 0;
+    const auto is_it = [&wanted](BondEffect bond) {
+      if (wanted.tightness > 0) bond.host_number = wanted.host_number;
+      return IsSamePair(bond, wanted);
+    };
+    const auto bond = std::ranges::find_if(bonds_, is_it);
+    return (bond == bonds_.end() ? 0 : bond->tightness) == wanted.tightness;
   }
 
   bool IsAs(const SlideEffect& wanted) const {
@@ -227,8 +249,8 @@ class Ending {
 
   bool IsAs(const CutEffect& wanted) const {
     return std::ranges::any_of(episode_.contacts, [&](const ContactEvent& contact) {
-      return IsCutOfChain(contact.event, episode_.scene) &&
-             contact.event.object == counterpart_(wanted.object);
+      const scene::ChainSpec* chain = CutChain(contact.event, episode_.scene);
+      return chain && chain == ChainOf(counterpart_(wanted.object), episode_.scene);
     });
   }
 

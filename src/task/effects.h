@@ -23,7 +23,8 @@ struct ControlEffect {
   bool operator==(const ControlEffect&) const = default;
 };
 
-/// Change of a bond: a plug was fastened to a hole, tightened, or loosened.
+/// Change of a bond: a plug was fastened to a hole, tightened, or loosened; or turned and turned
+/// back.
 struct BondEffect {
   std::string guest_object, host_object;
   std::size_t guest_number = 0, host_number = 0;  ///< within their objects
@@ -74,7 +75,7 @@ using Counterpart = std::function<std::string(const std::string& object)>;
 
 /// Returns for each effect whether it is achieved at the end of another episode: a control in the
 /// same state, a bond as tight, a slider within `tolerance` [m], an object in the container, or
-/// not, a chain cut beside the same piece.
+/// not, the same chain cut anywhere.
 std::vector<bool> AreAchieved(const std::vector<Effect>& effects, const Episode& episode,
                               const Counterpart& counterpart, double tolerance);
 

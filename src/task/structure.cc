@@ -1,6 +1,7 @@
 #include "task/structure.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "base/diagnostic.h"
@@ -87,6 +88,39 @@ bool Structure::is_fixed() const {
 std::vector<std::string> Structure::AttendedOf(const std::string& object) const {
   const auto attended = attention.find(object);
   return attended != attention.end() ? attended->second : std::vector<std::string>();
+}
+
+std::vector<Structure> PartsOf(const Structure& structure) {
+  std::vector<Structure> parts;
+  std::map<std::string, std::size_t> part_of;
+  for (const scene::ObjectSpec& object : structure.objects) {
+    if (!object.is_static()) continue;
+    part_of[object.id()] = parts.size();
+    parts.emplace_back();
+  }
+  if (parts.size() <= 1) return {structure};
+  // From supports to what they carry, over several levels.
+  for (bool has_grown = true; has_grown;) {
+    has_grown = false;
+    for (const Relation& relation : structure.relations) {
+      const auto support = part_of.find(relation.support);
+      if (support == part_of.end()) continue;
+      has_grown = part_of.emplace(relation.object, support->second).second || has_grown;
+    }
+  }
+  for (const scene::ObjectSpec& object : structure.objects) {
+    parts[part_of[object.id()]].objects.push_back(object);
+  }
+  // What other parts consist of is not available to a part.
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    parts[i].attention = structure.attention;
+    parts[i].others = structure.others;
+    for (std::size_t k = 0; k < i; ++k) {
+      parts[i].others.insert(parts[i].others.end(), parts[k].objects.begin(),
+                             parts[k].objects.end());
+    }
+  }
+  return parts;
 }
 
 Structure StructureOf(const recording::Recording& demonstration) {

@@ -33,6 +33,11 @@ struct Structure {
   std::vector<std::string> AttendedOf(const std::string& object) const;
 };
 
+/// Returns a structure in parts, each of which has one place: each fixed object with all that it
+/// carries; objects that stand on no fixed object belong to the first part. A structure with one
+/// fixed object or none is one part.
+std::vector<Structure> PartsOf(const Structure& structure);
+
 /// Returns the structure that a demonstration achieved.
 /// @throws InputError if the recording's trace cannot be read, or nothing was achieved.
 Structure StructureOf(const recording::Recording& demonstration);

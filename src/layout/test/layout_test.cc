@@ -270,7 +270,7 @@ TEST(RandomLayout, FollowsTheNearEdgeOfTheTable) {
 }
 
 TEST(RandomLayout, OurRobotScenesAreWithinTheRegion) {
-  for (const char* name : {"tower", "row", "bridge", "box", "hatch", "drive"}) {
+  for (const char* name : {"tower", "row", "bridge", "box", "hatch", "drive", "scissors"}) {
     const scene::SceneSpec scene = Shipped(std::string(name) + "_robot");
     for (const scene::ObjectSpec& object : scene.objects) {
       EXPECT_TRUE(
@@ -297,7 +297,59 @@ TEST(RandomLayout, MovesOnlyWhatStandsLooseOnTheTable) {
   EXPECT_THROW(MovedIn("dial"), std::invalid_argument) << "no controls";
 }
 
+bool AreEqual(const RigidTransform& a, const RigidTransform& b) {
+  const RigidTransform X_ab = a.inverse() * b;
+  return X_ab.translation().norm() < 1e-6 && (X_ab.rotation() - Matrix3::Identity()).norm() < 1e-6;
+}
+
+TEST(RandomLayout, FixturesMoveWithEverythingOnThem) {
+  const scene::SceneSpec scene = Shipped("drive_robot");
+  const auto pose = [](const scene::SceneSpec& of, std::size_t i) {
+    return of.objects[i].pose_in_world();
+  };
+  // Rack, two drives in it, spare, bin.
+  ASSERT_EQ(scene.objects.size(), 5u);
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const scene::SceneSpec layout = RandomLayout(scene, seed, LayoutLevel::kFixtures);
+    const RigidTransform X_moved = pose(layout, 0) * pose(scene, 0).inverse();
+    EXPECT_FALSE(AreEqual(X_moved, RigidTransform())) << seed;
+    for (std::size_t drive : {1u, 2u}) {
+      EXPECT_TRUE(AreEqual(pose(layout, drive), X_moved * pose(scene, drive))) << seed;
+    }
+    EXPECT_FALSE(AreEqual(pose(layout, 4), X_moved * pose(scene, 4))) << "the bin";
+    for (std::size_t fixture : {0u, 4u}) {
+      const scene::ObjectSpec& object = layout.objects[fixture];
+      EXPECT_TRUE(
+          LayoutRegion().Holds(scene.table, FootprintNow(object), BoundsNow(object).high.z()));
+      const Vector3 offset =
+          pose(layout, fixture).translation() - pose(scene, fixture).translation();
+      EXPECT_LE(offset.cwiseAbs().maxCoeff(), 0.05 + 1e-9);
+      EXPECT_GE(GapBetween(FootprintNow(object), FootprintNow(layout.objects[3])),
+                kFingerGap - 1e-9)
+          << "the spare, seed " << seed;
+    }
+  }
+}
+
+TEST(RandomLayout, ChainsAndSlidersMoveAsAWhole) {
+  for (const char* name : {"strings", "lidbox", "hatch_robot", "screws"}) {
+    const scene::SceneSpec scene = Shipped(name);
+    const scene::SceneSpec layout = RandomLayout(scene, 1, LayoutLevel::kFixtures);
+    EXPECT_FALSE(layout == scene) << name;
+    const auto reading =
+        scene_xml::ReadSceneText(scene_xml::WriteScene(layout), layout.name + ".xml");
+    ASSERT_TRUE(reading.scene) << name;
+    EXPECT_EQ(*reading.scene, layout) << name;
+    for (const scene::ChainSpec& chain : layout.chains) {
+      EXPECT_LT((chain.p_WStart - layout.objects[chain.first_object].pose_in_world().translation())
+                    .norm(),
+                1e-9);
+    }
+  }
+}
+
 TEST(RandomLayout, ReportsFailure) {
+  EXPECT_THROW(RandomLayout({.name = "bare"}, 1, LayoutLevel::kFixtures), std::invalid_argument);
   EXPECT_THROW(RandomLayout({.name = "bare"}, 1), std::invalid_argument);
   try {
     RandomLayout(Shipped("um_robot"), 1, LayoutLevel::kScattered, {.most_depth = 0.15});

@@ -140,6 +140,53 @@ TEST(StructureComparison, AStructureOnAFixedObjectHasOnePlace) {
   EXPECT_EQ(aside.errors.at("tray").distance, 0);
 }
 
+TEST(StructureComparison, EachFixedObjectHasAPlaceOfItsOwn) {
+  Structure structure{.objects = {ObjectAt("tray", scene::Block{{0.4, 0.3, 0.1}}, {0, 0, 0.05}),
+                                  CubeAt("c", {0.1, 0, 0.15}), CubeAt("d", {0.1, 0, 0.25}),
+                                  ObjectAt("bin", scene::Block{{0.2, 0.3, 0.1}}, {0.5, 0, 0.05}),
+                                  CubeAt("e", {0.5, 0.1, 0.15})},
+                      .relations = {{"tray", Relation::Kind::kOn, ""},
+                                    {"c", Relation::Kind::kOn, "tray"},
+                                    {"d", Relation::Kind::kOn, "c"},
+                                    {"bin", Relation::Kind::kOn, ""},
+                                    {"e", Relation::Kind::kOn, "bin"}}};
+  structure.objects[0].mass = structure.objects[3].mass = 0;
+  std::vector<scene::ObjectSpec> outcome = Moved(structure.objects, 10, {0.2, 0, 0});
+  const RigidTransform X_moved(RotationFromFixedAxes({0, 0, -20}), Vector3(-0.1, 0.4, 0));
+  for (std::size_t i : {3u, 4u}) {
+    outcome[i].whole.X_PE = X_moved * structure.objects[i].pose_in_world();
+  }
+  EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
+  // The cubes look alike, so that any may be the one in the bin; one beside it is not.
+  std::swap(outcome[1].whole.X_PE, outcome[4].whole.X_PE);
+  EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
+  outcome[1].whole.X_PE = RigidTransform(Vector3(0, 0, 0.05));
+  const StructureComparison beside = CompareWith(structure, EpisodeTo(outcome));
+  EXPECT_EQ(beside.score, 0.8);
+  EXPECT_FALSE(beside.errors.at("e").is_within());
+}
+
+TEST(StructureComparison, AChainMayBeCutAnywhereButNoOtherChain) {
+  Structure structure{.objects = {CubeAt("scissors", {0, 0, 0.05})},
+                      .effects = {CutEffect{"rope-link0", "rope between link 0 and 1", "scissors"}},
+                      .others = {CubeAt("rope-link0", {0.5, 0, 0.05}, kRed)}};
+  const auto is_achieved_by = [&](const std::string& cut) {
+    std::vector<scene::ObjectSpec> objects = structure.objects;
+    for (const char* id : {"rope-link0", "rope-link1", "other-link0"}) {
+      objects.push_back(CubeAt(id, {0.5, 0, 0.05}, kRed));
+    }
+    Episode episode = EpisodeTo(objects);
+    episode.scene.chains = {{.id = "rope", .link_ids = {"rope-link0", "rope-link1"}},
+                            {.id = "other", .link_ids = {"other-link0"}}};
+    sim::Event used{.kind = sim::EventKind::kUsed, .object = cut, .state = "cut"};
+    episode.contacts.push_back({used, 1, {}});
+    return CompareWith(structure, episode).is_achieved();
+  };
+  EXPECT_TRUE(is_achieved_by("rope-link0"));
+  EXPECT_TRUE(is_achieved_by("rope-link1"));
+  EXPECT_FALSE(is_achieved_by("other-link0"));
+}
+
 TEST(StructureComparison, EndsSoonWithIdenticalObjects) {
   Structure structure;
   for (int i = 0; i < 200; ++i) {

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 
 #include "recorder/test/recording_fixture.h"
 #include "recording/recording.h"
 #include "recording/recording_history.h"
 #include "structure_maker.h"
+#include "task/comparison.h"
+#include "task/effects.h"
 #include "task/failure_reason.h"
 #include "task/structure_json.h"
 
@@ -22,18 +25,20 @@ class StructureTest : public recorder::RecordingFixture {
  protected:
   /// Of a scene and a script that we ship.
   recording::Recording Play(const std::string& scene) {
-    const auto text = [](const std::string& name) { return ReadFile(DataFile(name), 1 << 20); };
+    return Play(scene, ReadFile(DataFile("examples/scenes/" + scene + ".jsonl"), 1 << 20));
+  }
+  recording::Recording Play(const std::string& scene, const std::string& script) {
+    const std::filesystem::path folder = root_ / (scene + std::to_string(num_played_++));
     sim::Simulation simulation(scene_xml::LoadScene(DataFile("scenes/" + scene + ".xml")));
-    recorder::Recorder recorder(root_ / scene, {}, nullptr, simulation);
+    recorder::Recorder recorder(folder, {}, nullptr, simulation);
     simulation.AddListener(&recorder);
     EpisodeObserver observer(&simulation);
-    sim::ScriptPlayer player(
-        sim::ParseScript(text("examples/scenes/" + scene + ".jsonl"), scene, 0.1));
+    sim::ScriptPlayer player(sim::ParseScript(script, scene, 0.1));
     for (player.Advance(&simulation); !player.is_finished(); player.Advance(&simulation)) {
       simulation.Tick();
     }
     observed_ = observer.episode();
-    return recording::OpenRecording(root_ / scene);
+    return recording::OpenRecording(folder);
   }
 
   std::string TextOf(const Structure& structure) {
@@ -43,6 +48,7 @@ class StructureTest : public recorder::RecordingFixture {
   }
 
   Episode observed_;
+  int num_played_ = 0;
 };
 
 TEST_F(StructureTest, ContainsMovedObjectsAndTheirSupports) {
@@ -127,6 +133,40 @@ TEST_F(StructureTest, ReportsEffectsOfMechanisms) {
   const Structure screws = StructureOf(Play("screws"));
   ASSERT_EQ(screws.effects.size(), 2u);
   EXPECT_EQ(WordsOf(screws.effects[0], 0.1), "BrassScrewTip fastened to NutHole, stage 3");
+}
+
+TEST_F(StructureTest, ScrewsThatWereLoosenedAndFastenedAgainMustBeTight) {
+  const auto turn = [](const std::string& what) {
+    return R"({"hand":"right","do":")" + what +
+           R"(","object":"BrassScrew"})"
+           "\n"
+           R"({"do":"wait","seconds":0.1})"
+           "\n";
+  };
+  const recording::Recording demo = Play("screws", turn("loosen") + turn("fasten"));
+  const Structure structure = StructureOf(demo);
+  ASSERT_EQ(structure.effects.size(), 1u);
+  EXPECT_EQ(WordsOf(structure.effects[0], 0.1), "BrassScrewTip fastened to NutHole, stage 1");
+  EXPECT_TRUE(CompareWith(structure, EpisodeOf(demo)).is_achieved());
+  EXPECT_FALSE(CompareWith(structure, EpisodeOf(Play("screws", turn("loosen")))).achieved[0]);
+}
+
+TEST_F(StructureTest, EqualScrewsMayBeInOneAnothersHoles) {
+  const Episode episode = EpisodeOf(Play("cover", R"({"do":"wait","seconds":0.1})"));
+  const std::vector<BondEffect> bonds = BondsAt(episode.scene, episode.end);
+  ASSERT_EQ(bonds.size(), 4u);
+  // Around a housing that looks the same from both sides, each screw is where the opposite one was.
+  const std::map<std::string, std::string> opposite{{"ScrewNW", "ScrewSE"},
+                                                    {"ScrewSE", "ScrewNW"},
+                                                    {"ScrewNE", "ScrewSW"},
+                                                    {"ScrewSW", "ScrewNE"}};
+  const auto counterpart = [&](const std::string& id) {
+    return opposite.contains(id) ? opposite.at(id) : id;
+  };
+  std::vector<Effect> tight(bonds.begin(), bonds.end()), tighter = tight;
+  for (Effect& effect : tighter) ++std::get<BondEffect>(effect).tightness;
+  EXPECT_EQ(AreAchieved(tight, episode, counterpart, kTolerance), std::vector<bool>(4, true));
+  EXPECT_EQ(AreAchieved(tighter, episode, counterpart, kTolerance), std::vector<bool>(4, false));
 }
 
 TEST_F(StructureTest, IsAchievedByItselfAndNotByAnIdleRun) {

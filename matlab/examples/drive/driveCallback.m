@@ -1,0 +1,1 @@
+[work, motor, aux] = stepWork(work, sensor, motor, aux);

@@ -1,0 +1,3 @@
+if sensor.simTime > 3  % before, the string sinks
+  [work, motor, aux] = stepWork(work, sensor, motor, aux);
+end

@@ -1,0 +1,94 @@
+"""Replaces the fuse under a cover that four screws hold.
+
+    smile run scenes/cover_robot.xml --brain python/examples/cover/cover.py
+
+The screws are loosened with the screwdriver, the cover goes onto its stand, the fuse into the bin,
+the good fuse into the socket, and the housing is closed again. Where these are, the program sees in
+the picture of the robot's eye.
+"""
+import itertools
+import sys
+from pathlib import Path
+
+from smile.motion import robot_of
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from common.arm import Arm, plan, pose_at
+from common.task import advance, look
+from screws import plan_drive
+from sight import find_bin, find_housing, find_screwdriver, find_spare, find_stand
+
+ASIDE = [[1.3, -1, -1.19, 1.94, 0.67, 1.03, -0.5],   # angles of the left arm [rad]
+         [-1.3, -1, 1.19, 1.94, -0.67, 1.03, 0.5]]   # the right arm mirrors it
+
+TABLE = (20, 12)                   # width and depth
+SCREW_X, SCREW_Y = 1.55, 0.75      # of the screws, from the middle of the housing
+KNOB, KNOB_ON_STAND = 2.2, 2       # heights of the tool that holds the knob of the cover, ...
+FUSE, FUSE_INSIDE = 1.1, 1.2       # a fuse on the table, and one in the socket or the bin
+OVER, OVER_FUSE = 3.4, 2.9         # heights at which the cover and a fuse are carried
+DROP = 0.02                        # height above its place from which an object is released
+WIDE = 0.9                         # opening of the gripper around an object of 0.4
+
+
+def init(aux):
+    for arm, angles in zip(aux.arms, ASIDE):
+        arm.initJoints = angles
+    aux.channels = ["rgb", "depth"]
+    aux.imageSeconds = 3600
+
+
+def step(sensor, motor, aux):
+    advance(replace, sensor, motor, aux)
+
+
+def replace(motor, aux):
+    """The whole task, as a generator like its parts."""
+    robot = robot_of(aux)
+    arms = [Arm(robot, aux, motor, k, ASIDE[k]) for k in range(2)]
+    sensor = yield from look(aux)
+    housing, stand, screwdriver, spare, waste = [
+        find(sensor, aux)
+        for find in (find_housing, find_stand, find_screwdriver, find_spare, find_bin)]
+    screws = [housing.at(SCREW_X * x, SCREW_Y * y, 0)
+              for x, y in ((-1, 1), (1, 1), (1, -1), (-1, -1))]
+
+    yield from plan_drive(arms, screwdriver.middle, screws, True, TABLE).drive()
+    yield from carry(arms, housing, KNOB, stand, KNOB_ON_STAND, OVER)
+    yield from carry(arms, housing, FUSE_INSIDE, waste, FUSE_INSIDE, OVER_FUSE)
+    yield from carry(arms, spare, FUSE, housing, FUSE_INSIDE, OVER_FUSE)
+    yield from carry(arms, stand, KNOB_ON_STAND, housing, KNOB, OVER)
+    yield from plan_drive(arms, screwdriver.middle, screws, False, TABLE).drive()
+
+
+def carry(arms, start, start_height, goal, goal_height, over):
+    """Carries an object from a place to another one, and sets it down parallel to it."""
+    arm, (to_start, lower, raise_, cross, put, leave) = carrying_plan(
+        arms, start, start_height, goal, goal_height, over)
+    print("carrying with the", arm.name, "arm")
+    yield from arm.grip(-1, WIDE)
+    yield from arm.follow(to_start, lower)
+    yield from arm.close()
+    yield from arm.follow(raise_, cross, put)
+    yield from arm.open(WIDE)
+    yield from arm.follow(leave)
+    yield from arm.go_aside()
+
+
+def carrying_plan(arms, start, start_height, goal, goal_height, over):
+    """Returns an arm and its motions: to the object, down, up, across, down, up.
+
+    The fingers are at the longer sides of the object; it may be grasped, and stand, in two ways. A
+    straight way keeps it level on its way across.
+    """
+    ways = itertools.product(["line", "joints"], [1, -1], [1, -1])
+    for across, start_side, goal_side in ways:
+        from_above, grasp, above, put = [
+            pose_at(place.at(0, 0, height), side * place.y)
+            for place, height, side in [
+                (start, over, start_side), (start, start_height, start_side),
+                (goal, over, goal_side), (goal, goal_height + DROP, goal_side)]]
+        planned = plan(arms, [("joints", from_above), ("line", grasp), ("line", from_above),
+                              (across, above), ("line", put), ("line", above)], TABLE)
+        if planned:
+            return planned
+    raise RuntimeError("no arm can carry it")

@@ -27,6 +27,8 @@ namespace {
 /// Heights of the tool above the table at which an object is grasped and lifted, by the height of
 /// the object.
 constexpr double kGraspHeight = 0.5, kLiftHeight = 1.5;
+/// Room beside an object for each finger [m].
+constexpr double kFingerRoom = 0.02;
 /// Turns about the vertical at which a cube is grasped [rad].
 constexpr std::array kTurns{0.0, std::numbers::pi / 4};
 /// Iterations for one place: the search starts at the solution of a neighboring one.
@@ -59,6 +61,11 @@ class ArmSearch {
         probe_(robot::MakeArticulationSpec(model, X_WBase)),
         length_(LengthOf(model, arm)),
         object_height_(object_height) {
+    if (arm.gripper) {
+      // As wide open as for the object and a finger on each side.
+      const double opening = object_height + 2 * kFingerRoom;
+      middle_ = robot::MiddleAt(model, *arm.gripper, opening);
+    }
     for (const int joint : arm.joints) start_.push_back(model.q_start[joint]);
     q_ = start_;
     const scene::LinkSpec& first = model.links[static_cast<std::size_t>(arm.joints.front())];
@@ -86,7 +93,8 @@ class ArmSearch {
     const Matrix3 down = Quaternion(0, 1, 0, 0).toRotationMatrix();
     const Matrix3 R_WG = Eigen::AngleAxisd(turn, Vector3::UnitZ()) * down;
     const auto at = [&](double height) {
-      return RigidTransform(R_WG, p_WQ + Vector3(0, 0, height * object_height_));
+      return RigidTransform(R_WG,
+                            p_WQ + Vector3(0, 0, height * object_height_) - middle_ * R_WG.col(1));
     };
     const auto q = motion::SolveInverseKinematics(kinematics_, at(kGraspHeight), q_,
                                                   {.position_tolerance = 1e-4,
@@ -110,6 +118,7 @@ class ArmSearch {
   motion::ArmKinematics kinematics_;
   motion::ArticulationProbe probe_;
   double length_, object_height_;
+  double middle_ = 0;                ///< between the sides of the gripper, along y of the tool [m]
   std::optional<Vector3> shoulder_;  ///< nullopt if it moves
   std::vector<double> start_, q_;
 };

@@ -397,6 +397,13 @@ void Forward(const Call& call) {
       MatrixOf(robot.Forward(arm, ConfigurationFrom(call.arguments[2], "q", ShapeFor(robot, arm))));
 }
 
+void GripperMiddle(const Call& call) {
+  CheckCount(call, 3, 3, "robot, arm, opening");
+  const PlanningRobot& robot = RobotFrom(call);
+  call.outputs[0] = mxCreateDoubleScalar(robot.GripperMiddle(
+      TextFrom(call.arguments[1], "arm"), NumberFrom(call.arguments[2], "opening")));
+}
+
 void Jacobian(const Call& call) {
   CheckCount(call, 3, 3, "robot, arm, q");
   const PlanningRobot& robot = RobotFrom(call);
@@ -540,10 +547,15 @@ void Carry(const Call& call) {
     const char* name;
     void (*run)(const Call&);
   };
-  constexpr Function kFunctions[] = {
-      {"smileRobot", &Robot},     {"smileForward", &Forward},          {"smileJacobian", &Jacobian},
-      {"smileInverse", &Inverse}, {"smileMoveJoints", &MoveJoints},    {"smileMoveLine", &MoveLine},
-      {"smileSample", &Sample},   {"smileFirstInvalid", &FirstInvalid}};
+  constexpr Function kFunctions[] = {{"smileRobot", &Robot},
+                                     {"smileForward", &Forward},
+                                     {"smileJacobian", &Jacobian},
+                                     {"smileGripperMiddle", &GripperMiddle},
+                                     {"smileInverse", &Inverse},
+                                     {"smileMoveJoints", &MoveJoints},
+                                     {"smileMoveLine", &MoveLine},
+                                     {"smileSample", &Sample},
+                                     {"smileFirstInvalid", &FirstInvalid}};
   for (const Function& function : kFunctions) {
     if (call.function == function.name) return function.run(call);
   }

@@ -260,6 +260,12 @@ gripper: name of the robot's gripper; by default its default gripper.)")
           py::arg("arm"), py::arg("name"),
           "Angles of a named pose of the robot, such as 'untucked'; None if it has no pose of that "
           "name.");
+  robot_class.def(
+      "gripper_middle", &PlanningRobot::GripperMiddle, py::arg("arm"), py::arg("opening"),
+      R"(Place of the middle between both sides of the gripper at an opening, along y of the tool [units].
+
+0 for fingers that slide apart, but not where one jaw is fixed.
+opening: free width between the sides [units].)");
   return robot_class;
 }
 

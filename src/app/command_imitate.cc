@@ -47,9 +47,9 @@ int ImitateDemo(const ImitateOptions& options) {
   const experiment::ImitationResult outcome = experiment::Imitate(
       {.task = std::filesystem::path(options.scene).stem().string(),
        .demonstration = options.demo,
-       .scene = layout::LaidOut(scene_xml::LoadScene(options.scene, options.path.reader()),
-                                options.layout.choice(),
-                                [&] { return experiment::RegionOf(robot.value()); }),
+       .scene = layout::LaidOut(
+           scene_xml::LoadScene(options.scene, options.path.reader()), options.layout.choice(),
+           [&](double height) { return experiment::RegionOf(robot.value(), height); }),
        .brain = options.brain.brain,
        .callback_seconds = options.brain.timeout,
        .is_attached = options.brain.attach,

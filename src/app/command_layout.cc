@@ -34,7 +34,9 @@ void RequireNew(const std::filesystem::path& path) {
 int WriteLayout(const LayoutCommandOptions& options) {
   const scene::SceneSpec scene = layout::LaidOut(
       scene_xml::LoadScene(options.scene, options.path.reader()), options.layout.choice(),
-      [&] { return experiment::RegionOf(PlaceRobot(options.robot, options.path).value()); });
+      [&](double height) {
+        return experiment::RegionOf(PlaceRobot(options.robot, options.path).value(), height);
+      });
   const std::filesystem::path out = options.out;
   RequireNew(out);
   if (!scene_xml::MeshFilesOf(scene).empty()) {

@@ -8,9 +8,10 @@ namespace smile::experiment {
 /// Returns the region of seeded layouts for a robot in its place.
 ///
 /// Baxter has the measured one: its layouts stay as they were. For other robots it is computed: the
-/// middle of a cell of the map is reached if an arm finds a configuration with its tool straight
-/// down, at any turn, at two heights above the table. Takes tenths of a second per arm. The last
-/// regions are kept, by the content of the robot's files. Deterministic; thread-safe.
-layout::LayoutRegion RegionOf(const model::RobotPlacement& robot);
+/// middle of a cell of the map is reached if an arm can grasp a cube of this height [m] there from
+/// above, however it is turned, and lift it straight up by its height, without touching itself.
+/// Takes tenths of a second per arm. The last regions are kept, by the content of the robot's
+/// files. Deterministic; thread-safe.
+layout::LayoutRegion RegionOf(const model::RobotPlacement& robot, double object_height);
 
 }  // namespace smile::experiment

@@ -81,7 +81,7 @@ ImitationResult RunTaskExperiment(const TaskExperimentPlan& plan, const Callback
   // motions.
   const scene::SceneSpec scene =
       layout::LaidOut(scene_xml::LoadScene(DataFile("scenes/" + plan.task + "_robot.xml")),
-                      plan.layout, [&] { return RegionOf(plan.robot); });
+                      plan.layout, [&](double height) { return RegionOf(plan.robot, height); });
   ImitationResult result = Imitate({.task = plan.task,
                                     .demonstration = plan.out / "demonstration",
                                     .scene = scene,

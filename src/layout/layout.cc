@@ -18,6 +18,7 @@
 #include "layout/internal_fixtures.h"
 #include "layout/internal_object_group.h"
 #include "math/angles.h"
+#include "scene/bounds.h"
 #include "scene/solid.h"
 
 namespace smile::layout {
@@ -233,6 +234,16 @@ void Put(const ObjectGroup& group, const Footprint& place, scene::SceneSpec* sce
 }
 
 }  // namespace
+
+double HeightOfLooseObjects(const scene::SceneSpec& scene) {
+  double height = 0;
+  for (const std::size_t i : LooseObjects(scene)) {
+    const scene::ObjectSpec& object = scene.objects[i];
+    const std::vector<scene::Solid> solids = scene::SolidsOf(object.whole);
+    height = std::max(height, scene::BoundsOf(solids, object.pose_in_world()).high.z());
+  }
+  return height;
+}
 
 scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed, LayoutLevel level,
                               const LayoutRegion& region) {

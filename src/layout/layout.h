@@ -29,4 +29,7 @@ scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed,
                               LayoutLevel level = LayoutLevel::kScattered,
                               const LayoutRegion& region = {});
 
+/// Returns the height of the highest loose object above the table [m]; 0 if there is none.
+double HeightOfLooseObjects(const scene::SceneSpec& scene);
+
 }  // namespace smile::layout

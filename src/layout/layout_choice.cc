@@ -7,9 +7,10 @@
 namespace smile::layout {
 
 scene::SceneSpec LaidOut(scene::SceneSpec scene, const LayoutChoice& choice,
-                         const std::function<LayoutRegion()>& region) {
+                         const std::function<LayoutRegion(double object_height)>& region) {
   if (!choice.seed) return scene;
-  return RandomLayout(std::move(scene), *choice.seed, choice.level, region());
+  const LayoutRegion place = region(HeightOfLooseObjects(scene));
+  return RandomLayout(std::move(scene), *choice.seed, choice.level, place);
 }
 
 }  // namespace smile::layout

@@ -17,9 +17,11 @@ struct LayoutChoice {
 };
 
 /// Returns the scene with the chosen starting positions, see RandomLayout().
-/// @param region  called if a layout is made: that of the robot.
+/// @param region  called if a layout is made: that of the robot, for the height of the highest
+/// loose
+///                object [m].
 /// @throws std::invalid_argument if such a layout is not possible.
 scene::SceneSpec LaidOut(scene::SceneSpec scene, const LayoutChoice& choice,
-                         const std::function<LayoutRegion()>& region);
+                         const std::function<LayoutRegion(double object_height)>& region);
 
 }  // namespace smile::layout

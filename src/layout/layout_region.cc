@@ -7,25 +7,28 @@
 namespace smile::layout {
 namespace {
 
-// The robot's eye, as in sim/eye.h: its position above the robot's default place, its tilt, and its
-// field of view, less one percent.
+// Baxter's eye, as in model/eye.cc: its position above the robot's default place, its tilt, and the
+// field of view of all eyes, less one percent.
 constexpr double kEyeDepth = -0.20 + 0.18832, kEyeHeight = 0.20 + 0.95921;  // [m]
-const double kEyeTiltCos = std::cos(DegreesToRadians(56.05));
-const double kEyeTiltSin = std::sin(DegreesToRadians(56.05));
-constexpr double kVerticalShare = 0.99 * 0.577350269;  // tan of 30 degrees
+constexpr double kVerticalShare = 0.99 * 0.577350269;                       // tan of 30 degrees
 constexpr double kHorizontalShare = kVerticalShare * 4 / 3;
 
-/// Returns true if the eye sees a point: sideways x, depth, and height z above the table [m].
-bool IsInView(double x, double depth, double z) {
-  // Coordinates along and across the eye's optical axis. The eye tilts about the horizontal x axis
-  // only, so sideways distances stay as they are.
-  const double away = depth - kEyeDepth, below = kEyeHeight - z;
-  const double forward = away * kEyeTiltCos + below * kEyeTiltSin;
-  const double down = below * kEyeTiltCos - away * kEyeTiltSin;
-  return std::abs(x) <= forward * kHorizontalShare && std::abs(down) <= forward * kVerticalShare;
+/// Returns true if a point in the frame of an eye is in its picture.
+bool IsInView(const Vector3& p_CQ) {
+  return std::abs(p_CQ.x()) <= p_CQ.z() * kHorizontalShare &&
+         std::abs(p_CQ.y()) <= p_CQ.z() * kVerticalShare;
 }
 
 }  // namespace
+
+RigidTransform LayoutRegion::StandardEye() {
+  const double tilt = DegreesToRadians(56.05), c = std::cos(tilt), s = std::sin(tilt);
+  Matrix3 R_EC;
+  R_EC << 1, 0, 0,  //
+      0, -s, c,     //
+      0, -c, -s;
+  return {R_EC, Vector3(0, kEyeDepth, kEyeHeight)};
+}
 
 Footprint LayoutRegion::StripOn(const scene::TableSpec& table) const {
   return {.center = {0, -table.y_span / 2 + (strip_near + strip_far) / 2},
@@ -55,12 +58,13 @@ bool LayoutRegion::Holds(const scene::TableSpec& table, const Footprint& footpri
   // The bottom and the top of each corner must be in the picture: a high object may be cut off at
   // the top although its foot is seen.
   const double edge = -table.y_span / 2;
+  const RigidTransform X_CE = X_EC.inverse();
   for (const Vector2& corner : footprint.corners()) {
     if (std::abs(corner.x()) > table.x_span / 2 - table_rim) return false;
     if (std::abs(corner.y()) > table.y_span / 2 - table_rim) return false;
-    if (!has_standard_eye) continue;
-    if (!IsInView(corner.x(), corner.y() - edge, 0)) return false;
-    if (!IsInView(corner.x(), corner.y() - edge, top)) return false;
+    for (const double z : {0.0, top}) {
+      if (!IsInView(X_CE * Vector3(corner.x(), corner.y() - edge, z))) return false;
+    }
   }
   return true;
 }

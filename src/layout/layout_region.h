@@ -4,6 +4,7 @@
 
 #include "layout/footprint.h"
 #include "layout/reach_map.h"
+#include "math/rigid_transform.h"
 #include "scene/scene_spec.h"
 
 namespace smile::layout {
@@ -17,8 +18,9 @@ struct LayoutRegion {
   /// Places that the robot reaches, less `reach_margin` [m]; null: the circles below.
   std::shared_ptr<const ReachMap> reach_map;
   double reach_margin = 0;
-  /// True if the robot's eye is where Baxter's is; otherwise its view is not considered.
-  bool has_standard_eye = true;
+  /// Pose of the robot's eye C: from the middle of the table's near edge, x right, y away from the
+  /// robot, z up. The default is Baxter's, which is also that of robots without an eye.
+  RigidTransform X_EC = StandardEye();
 
   /// An arm grasps vertically within a circle about the point below its shoulder. Measured at tool
   /// heights from 0.08 to 0.25 m, at any yaw: 0.736 to 0.75 m all around.
@@ -34,6 +36,7 @@ struct LayoutRegion {
   double strip_half_width = 0.58;              ///< [m]
   double strip_near = 0.34, strip_far = 0.51;  ///< depths [m]
 
+  static RigidTransform StandardEye();
   /// Returns the region whose reach ends earlier.
   LayoutRegion ShrunkBy(double rim) const;
   /// Returns the strip on a table.

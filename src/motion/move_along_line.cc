@@ -33,6 +33,9 @@ constexpr int kIterationsPerPlace = 60;
 /// Joints are solved more exactly than the line requires, so that their derivatives are smooth [m,
 /// rad].
 constexpr double kPlaceTolerance = 1e-9;
+/// An arm of fewer than six joints cannot make up for the rounded numbers of its description, which
+/// put its axes out of line: it keeps to the line as well as it can, and to within these [m, rad].
+constexpr double kRoundedPlace = 1e-5, kRoundedAngle = 1e-3;
 
 /// Path of the tool, by fractions of the line from 0 to 1.
 class ToolLine {
@@ -105,6 +108,17 @@ std::string WayOut(const ArmKinematics& arm, const ArmVector& q_before, const Ri
   return hint;
 }
 
+/// Moves `q` to a place of the line, as near to it as the arm can. Returns false if it cannot.
+bool Reach(const ArmKinematics& arm, const RigidTransform& X_WG, IkOptions options, ArmVector* q) {
+  int iterations_left = kIterationsPerPlace;
+  if (DampedLeastSquares(arm, X_WG, options).Run(q, &iterations_left)) return true;
+  if (arm.num_joints() >= 6) return false;
+  options.position_tolerance = kRoundedPlace;
+  options.angle_tolerance = kRoundedAngle;
+  iterations_left = 1;  // only asks whether this is met
+  return DampedLeastSquares(arm, X_WG, options).Run(q, &iterations_left);
+}
+
 /// Returns the joint positions at all places, or the first place that the arm cannot reach without
 /// a jump.
 std::variant<JointPath, LineFault> Follow(const ArmKinematics& arm, const ArmVector& q_from,
@@ -128,8 +142,7 @@ std::variant<JointPath, LineFault> Follow(const ArmKinematics& arm, const ArmVec
     // other branches only from other starts, which are deliberately not tried: they are not
     // connected.
     ArmVector q = path.q.back();
-    int iterations_left = kIterationsPerPlace;
-    if (!DampedLeastSquares(arm, X_WG, options).Run(&q, &iterations_left)) {
+    if (!Reach(arm, X_WG, options, &q)) {
       return fault("the arm cannot follow further: out of reach, or a joint is at its limit" +
                    WayOut(arm, path.q.back(), X_WG, options));
     }

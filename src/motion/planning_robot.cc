@@ -129,6 +129,16 @@ std::optional<std::vector<double>> PlanningRobot::NamedPose(std::string_view arm
   return q;
 }
 
+double PlanningRobot::GripperMiddle(std::string_view arm, double opening) const {
+  Find(arm);
+  if (!std::isfinite(opening)) throw std::invalid_argument("opening is not finite");
+  const auto& gripper = robot::FindArm(model_, arm)->gripper;
+  if (!gripper) throw std::invalid_argument("the arm " + Quoted(arm) + " has no gripper");
+  return scene::ToFileUnits(
+      robot::MiddleAt(model_, *gripper, scene::FromFileUnits(opening, meters_per_unit_)),
+      meters_per_unit_);
+}
+
 Eigen::Matrix4d PlanningRobot::Forward(std::string_view arm, std::span<const double> q) const {
   const ArmKinematics& kinematics = Find(arm);
   if (!std::ranges::all_of(q, [](double x) { return std::isfinite(x); })) {

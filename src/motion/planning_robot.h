@@ -44,6 +44,11 @@ class PlanningRobot {
   /// Returns a named pose of the robot; nullopt if it has no such pose.
   std::optional<std::vector<double>> NamedPose(std::string_view arm, std::string_view name) const;
 
+  /// Returns the place of the middle between both sides of the gripper at an opening, along y of
+  /// the tool [units]: 0 for fingers that slide apart, but not where one jaw is fixed.
+  /// @throws std::invalid_argument  also if the arm has no gripper.
+  double GripperMiddle(std::string_view arm, double opening) const;
+
   /// Returns the pose of the tool.
   Eigen::Matrix4d Forward(std::string_view arm, std::span<const double> q) const;
   /// Returns the Jacobian, 6 x joints: rows 0..2 [units/s per rad/s], rows 3..5 angular; along the

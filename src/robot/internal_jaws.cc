@@ -21,23 +21,29 @@ struct Run {
   int first = 0, last = 0;
 };
 
-/// Returns the openings at positions of the drive that divide a range evenly [m].
-std::vector<double> OpeningsBetween(double lower, double upper, std::pair<int, int> pads, int tool,
-                                    const RobotModel& model, int drive) {
+/// Openings of jaws, and the middles between them along y of the tool [m].
+struct JawTable {
+  std::vector<double> openings, middles;
+};
+
+/// Returns the table at positions of the drive that divide a range evenly.
+JawTable MeasureBetween(double lower, double upper, std::pair<int, int> pads, int tool,
+                        const RobotModel& model, int drive) {
   std::vector<double> q;
   for (const scene::LinkSpec& link : model.links) {
     q.push_back(std::clamp(0.0, link.lower, link.upper));
   }
-  std::vector<double> openings;
+  JawTable table;
   for (int i = 0; i < kEntries; ++i) {
     q[drive] = std::lerp(lower, upper, i / (kEntries - 1.0));
     scene::FollowLeaders(model.links, q);
     const RigidTransform X_GBase = FramePose(model, {}, q, tool).inverse();
     const Vector3 left = (X_GBase * FramePose(model, {}, q, pads.first)).translation();
     const Vector3 right = (X_GBase * FramePose(model, {}, q, pads.second)).translation();
-    openings.push_back(left.y() - right.y());
+    table.openings.push_back(left.y() - right.y());
+    table.middles.push_back((left.y() + right.y()) / 2);
   }
-  return openings;
+  return table;
 }
 
 /// Returns the entries from the greatest opening down to the least one that is not negative, as
@@ -60,7 +66,7 @@ std::optional<std::string> MeasureJaws(std::pair<int, int> pads, int tool, Robot
                                        Gripper* gripper) {
   scene::LinkSpec& drive = model->links[gripper->drive];
   const std::vector<double> openings =
-      OpeningsBetween(drive.lower, drive.upper, pads, tool, *model, gripper->drive);
+      MeasureBetween(drive.lower, drive.upper, pads, tool, *model, gripper->drive).openings;
   const Run run = RunOf(openings);
   const double stroke = std::abs(openings[run.last] - openings[run.first]);
   if (!(stroke >= kLeastStroke)) {
@@ -72,7 +78,9 @@ std::optional<std::string> MeasureJaws(std::pair<int, int> pads, int tool, Robot
   const double lower = drive.lower + run.first * step;
   drive.upper = std::min(drive.upper, drive.lower + run.last * step);
   drive.lower = lower;
-  gripper->openings = OpeningsBetween(drive.lower, drive.upper, pads, tool, *model, gripper->drive);
+  JawTable table = MeasureBetween(drive.lower, drive.upper, pads, tool, *model, gripper->drive);
+  gripper->openings = std::move(table.openings);
+  gripper->middles = std::move(table.middles);
   return std::nullopt;
 }
 

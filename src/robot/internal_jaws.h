@@ -10,8 +10,9 @@
 namespace smile::robot::internal {
 
 /// Measures the openings of jaws over the range of their drive, as the distance of two frames along
-/// y of the tool, and narrows that range to where they open from 0 or more without a turning point.
-/// All joints but the drive and its followers are at 0 or at the nearest limit.
+/// y of the tool, and the middles between them, and narrows that range to where they open from 0 or
+/// more without a turning point. All joints but the drive and its followers are at 0 or at the
+/// nearest limit.
 ///
 /// @param pads  frame indices: on the left and on the right jaw.
 /// @param tool  frame index.

@@ -108,6 +108,16 @@ double OpeningOf(const RobotModel& model, const Gripper& gripper, std::span<cons
   return 0;
 }
 
+double MiddleAt(const RobotModel& model, const Gripper& gripper, double opening) {
+  if (gripper.kind != GripperKind::kJaws) return 0;
+  const scene::LinkSpec& drive = model.links.at(gripper.drive);
+  const double last = static_cast<double>(gripper.middles.size() - 1);
+  const double entry =
+      (DrivePositionAt(model, gripper, opening) - drive.lower) / (drive.upper - drive.lower) * last;
+  const std::size_t i = static_cast<std::size_t>(std::clamp(std::floor(entry), 0.0, last - 1));
+  return std::lerp(gripper.middles[i], gripper.middles[i + 1], entry - static_cast<double>(i));
+}
+
 double DrivePositionAt(const RobotModel& model, const Gripper& gripper, double opening) {
   return OpeningTable(model, gripper).DriveAt(opening);
 }

@@ -61,6 +61,9 @@ struct Gripper {
   /// Of kJaws: openings at positions of the drive that divide its range evenly, from its lower to
   /// its upper limit; strictly rising or falling [m].
   std::vector<double> openings;
+  /// Of kJaws: places of the middle between the jaws along y of the tool, at the same positions
+  /// [m].
+  std::vector<double> middles;
 
   double cup_radius = 0;  ///< of kSuction [m]
   /// Of kSuction: greatest mass that the cup holds, with all that is attached to it [kg].
@@ -128,6 +131,9 @@ OpeningRange OpeningRangeOf(const RobotModel& model, const Gripper& gripper);
 
 /// Returns the opening of a gripper at a configuration `q` [m].
 double OpeningOf(const RobotModel& model, const Gripper& gripper, std::span<const double> q);
+/// Returns the place of the middle between both sides of a gripper at an opening, along y of the
+/// tool [m]: 0 unless its jaws move differently, as where one of them is fixed.
+double MiddleAt(const RobotModel& model, const Gripper& gripper, double opening);
 /// Returns the position of the drive of a gripper of jaws at an opening [m], clamped to its range.
 double DrivePositionAt(const RobotModel& model, const Gripper& gripper, double opening);
 /// Returns the velocity of the drive of a gripper of jaws per velocity of its opening, at a

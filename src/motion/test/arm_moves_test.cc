@@ -158,6 +158,24 @@ TEST(MoveAlongLine, MayLeaveTheRotationToAnArmOfFewJoints) {
   }
 }
 
+TEST(MoveAlongLine, AllowsForRoundedNumbersInTheDescriptionOfAnArmOfFewJoints) {
+  robot::RobotModel model = robot::GeneratedRobot({{"arm", 5}}).Model();
+  const std::vector<double> from{0.2, 0.8, 0.8, 0.9, 0};
+  // The second joint is out of line with the third by as much as rounded angles are. The tool then
+  // leans as the arm stretches.
+  const auto line = [&](double error) {
+    RigidTransform& X_PJ = model.links[model.arms[0].joints[2]].X_PJ;
+    X_PJ = X_PJ *
+           RigidTransform(Quaternion(Eigen::AngleAxisd(error, Vector3::UnitX())), Vector3::Zero());
+    const ArmKinematics arm(model, model.arms[0]);
+    const RigidTransform X_WG = arm.ToolPose(from);
+    const Vector3 p_WG_goal = X_WG.translation() + Vector3(0, 0, -0.1);
+    return MoveAlongLine(arm, from, {X_WG.rotation(), p_WG_goal});
+  };
+  EXPECT_TRUE(std::holds_alternative<JointTrajectory>(line(1e-5)));
+  EXPECT_TRUE(std::holds_alternative<LineFault>(line(0.05)));
+}
+
 TEST(MoveAlongLine, KeepsTheToolsSpeedAndTurnsEvenly) {
   const ArmKinematics arm = ArmOf("left");
   const RigidTransform X_WG = arm.ToolPose(kReady);

@@ -56,6 +56,7 @@ TEST_F(Jaws, OpenAsTheirPadsMove) {
     const double y_right = FramePose(model, {}, q, *FindFrame(model, "pr")).translation().y();
     // The arm is not turned, so the tool's y is that of the base.
     EXPECT_NEAR(y_left - y_right, opening, 2e-4);
+    EXPECT_NEAR(MiddleAt(model, gripper, opening), (y_left + y_right) / 2, 2e-4);
     q[left] += 1e-6;
     EXPECT_NEAR(OpeningOf(model, gripper, q), opening + 1e-6 / DriveRateAt(model, gripper, q),
                 1e-9);
@@ -78,6 +79,10 @@ TEST_F(Jaws, OfWhichOneIsFixedToThePalm) {
   const Gripper& gripper = model.arms[0].gripper.value();
   EXPECT_EQ(gripper.right_finger, *FindJoint(model, "turn"));
   EXPECT_NEAR(OpeningRangeOf(model, gripper).open, 0.03 + 0.1, 0.001);
+  // The fixed one stays at 0, so the middle moves with the other one.
+  for (const double opening : {0.04, 0.08, 0.12}) {
+    EXPECT_NEAR(MiddleAt(model, gripper, opening), opening / 2, 1e-9);
+  }
 }
 
 TEST_F(Jaws, OpenInPoses) {

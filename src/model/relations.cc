@@ -20,6 +20,8 @@ namespace {
 constexpr double kContact = 0.005;
 /// Least overlap, seen from above, of an object with its support [m].
 constexpr double kFooting = 0.001;
+/// Greatest gap in a wall that is closed: pieces that meet are apart by rounding [m].
+constexpr double kSeam = 1e-6;
 
 struct Piece {
   scene::Bounds bounds;  ///< in W
@@ -67,8 +69,9 @@ bool IsBeside(const scene::Bounds& piece, const Vector3& p, int axis, bool is_ab
   // The other horizontal axis.
   const int across = 1 - axis;
   const bool is_on_side = is_above ? piece.low[axis] >= p[axis] : piece.high[axis] <= p[axis];
-  return is_on_side && piece.low[across] <= p[across] && p[across] <= piece.high[across] &&
-         piece.low.z() <= p.z() && p.z() <= piece.high.z();
+  return is_on_side && piece.low[across] - kSeam <= p[across] &&
+         p[across] <= piece.high[across] + kSeam && piece.low.z() <= p.z() &&
+         p.z() <= piece.high.z();
 }
 
 /// Returns true if pieces of `around` are on all four sides of a point in the lower part of the

@@ -48,6 +48,16 @@ TEST(Support, AgreesWithTheRelationsAfterwards) {
   EXPECT_EQ(SupportOfCubeAt({0.6, 0.3, 0.05})->object, "");
 }
 
+TEST(Support, IsInsideARingAlsoAtTheSeamsOfItsPieces) {
+  // A seam is at y = 0, where rounding leaves a gap.
+  for (int k = -40; k <= 40; ++k) {
+    const std::vector<scene::ObjectSpec> objects{
+        CubeAt("a", {0.4, k * 2e-18, 0.05}),
+        ObjectAt("ring", scene::Ring{0.15, 0.1, 0.1, 32}, {0.4, 0, 0.05})};
+    EXPECT_TRUE(SupportOf({}, objects, "a")->is_inside) << k;
+  }
+}
+
 TEST(Support, IsTheInnermostOfNestedContainers) {
   const std::vector<scene::ObjectSpec> objects{
       ObjectAt("crate", scene::Box{{0.6, 0.6, 0.4}, 0.02}, {0, 0, 0.2}),

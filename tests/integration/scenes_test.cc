@@ -63,7 +63,7 @@ TEST_F(Scenes, StayOnTheTable) {
     for (const auto& [id, object] : objects.items()) {
       const Json& p = object["position"];
       const bool is_on_table = std::abs(p[0].get<double>()) <= 10 &&
-                               std::abs(p[1].get<double>()) <= 6 && p[2].get<double>() > 0 &&
+                               std::abs(p[1].get<double>()) <= 6 && p[2].get<double>() >= 0 &&
                                p[2].get<double>() < 8;
       EXPECT_TRUE(is_on_table) << file << " " << id << " " << p.dump();
     }

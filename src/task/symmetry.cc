@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/overloaded.h"
 #include "scene/solid.h"
@@ -126,9 +127,6 @@ Symmetry ContainerSymmetry(const scene::Box& box) {
 
 /// Returns the symmetry of a regular polygon with its first corner at +x, extruded along z.
 Symmetry PrismSymmetry(int sides, bool is_reversible) {
-  if (sides >= kRoundSides) {
-    return {.axis = Vector3::UnitZ(), .is_reversible = is_reversible, .turns = {}};
-  }
   Symmetry symmetry{.axis = {}, .turns = {}};
   // A half turn about x maps the polygon onto itself, because it has a corner on x, and exchanges
   // top and bottom.
@@ -139,6 +137,104 @@ Symmetry PrismSymmetry(int sides, bool is_reversible) {
     if (is_reversible) symmetry.turns.emplace_back(turn * reversal);
   }
   return symmetry;
+}
+
+/// Round part of a body B: a sphere, or a solid of revolution.
+struct RoundPart {
+  Color color;
+  Vector3 p_BC = Vector3::Zero();  ///< its center
+  std::optional<Vector3> axis;     ///< in B; nullopt: a sphere
+  /// Radii at both ends of the axis, its start first, and of the hole; length [m].
+  double radius_start = 0, radius_end = 0, radius_hole = 0, length = 0;
+};
+
+/// Returns the round part that a simple shape is; nullopt if it is not round.
+std::optional<RoundPart> RoundPartOf(const scene::Part& part, const RigidTransform& X_BE) {
+  using Result = std::optional<RoundPart>;
+  const auto about = [&](int axis, double start, double end, double hole, double length) -> Result {
+    return RoundPart{part.color, X_BE.translation(), X_BE.rotation().col(axis), start, end, hole,
+                     length};
+  };
+  // The axis of a cylinder is y; those of frustums and rings are z.
+  return std::visit(
+      Overloaded{[&](const scene::Sphere& sphere) -> Result {
+                   return RoundPart{.color = part.color,
+                                    .p_BC = X_BE.translation(),
+                                    .axis = {},
+                                    .radius_start = sphere.radius};
+                 },
+                 [&](const scene::Cylinder& cylinder) {
+                   return about(1, cylinder.radius, cylinder.radius, 0, cylinder.length);
+                 },
+                 [&](const scene::Frustum& frustum) {
+                   return frustum.sides < kRoundSides
+                              ? std::nullopt
+                              : about(2, frustum.radius_bottom, frustum.radius_top, 0,
+                                      frustum.height);
+                 },
+                 [&](const scene::Ring& ring) {
+                   return ring.sides < kRoundSides ? std::nullopt
+                                                   : about(2, ring.radius_outer, ring.radius_outer,
+                                                           ring.radius_inner, ring.height);
+                 },
+                 [](const auto&) -> Result { return std::nullopt; }},
+      part.shape);
+}
+
+/// Returns true if a part takes the place of another one when the axis of the body is reversed.
+bool IsReversalOf(const RoundPart& part, const RoundPart& other, const Vector3& axis) {
+  if (part.color != other.color || part.axis.has_value() != other.axis.has_value()) return false;
+  double start = other.radius_start, end = other.radius_end;
+  // Parts that point the same way before the reversal have their ends exchanged by it.
+  if (part.axis && part.axis->dot(*other.axis) > 0) std::swap(start, end);
+  return std::abs(axis.dot(part.p_BC + other.p_BC)) < kSamePlace &&
+         std::abs(part.radius_start - start) + std::abs(part.radius_end - end) < kSamePlace &&
+         std::abs(part.radius_hole - other.radius_hole) < kSamePlace &&
+         std::abs(part.length - other.length) < kSamePlace;
+}
+
+/// Appends the simple parts of an element E; returns false if one is not round, or if there are
+/// too many.
+bool AppendRoundParts(const scene::Part& part, const RigidTransform& X_BE,
+                      std::vector<RoundPart>* parts) {
+  if (const auto* composite = std::get_if<scene::Composite>(&part.shape)) {
+    return std::ranges::all_of(composite->parts, [&](const scene::Part& child) {
+      return AppendRoundParts(child, X_BE * child.X_PE, parts);
+    });
+  }
+  const std::optional<RoundPart> round = RoundPartOf(part, X_BE);
+  if (round) parts->push_back(*round);
+  return round && parts->size() <= kMaxPieces;
+}
+
+/// Returns the symmetry of a body whose parts are all round, about one axis through its origin;
+/// nullopt for other bodies.
+std::optional<Symmetry> RoundSymmetry(const scene::Part& whole) {
+  std::vector<RoundPart> parts;
+  if (!AppendRoundParts(whole, RigidTransform(), &parts) || parts.empty()) return std::nullopt;
+  // The axis is that of a part; if all are spheres, it goes through the one farthest away.
+  std::optional<Vector3> axis;
+  double farthest = kSamePlace;
+  for (const RoundPart& part : parts) {
+    if (part.axis) {
+      axis = part.axis;
+      break;
+    }
+    if (part.p_BC.norm() <= farthest) continue;
+    farthest = part.p_BC.norm();
+    axis = part.p_BC.normalized();
+  }
+  if (!axis) return Symmetry{.is_sphere = true, .axis = {}, .turns = {}};
+  const auto is_about_axis = [&](const RoundPart& part) {
+    return axis->cross(part.p_BC).norm() < kSamePlace &&
+           (!part.axis || axis->cross(*part.axis).norm() < kSamePlace);
+  };
+  if (!std::ranges::all_of(parts, is_about_axis)) return std::nullopt;
+  const bool is_reversible = std::ranges::all_of(parts, [&](const RoundPart& part) {
+    return std::ranges::any_of(
+        parts, [&](const RoundPart& other) { return IsReversalOf(part, other, *axis); });
+  });
+  return Symmetry{.axis = axis, .is_reversible = is_reversible, .turns = {}};
 }
 
 /// Returns the rotation angle of R, within [0, pi] [rad].
@@ -210,13 +306,9 @@ std::vector<double> Symmetry::YawsBetween(const Matrix3& R_WA, const Matrix3& R_
 }
 
 Symmetry SymmetryOf(const scene::ObjectSpec& object) {
+  if (const std::optional<Symmetry> round = RoundSymmetry(object.whole)) return *round;
   return std::visit(
-      Overloaded{[](const scene::Sphere&) { return Symmetry{.is_sphere = true, .axis = {}}; },
-                 // The axis of a cylinder is y; those of frustums and rings are z.
-                 [](const scene::Cylinder&) {
-                   return Symmetry{.axis = Vector3::UnitY(), .is_reversible = true, .turns = {}};
-                 },
-                 [](const scene::Frustum& frustum) {
+      Overloaded{[](const scene::Frustum& frustum) {
                    return PrismSymmetry(frustum.sides, frustum.radius_top == frustum.radius_bottom);
                  },
                  [](const scene::Box& box) { return ContainerSymmetry(box); },

@@ -50,6 +50,49 @@ TEST(Symmetry, OfAnArrangementIsThatOfItsPiecesAndTheirColors) {
   EXPECT_NEAR(LookedTurn(bar_of({}, {1, 0, 0}), {0, 0, 180}), 180, 1e-4);
 }
 
+TEST(Symmetry, RoundPartsAboutOneAxisAreARoundBody) {
+  constexpr double kNone = 1e-4;  // [deg]
+  const auto tool_of = [](double grip_x, double grip_z, const scene::Shape& blade) {
+    const RigidTransform upright(RotationFromFixedAxes({90, 0, 0}), {grip_x, 0, grip_z});
+    scene::Part grip = ObjectAt("grip", scene::Cylinder{.radius = 0.035}, {}).whole;
+    grip.X_PE = upright;
+    // The blade is nested: a part of a part.
+    scene::Composite tip;
+    tip.parts = {ObjectAt("blade", blade, {0, 0, -0.02}).whole};
+    scene::Composite tool;
+    tool.parts = {grip, ObjectAt("tip", tip, {0, 0, -0.03}).whole};
+    return tool;
+  };
+  const scene::Ring blade{.radius_outer = 0.01, .radius_inner = 0, .sides = 24};
+  EXPECT_LT(LookedTurn(tool_of(0, 0.05, blade), {0, 0, 28}), kNone);
+  EXPECT_NEAR(LookedTurn(tool_of(0, 0.05, blade), {180, 0, 28}), 180, kNone);
+  EXPECT_NEAR(LookedTurn(tool_of(0, 0.05, blade), {20, 0, 0}), 20, kNone);
+  EXPECT_NEAR(LookedTurn(tool_of(0.001, 0.05, blade), {0, 0, 28}), 28, kNone) << "two axes";
+  EXPECT_NEAR(LookedTurn(tool_of(0, 0.05, scene::Block{}), {0, 0, 28}), 28, kNone);
+  EXPECT_LT(LookedTurn(tool_of(0, 0.05, scene::Sphere{}), {0, 0, 28}), kNone);
+
+  // Two cones; the left one points to the right one.
+  const auto dumbbell_of = [](const Color& left, const Color& right, double tilt_of_right_deg) {
+    const scene::Frustum weight{.radius_top = 0.02, .height = 0.05, .sides = 32};
+    scene::Part turned = ObjectAt("r", weight, {}, right).whole;
+    turned.X_PE = RigidTransform(RotationFromFixedAxes({tilt_of_right_deg, 0, 0}), {0, 0, 0.1});
+    scene::Composite dumbbell;
+    dumbbell.parts = {ObjectAt("l", weight, {0, 0, -0.1}, left).whole, turned};
+    return dumbbell;
+  };
+  EXPECT_LT(LookedTurn(dumbbell_of({}, {}, 180), {180, 0, 28}), kNone);
+  EXPECT_NEAR(LookedTurn(dumbbell_of({}, {1, 0, 0}, 180), {180, 0, 28}), 180, kNone);
+  EXPECT_NEAR(LookedTurn(dumbbell_of({}, {}, 0), {180, 0, 28}), 180, kNone) << "both point up";
+
+  scene::Composite balls;
+  balls.parts = {ObjectAt("big", scene::Sphere{.radius = 0.06}, {0, 0, 0}).whole,
+                 ObjectAt("small", scene::Sphere{.radius = 0.03}, {0, 0.08, 0}).whole};
+  EXPECT_LT(LookedTurn(balls, {0, 28, 0}), kNone);
+  EXPECT_NEAR(LookedTurn(balls, {180, 0, 0}), 180, kNone);
+  balls.parts.pop_back();
+  EXPECT_EQ(LookedTurn(balls, {20, 30, 40}), 0) << "a ball";
+}
+
 TEST(Symmetry, ATiltIsNoTurnAboutTheVertical) {
   const Symmetry brick = SymmetryOf(ObjectAt("x", scene::Block{{0.1, 0.2, 0.4}}, {0, 0, 0}));
   const Matrix3 upright = Matrix3::Identity();

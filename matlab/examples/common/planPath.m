@@ -1,8 +1,7 @@
-function [arm, motions] = planPath(robot, aside, path, table)
+function [arm, motions] = planPath(robot, aside, path)
 % Plans motions through the poses of a path, from the angles `aside` of an arm: first for the arm whose hand is nearest.
 %
 %   path     Kx2 cell: 'line' or 'joints', and the pose to which the tool then moves
-%   table    [width depth]
 %   arm      number of the arm; [] if no arm can follow the path
 %   motions  1xK cell
   distances = zeros(1, 2);
@@ -14,7 +13,7 @@ function [arm, motions] = planPath(robot, aside, path, table)
   for arm = order
     starts = startAngles(robot, arm, aside);
     for row = 1:size(starts, 1)
-      motions = planFrom(robot, arm, aside, starts(row, :), path, table);
+      motions = planFrom(robot, arm, aside, starts(row, :), path);
       if numel(motions) == size(path, 1), return, end
     end
   end
@@ -22,7 +21,7 @@ function [arm, motions] = planPath(robot, aside, path, table)
   motions = {};
 end
 
-function motions = planFrom(robot, arm, aside, start, path, table)
+function motions = planFrom(robot, arm, aside, start, path)
   name = robot.arms{arm};
   q = aside(arm, :);
   motions = {};
@@ -34,7 +33,7 @@ function motions = planFrom(robot, arm, aside, start, path, table)
       if isempty(goal), return, end
       motion = smileMoveJoints(robot, name, [q; goal], 'speed', 0.7);
     end
-    if isempty(motion) || ~isempty(smileFirstInvalid(robot, motion, 'qBoth', aside, 'table', table))
+    if isempty(motion) || ~isempty(smileFirstInvalid(robot, motion, 'qBoth', aside, 'table', tableSize()))
       return
     end
     motions{end + 1} = motion;

@@ -8,7 +8,7 @@ function actions = carryObject(robot, aside, from, fromHeight, to, toHeight, ove
       overTo = poseAt(pointAt(to, 0, 0, over), sides(2) * to.y);
       put = poseAt(pointAt(to, 0, 0, toHeight + 0.02), sides(2) * to.y);
       [arm, motions] = planPath(robot, aside, {'joints', overFrom; 'line', take; 'line', overFrom; ...
-                                               across{1}, overTo; 'line', put; 'line', overTo}, [20 12]);
+                                               across{1}, overTo; 'line', put; 'line', overTo});
       if isempty(arm), continue, end
       printf('carrying with the %s arm\n', robot.arms{arm});
       wide = 0.9;  % opening around an object of 0.4

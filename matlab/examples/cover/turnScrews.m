@@ -68,7 +68,7 @@ function actions = planFrom(robot, aside, arm, start, holder, screws, isLoosenin
   for k = 1:numel(plan)
     isMotion = strcmp(plan{k}.kind, 'follow');
     if ~isMotion, continue, end
-    if ~isempty(smileFirstInvalid(robot, plan{k}.motion, 'qBoth', aside, 'table', [20 12])), return, end
+    if ~isempty(smileFirstInvalid(robot, plan{k}.motion, 'qBoth', aside, 'table', tableSize())), return, end
   end
   actions = plan;
 end
@@ -79,7 +79,7 @@ function motion = move(robot, arm, q, goal)
 end
 
 function [motion, q] = wayAcross(robot, arm, q, pose)
-% Plans a motion over the table: straight, or the way that is best for the joints; [] if there is none.
+% Plans a motion over the table: straight, or the way that is best for the joints; [] if none exists.
   from = q;
   [motion, q] = line(robot, arm, from, pose);
   if ~isempty(q) || isempty(from), return, end
@@ -88,7 +88,7 @@ function [motion, q] = wayAcross(robot, arm, q, pose)
 end
 
 function [motion, q] = line(robot, arm, q, pose)
-% Plans a straight line, on which the tool may turn about its own axis; [] if there is none.
+% Plans a straight line, on which the tool may turn about its own axis; [] if none exists.
   motion = [];
   if isempty(q), return, end
   motion = smileMoveLine(robot, robot.arms{arm}, q, pose, 'toolSpeed', 4, 'anyTurn', true);

@@ -11,7 +11,7 @@ function actions = carryDrive(from, fromHeight, to, toHeight, robot, aside)
       overTo = poseAt(pointAt(to, 0, 0, carry + grasp), side * to.x);
       put = poseAt(pointAt(to, 0, 0, toHeight + 0.02 + grasp), side * to.x);
       [arm, motions] = planPath(robot, aside, {'joints', overFrom; 'line', take; 'line', overFrom; ...
-                                               across{1}, overTo; 'line', put; 'line', overTo}, [20 12]);
+                                               across{1}, overTo; 'line', put; 'line', overTo});
       if isempty(arm), continue, end
       printf('carrying a drive with the %s arm\n', robot.arms{arm});
       actions = [follow(arm, motions(1:2)), grip(arm, -1, -Inf), follow(arm, motions(3:5)), ...

@@ -3,7 +3,7 @@ function spare = findSpare(sensor, aux)
   label = between(pointsOf([32 160 64], sensor, aux), 1.6, 1.8);
   plate = between(pointsOf([200 204 210], sensor, aux), 1.6, 1.8);
   if size(label, 1) < 50 || size(plate, 1) < 50, error('no spare drive is visible'); end
-  % The label is at the near end of the drive, and the plate goes on behind it.
+  % The label is at the near end of the drive, and the plate continues behind it.
   back = mean(plate(:, 1:2), 1) - mean(label(:, 1:2), 1);
   [middle, axes] = rectangleAround([label; plate]);
   [~, which] = max(abs(axes * back'));

@@ -10,7 +10,7 @@ function actions = switchTo(wanted, x, side, attempts, rack, robot, aside, senso
   button = movedPlace(rack, x + 0.42 * side, -1.5);
   above = poseAt(pointAt(button, 0, 0, 2.2 + 0.75), button.x);
   down = poseAt(pointAt(button, 0, 0, 0.4 + 0.75), button.x);
-  [arm, motions] = planPath(robot, aside, {'joints', above; 'line', down; 'line', above}, [20 12]);
+  [arm, motions] = planPath(robot, aside, {'joints', above; 'line', down; 'line', above});
   if isempty(arm), error('no arm reaches the switch'); end
   actions = [grip(arm, -1, -Inf), follow(arm, motions), grip(arm, 1, Inf), ...
              goAside(robot, arm, motions, aside), ...

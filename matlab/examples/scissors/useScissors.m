@@ -2,7 +2,7 @@ function actions = useScissors(paths, attempts, robot, aside)
 % Returns the actions along the first of the paths that an arm can follow. Each is planned in a step of its own, so that
 % no step takes long.
   if isempty(paths), error('no arm can bring the scissors to the string'); end
-  [arm, motions] = planPath(robot, aside, paths{1}, [20 12]);
+  [arm, motions] = planPath(robot, aside, paths{1});
   if isempty(arm)
     actions = look(@(s, a) useScissors(paths(2:end), attempts, robot, aside));
     return

@@ -1,7 +1,7 @@
 """An arm that follows planned motions and grips.
 
-What lasts for several steps of the brain is a generator: each `yield` waits for the next step and
-returns its sensor values. Lengths are in units, angles in radians.
+Actions that last for several steps of the brain are generators: each `yield` waits for the next
+step and returns its sensor values. Lengths are in units, angles in radians.
 """
 import numpy as np
 

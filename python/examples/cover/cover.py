@@ -10,18 +10,13 @@ import itertools
 import sys
 from pathlib import Path
 
-from smile.motion import robot_of
-
 sys.path.append(str(Path(__file__).resolve().parents[1]))
-from common.arm import Arm, plan, pose_at
+from common.arm import plan, pose_at
+from common.baxter import TABLE, arms_of, init
 from common.task import advance, look
 from screws import plan_drive
 from sight import find_bin, find_housing, find_screwdriver, find_spare, find_stand
 
-ASIDE = [[1.3, -1, -1.19, 1.94, 0.67, 1.03, -0.5],   # angles of the left arm [rad]
-         [-1.3, -1, 1.19, 1.94, -0.67, 1.03, 0.5]]   # the right arm mirrors it
-
-TABLE = (20, 12)                   # width and depth
 SCREW_X, SCREW_Y = 1.55, 0.75      # of the screws, from the middle of the housing
 KNOB, KNOB_ON_STAND = 2.2, 2       # heights of the tool that holds the knob of the cover, ...
 FUSE, FUSE_INSIDE = 1.1, 1.2       # a fuse on the table, and one in the socket or the bin
@@ -30,21 +25,13 @@ DROP = 0.02                        # height above its place from which an object
 WIDE = 0.9                         # opening of the gripper around an object of 0.4
 
 
-def init(aux):
-    for arm, angles in zip(aux.arms, ASIDE):
-        arm.initJoints = angles
-    aux.channels = ["rgb", "depth"]
-    aux.imageSeconds = 3600
-
-
 def step(sensor, motor, aux):
     advance(replace, sensor, motor, aux)
 
 
 def replace(motor, aux):
     """The whole task, as a generator like its parts."""
-    robot = robot_of(aux)
-    arms = [Arm(robot, aux, motor, k, ASIDE[k]) for k in range(2)]
+    arms = arms_of(aux, motor)
     sensor = yield from look(aux)
     housing, stand, screwdriver, spare, waste = [
         find(sensor, aux)

@@ -1,4 +1,4 @@
-"""What the program sees of housing, screwdriver, fuses and bin. Lengths are in units."""
+"""Perception of housing, screwdriver, fuses and bin. Lengths are in units."""
 from common.vision import Place, between, points_of, rectangle_around
 
 BRASS, HANDLE = (0xd8, 0xb0, 0x4a), (0xd7, 0x26, 0x3d)

@@ -10,17 +10,12 @@ import itertools
 import sys
 from pathlib import Path
 
-from smile.motion import robot_of
-
 sys.path.append(str(Path(__file__).resolve().parents[1]))
-from common.arm import Arm, plan, pose_at
+from common.arm import plan, pose_at
+from common.baxter import TABLE, arms_of, init
 from common.task import advance, look
 from sight import SLOT_DEPTH, SLOTS, SWITCH_DEPTH, find_bin, find_rack, find_spare, lamp_at
 
-ASIDE = [[1.3, -1, -1.19, 1.94, 0.67, 1.03, -0.5],   # angles of the left arm [rad]
-         [-1.3, -1, 1.19, 1.94, -0.67, 1.03, 0.5]]   # the right arm mirrors it
-
-TABLE = (20, 12)       # width and depth
 GRASP = 1.3            # height of the tool above the bottom of a drive that it holds
 RELEASED = 1.3         # opening of the gripper when the drive, 0.9 wide, is free
 DROP = 0.02            # height above its place from which a drive is released
@@ -32,21 +27,13 @@ BUTTON_SIDE = 0.42     # from the middle of a switch to the middle of the finger
 ATTEMPTS = 4           # to bring a lamp into the wanted state
 
 
-def init(aux):
-    for arm, angles in zip(aux.arms, ASIDE):
-        arm.initJoints = angles
-    aux.channels = ["rgb", "depth"]
-    aux.imageSeconds = 3600
-
-
 def step(sensor, motor, aux):
     advance(replace, sensor, motor, aux)
 
 
 def replace(motor, aux):
     """The whole task, as a generator like its parts."""
-    robot = robot_of(aux)
-    arms = [Arm(robot, aux, motor, k, ASIDE[k]) for k in range(2)]
+    arms = arms_of(aux, motor)
     sensor = yield from look(aux)
     rack, waste, spare = [find(sensor, aux) for find in (find_rack, find_bin, find_spare)]
     failed = [x for x in SLOTS if lamp_at(x, rack, sensor, aux) == "failed"]

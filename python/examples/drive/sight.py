@@ -1,4 +1,4 @@
-"""What the program sees of the rack, the drives and the bin. Lengths are in units."""
+"""Perception of the rack, the drives and the bin. Lengths are in units."""
 import numpy as np
 
 from common.vision import Place, between, points_of, rectangle_around
@@ -39,7 +39,7 @@ def find_spare(sensor, aux):
     plate = between(points_of(PLATE, sensor, aux), 1.6, 1.8)
     if len(label) < 50 or len(plate) < 50:
         raise RuntimeError("no spare drive is visible")
-    # The label is at the near end of the drive, and the plate goes on behind it.
+    # The label is at the near end of the drive, and the plate continues behind it.
     back = plate[:, :2].mean(axis=0) - label[:, :2].mean(axis=0)
     middle, axes, _ = rectangle_around(np.vstack([label, plate]))
     axis = axes[np.argmax(np.abs(axes @ back))]

@@ -11,17 +11,13 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from smile.motion import robot_of
 
 sys.path.append(str(Path(__file__).resolve().parents[1]))
-from common.arm import Arm, plan, pose_at
+from common.arm import plan, pose_at
+from common.baxter import TABLE, arms_of, init
 from common.task import advance, look
 from sight import find_scissors, find_string, is_hanging
 
-ASIDE = [[1.3, -1, -1.19, 1.94, 0.67, 1.03, -0.5],   # angles of the left arm [rad]
-         [-1.3, -1, 1.19, 1.94, -0.67, 1.03, 0.5]]   # the right arm mirrors it
-
-TABLE = (20, 12)    # width and depth
 SINKS = 3           # time after which the string has sunk and rests [s]
 ON_TABLE = 0.4      # height of the middle of scissors that lie on the table
 GRASP = 0.45        # height of the tool above it
@@ -34,21 +30,13 @@ DROP = 0.02         # height above the table from which the scissors are release
 ATTEMPTS = 3
 
 
-def init(aux):
-    for arm, angles in zip(aux.arms, ASIDE):
-        arm.initJoints = angles
-    aux.channels = ["rgb", "depth"]
-    aux.imageSeconds = 3600
-
-
 def step(sensor, motor, aux):
     advance(cut, sensor, motor, aux)
 
 
 def cut(motor, aux):
     """The whole task, as a generator like its parts."""
-    robot = robot_of(aux)
-    arms = [Arm(robot, aux, motor, k, ASIDE[k]) for k in range(2)]
+    arms = arms_of(aux, motor)
     sensor = yield
     while sensor.simTime < SINKS:
         sensor = yield

@@ -1,4 +1,4 @@
-"""What the program sees of scissors, string and weight. Lengths are in units."""
+"""Perception of scissors, string and weight. Lengths are in units."""
 import numpy as np
 
 from common.vision import Place, between, points_of, rectangle_around

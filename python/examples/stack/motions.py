@@ -112,7 +112,7 @@ class Arm:
 
 
 class Carry:
-    """How an arm takes a block, and how it puts it somewhere."""
+    """Plans of an arm to take a block and to put it somewhere."""
 
     def __init__(self, arm, block):
         self.arm, self.block, self.take = arm, block, None

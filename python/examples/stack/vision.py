@@ -28,7 +28,7 @@ def find(color, sensor, aux):
     x, y, z = point + sensor.cameraPose[:3, 3:]
 
     # The points of the top face, around their middle. The fourth power of a complex number has four
-    # times its angle, so the four corners of a square add up: they tell how it is turned.
+    # times its angle, so the four corners of a square add up: they show how it is turned.
     size = z.max()
     top = (x + 1j * y)[z > size - 0.02]
     middle = top.mean()

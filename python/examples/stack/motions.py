@@ -4,6 +4,7 @@ from itertools import product
 import numpy as np
 
 CLEARANCE = 0.2   # beside a block for each finger, and above what the arm passes over [units]
+NEAR = 0.05       # beside a block for a jaw that does not move [units]
 MARGIN = 0.01     # a block is released this far above the one below it [units]
 SPEED = 0.3       # of the opening of a gripper [units/s]
 TABLE = 100, 100  # larger than any [units]
@@ -70,8 +71,12 @@ class Arm:
         y = np.array([np.cos(turn), np.sin(turn), 0])
         pose = np.eye(4)
         pose[:3, :3] = np.array([[-y[1], y[0], 0], y, -UP]).T
-        pose[:3, 3] = place - y * self.robot.gripper_middle(self.name, opening)
+        pose[:3, 3] = place - y * self.gripper_middle(opening)
         return pose
+
+    def gripper_middle(self, opening):
+        """Returns where the middle between the fingers is, along the line across them [units]."""
+        return self.robot.gripper_middle(self.name, opening)
 
     def inverse(self, pose, q_start, any_turn=False):
         # Arms of five joints need tolerances: they cannot make up for a rounded description.
@@ -116,25 +121,30 @@ class Carry:
 
     def __init__(self, arm, block):
         self.arm, self.block, self.take = arm, block, None
-        self.opening = min(block.size + 2 * CLEARANCE, arm.open)
+        # Jaws of which one is fixed push the block to that one: it should be near.
+        wide, near = (min(block.size + 2 * gap, arm.open) for gap in (CLEARANCE, NEAR))
+        self.opening = wide - abs(arm.gripper_middle(wide) - arm.gripper_middle(near))
         # Heights of the tool above the bottom of a block, to grasp it and to pass over it.
         self.grasp = max(block.size / 2, arm.lowest)
         self.over = max(block.size + arm.lowest, self.grasp + CLEARANCE) + 0.05
         if self.opening < block.size + 0.02:
             return
-        for down, self.up in self.dips(block, self.grasp, self.opening):
+        for down, self.up in self.dips(block, self.grasp, near, near):
             to_block = arm.through(arm.away, down.positions[0])
             if to_block:
                 self.take = [to_block, down]
                 return
 
-    def dips(self, place, height, width):
-        """Plans motions down to a place of the block, and up again, from high above if possible."""
+    def dips(self, place, height, before, after):
+        """Plans motions down to a place of the block, and up again, from high above if possible.
+
+        `before`, `after`: widths at which the place is in the middle of the gripper.
+        """
         for over, quarter in product((self.over + 2 * CLEARANCE, self.over), range(4)):
             turn = place.turn + quarter * np.pi / 2  # a cube looks the same
-            motions = self.arm.dip(self.arm.tool(place.place + over * UP, turn, width),
-                                   self.arm.tool(place.place + height * UP, turn, width),
-                                   self.arm.tool(place.place + over * UP, turn, self.opening))
+            motions = self.arm.dip(self.arm.tool(place.place + over * UP, turn, before),
+                                   self.arm.tool(place.place + height * UP, turn, before),
+                                   self.arm.tool(place.place + over * UP, turn, after))
             if motions:
                 yield motions
 
@@ -146,7 +156,7 @@ class Carry:
         """
         if self.take is None:
             return None
-        for lower, leave in self.dips(goal, self.grasp + MARGIN, self.block.size):
+        for lower, leave in self.dips(goal, self.grasp + MARGIN, self.block.size, self.opening):
             across = self.arm.through(self.up.positions[-1], lower.positions[0])
             back = self.arm.through(leave.positions[-1], self.arm.away)
             if across and back:

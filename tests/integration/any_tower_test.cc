@@ -47,7 +47,7 @@ class AnyRobotBuildsATower : public ProgramTest, public ::testing::WithParamInte
 
 TEST_P(AnyRobotBuildsATower, FromSeededLayouts) {
   const Builder& builder = GetParam();
-  for (const std::string seed : {"1", "2"}) {
+  for (const std::string seed : {"2", "3"}) {
     ASSERT_EQ(Smile("layout '" + Shipped("scenes/" + builder.scene + ".xml") + "' --robot " +
                     builder.name + " --seed " + seed + " --out " + seed + ".xml")
                   .exit_code,
@@ -59,7 +59,7 @@ TEST_P(AnyRobotBuildsATower, FromSeededLayouts) {
     EXPECT_EQ(run.json()["brain"]["status"], "exited");
     ExpectTower(run.json());
   }
-  EXPECT_EQ(Smile("replay tower1 --verify").exit_code, 0);
+  EXPECT_EQ(Smile("replay tower3 --verify").exit_code, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, AnyRobotBuildsATower,

@@ -52,17 +52,15 @@ void ConstraintSolver::convertContacts(btPersistentManifold** manifolds, int num
     const bool is_of_link = IsLink(manifolds[i]->getBody0()) || IsLink(manifolds[i]->getBody1());
     (is_of_link ? of_links : of_bodies).push_back(manifolds[i]);
   }
-  if (has_firm_contacts_) {
-    const bool may_rest = of_links.size() == 0 && m_tmpSolverNonContactConstraintPool.size() == 0;
-    BeginContacts(All(of_bodies), may_rest, info);
-    of_bodies.resize(0);
-  }
-  const int num_of_bodies = of_bodies.size();
-  btMultiBodyConstraintSolver::convertContacts(num_of_bodies > 0 ? &of_bodies[0] : nullptr,
-                                               num_of_bodies, info);
+  const bool may_rest = of_links.size() == 0 && m_tmpSolverNonContactConstraintPool.size() == 0;
+  const int num_for_bullet = has_firm_contacts_ ? 0 : of_bodies.size();
+  btMultiBodyConstraintSolver::convertContacts(num_for_bullet > 0 ? &of_bodies[0] : nullptr,
+                                               num_for_bullet, info);
   btContactSolverInfo in_all_directions = info;
   in_all_directions.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
   for (int i = 0; i < of_links.size(); ++i) convertMultiBodyContact(of_links[i], in_all_directions);
+  // Last, when all bodies are known: a further one may move the others in memory.
+  if (has_firm_contacts_) BeginContacts(All(of_bodies), may_rest, info);
 }
 
 void ConstraintSolver::BeginContacts(std::span<btPersistentManifold*> of_bodies, bool may_rest,

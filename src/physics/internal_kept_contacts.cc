@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "contacts/support.h"
+#include "impulses/support.h"
 
 namespace smile::physics {
 namespace {
@@ -13,8 +13,8 @@ btScalar SizeOf(const btBroadphaseProxy& proxy) {
 }
 
 /// Returns the contacts of two bodies where the bodies are now.
-std::vector<contacts::Contact> PresentContacts(std::span<btPersistentManifold* const> manifolds) {
-  std::vector<contacts::Contact> present;
+std::vector<impulses::Contact> PresentContacts(std::span<btPersistentManifold* const> manifolds) {
+  std::vector<impulses::Contact> present;
   for (btPersistentManifold* manifold : manifolds) {
     const btTransform& X_WA = manifold->getBody0()->getWorldTransform();
     const btTransform& X_WB = manifold->getBody1()->getWorldTransform();
@@ -39,7 +39,7 @@ bool Keep(const btBroadphasePair& pair, btCollisionDispatcher& dispatcher) {
   btManifoldArray manifolds;
   pair.m_algorithm->getAllContactManifolds(manifolds);
   const double size = std::min(SizeOf(*pair.m_pProxy0), SizeOf(*pair.m_pProxy1));
-  if (!contacts::StandsFirmly(PresentContacts(All(manifolds)), size)) return false;
+  if (!impulses::StandsFirmly(PresentContacts(All(manifolds)), size)) return false;
   for (btPersistentManifold* manifold : All(manifolds)) {
     manifold->refreshContactPoints(manifold->getBody0()->getWorldTransform(),
                                    manifold->getBody1()->getWorldTransform());

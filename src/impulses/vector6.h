@@ -2,7 +2,7 @@
 
 #include "math/rigid_transform.h"
 
-namespace smile::contacts {
+namespace smile::impulses {
 
 /// Velocity of body A relative to B at a point, or an impulse there that acts on A and, in the
 /// opposite direction, on B: linear part, then angular. A solver's sweep consists of little else
@@ -28,4 +28,4 @@ struct Vector6 {
   }
 };
 
-}  // namespace smile::contacts
+}  // namespace smile::impulses

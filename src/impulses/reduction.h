@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "contacts/contact_solver.h"
+#include "impulses/contact_solver.h"
 
-namespace smile::contacts {
+namespace smile::impulses {
 
 /// Chooses the contacts of two bodies that hold them as all would: where many lie in one plane, the
 /// outermost ones and the deepest. A ring on a table has 128 contacts, of which it needs 8.
@@ -15,4 +15,4 @@ namespace smile::contacts {
 /// @returns ascending indices.
 std::vector<int> ChooseContacts(std::span<const Contact> contacts);
 
-}  // namespace smile::contacts
+}  // namespace smile::impulses

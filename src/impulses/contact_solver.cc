@@ -1,17 +1,17 @@
-#include "contacts/contact_solver.h"
+#include "impulses/contact_solver.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "contacts/internal_plane.h"
-#include "contacts/support.h"
+#include "impulses/internal_plane.h"
+#include "impulses/support.h"
 
 // Projected Gauss-Seidel over contacts. At each contact: first the normal impulse, at least 0, that
 // gives the bodies the speed wanted there; then the friction that stops them in the plane, drawn
 // back to Coulomb's cone; then that against rolling. docs/decisions/physics.md explains the
 // numbers.
 
-namespace smile::contacts {
+namespace smile::impulses {
 namespace {
 
 /// Part of the depth, and of the way back to the point where a contact stuck, that is corrected in
@@ -34,9 +34,6 @@ bool IsStill(const Vector3& linear, const Vector3& angular) {
   return linear.squaredNorm() < kStillSpeed * kStillSpeed &&
          angular.squaredNorm() < kStillAngularSpeed * kStillAngularSpeed;
 }
-
-Eigen::Map<Vector3> ChangeOfV(const Body& body) { return Eigen::Map<Vector3>(body.change_of_v); }
-Eigen::Map<Vector3> ChangeOfW(const Body& body) { return Eigen::Map<Vector3>(body.change_of_w); }
 
 /// Returns the change of angular velocity by an angular impulse. A sum of columns, since Eigen's
 /// product is not inlined at -O2.
@@ -319,4 +316,4 @@ void ContactSolver::End() {
   }
 }
 
-}  // namespace smile::contacts
+}  // namespace smile::impulses

@@ -2,9 +2,9 @@
 
 #include <span>
 
-#include "contacts/contact_solver.h"
+#include "impulses/contact_solver.h"
 
-namespace smile::contacts {
+namespace smile::impulses {
 
 /// Returns true if the bodies have not moved along the plane of a contact since they touched.
 bool IsUnmoved(const Contact& contact);
@@ -13,4 +13,4 @@ bool IsUnmoved(const Contact& contact);
 /// bodies touched, and hold a body of this size [m] against tipping.
 bool StandsFirmly(std::span<const Contact> contacts, double size);
 
-}  // namespace smile::contacts
+}  // namespace smile::impulses

@@ -4,7 +4,7 @@
 
 #include "math/rigid_transform.h"
 
-namespace smile::contacts {
+namespace smile::impulses {
 
 /// Returns two unit vectors that span the plane of a contact.
 inline std::array<Vector3, 2> AxesOfPlane(const Vector3& normal) {
@@ -15,4 +15,4 @@ inline std::array<Vector3, 2> AxesOfPlane(const Vector3& normal) {
   return {first, normal.cross(first)};
 }
 
-}  // namespace smile::contacts
+}  // namespace smile::impulses

@@ -1,4 +1,4 @@
-#include "contacts/reduction.h"
+#include "impulses/reduction.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "contacts/support.h"
+#include "impulses/support.h"
 
-namespace smile::contacts {
+namespace smile::impulses {
 namespace {
 
 /// Contacts on a circle around an axis.
@@ -73,4 +73,4 @@ TEST(StandsFirmlyTest, OnContactsThatSpanItAndHaveNotMoved) {
 }
 
 }  // namespace
-}  // namespace smile::contacts
+}  // namespace smile::impulses

@@ -1,11 +1,11 @@
-#include "contacts/contact_solver.h"
+#include "impulses/contact_solver.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-namespace smile::contacts {
+namespace smile::impulses {
 namespace {
 
 constexpr double kStep = 1.0 / 480, kGravity = 9.81;
@@ -129,4 +129,4 @@ TEST_F(CubeTest, RollsFromTheTorqueOnThatRollingFrictionBears) {
 }
 
 }  // namespace
-}  // namespace smile::contacts
+}  // namespace smile::impulses

@@ -1,4 +1,4 @@
-#include "contacts/reduction.h"
+#include "impulses/reduction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <numeric>
 #include <set>
 
-#include "contacts/internal_plane.h"
+#include "impulses/internal_plane.h"
 
-namespace smile::contacts {
+namespace smile::impulses {
 namespace {
 
 /// Directions in which a plane's outermost contacts are chosen.
@@ -66,4 +66,4 @@ std::vector<int> ChooseContacts(std::span<const Contact> contacts) {
   return {chosen.begin(), chosen.end()};
 }
 
-}  // namespace smile::contacts
+}  // namespace smile::impulses

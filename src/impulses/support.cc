@@ -1,9 +1,9 @@
-#include "contacts/support.h"
+#include "impulses/support.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace smile::contacts {
+namespace smile::impulses {
 namespace {
 
 /// A contact has not moved while its two points are this close in its plane, and across it [m].
@@ -45,4 +45,4 @@ bool StandsFirmly(std::span<const Contact> contacts, double size) {
   return HeightOfTriangle(contacts) > kFirmSpan * size;
 }
 
-}  // namespace smile::contacts
+}  // namespace smile::impulses

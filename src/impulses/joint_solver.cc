@@ -9,14 +9,14 @@
 // a joint with a zero block in A comes after one of its supernodes. docs/decisions/physics.md has
 // the measurements.
 
-#include "physics/internal_joint_block.h"
+#include "impulses/joint_solver.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-namespace smile::physics {
+namespace smile::impulses {
 namespace {
 
 /// Softens each row by this fraction of its own response, so that redundant joints, as in a closed
@@ -35,41 +35,38 @@ constexpr int kSupernodeRows = 6;
 /// A body with more joints than this is a supernode.
 constexpr std::size_t kMaxJointsOfLowDegree = 2;
 
-/// The part of a row that acts on one of its two bodies: Jacobian (linear, angular) and the angular
-/// velocity change per unit impulse.
-struct Side {
-  Side(const btSolverConstraint& row, int body)
-      : normal(row.m_solverBodyIdA == body ? row.m_contactNormal1 : row.m_contactNormal2),
-        turn(row.m_solverBodyIdA == body ? row.m_relpos1CrossNormal : row.m_relpos2CrossNormal),
-        turning(row.m_solverBodyIdA == body ? row.m_angularComponentA : row.m_angularComponentB) {}
+// The order of these sums is part of what replays: Eigen's products have another.
 
-  const btVector3 &normal, &turn, &turning;
-};
+double Dot(const Vector3& a, const Vector3& b) {
+  return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+
+const JointRow::Side& SideOf(const JointRow& row, int body) {
+  return row.sides[0].body == body ? row.sides[0] : row.sides[1];
+}
 
 /// Returns the change of speed along `row` per unit impulse along `other`, through one body that
 /// both rows act on.
-double Response(const btSolverConstraint& row, const btSolverConstraint& other, int body,
-                double inverse_mass) {
-  const Side a(row, body), b(other, body);
-  return a.normal.dot(b.normal) * inverse_mass + a.turn.dot(b.turning);
+double Response(const JointRow& row, const JointRow& other, int body, double inverse_mass) {
+  const JointRow::Side &a = SideOf(row, body), &b = SideOf(other, body);
+  return Dot(a.linear, b.linear) * inverse_mass + Dot(a.angular, b.turning);
 }
 
 /// Scales a supernode's velocity change by the root R of its inverse inertia (R R^T = W), so that
 /// its own block of the matrix is -I.
 class SupernodeScale {
  public:
-  explicit SupernodeScale(const btSolverBody& body)
-      : root_inverse_mass_(std::sqrt(body.internalGetInvMass().x())) {
+  explicit SupernodeScale(const Body& body) : root_inverse_mass_(std::sqrt(body.inverse_mass)) {
     // Cholesky factor of the inverse inertia; a body that cannot rotate has zeros here.
-    const btMatrix3x3& inverse = body.m_originalBody->getInvInertiaTensorWorld();
+    const Matrix3& inverse = body.inverse_inertia;
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j <= i; ++j) {
-        double sum = inverse[i][j];
-        for (int k = 0; k < j; ++k) sum -= root_[i][k] * root_[j][k];
+        double sum = inverse(i, j);
+        for (int k = 0; k < j; ++k) sum -= root_(i, k) * root_(j, k);
         if (i == j) {
-          root_[i][i] = std::sqrt(std::max(sum, 0.0));
+          root_(i, i) = std::sqrt(std::max(sum, 0.0));
         } else {
-          root_[i][j] = root_[j][j] > 0 ? sum / root_[j][j] : 0;
+          root_(i, j) = root_(j, j) > 0 ? sum / root_(j, j) : 0;
         }
       }
     }
@@ -77,57 +74,49 @@ class SupernodeScale {
 
   /// Returns the row of B: the derivative of the speed along a row by each unknown of the
   /// supernode.
-  std::array<double, kSupernodeRows> SpeedsOf(const Side& side) const {
-    const btVector3 linear = side.normal * root_inverse_mass_;
-    const btVector3 angular = side.turn * root_;  // transposed times turn
-    return {linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()};
+  std::array<double, kSupernodeRows> SpeedsOf(const JointRow::Side& side) const {
+    const Vector3 linear = side.linear * root_inverse_mass_;
+    const auto angular = [&](int k) { return Dot(root_.col(k), side.angular); };
+    return {linear.x(), linear.y(), linear.z(), angular(0), angular(1), angular(2)};
   }
 
  private:
   double root_inverse_mass_;
-  btMatrix3x3 root_ = btMatrix3x3(0, 0, 0, 0, 0, 0, 0, 0, 0);
+  Matrix3 root_ = Matrix3::Zero();
 };
 
 /// Returns the speed along a row that this step's impulses have produced so far, in m/s or rad/s.
-double SpeedGained(const btSolverConstraint& row,
-                   const btAlignedObjectArray<btSolverBody>& bodies) {
-  const btSolverBody& a = bodies[row.m_solverBodyIdA];
-  const btSolverBody& b = bodies[row.m_solverBodyIdB];
-  return row.m_contactNormal1.dot(a.m_deltaLinearVelocity) +
-         row.m_relpos1CrossNormal.dot(a.m_deltaAngularVelocity) +
-         row.m_contactNormal2.dot(b.m_deltaLinearVelocity) +
-         row.m_relpos2CrossNormal.dot(b.m_deltaAngularVelocity);
+double SpeedGained(const JointRow& row, std::span<const Body> bodies) {
+  const auto& [side_a, side_b] = row.sides;
+  const Body &a = bodies[side_a.body], &b = bodies[side_b.body];
+  return Dot(side_a.linear, ChangeOfV(a)) + Dot(side_a.angular, ChangeOfW(a)) +
+         Dot(side_b.linear, ChangeOfV(b)) + Dot(side_b.angular, ChangeOfW(b));
 }
 
-/// Applies an impulse along a row to both bodies and adds it to the row's total.
-void Apply(const btSolverConstraint& row, double impulse,
-           btAlignedObjectArray<btSolverBody>& bodies) {
-  btSolverBody& a = bodies[row.m_solverBodyIdA];
-  btSolverBody& b = bodies[row.m_solverBodyIdB];
-  a.internalApplyImpulse(row.m_contactNormal1 * a.internalGetInvMass(), row.m_angularComponentA,
-                         impulse);
-  b.internalApplyImpulse(row.m_contactNormal2 * b.internalGetInvMass(), row.m_angularComponentB,
-                         impulse);
-  row.m_appliedImpulse += impulse;
+/// Applies an impulse along a row to both bodies.
+void Apply(const JointRow& row, double impulse, std::span<const Body> bodies) {
+  for (const JointRow::Side& side : row.sides) {
+    const Body& body = bodies[side.body];
+    if (!body.is_movable()) continue;
+    ChangeOfV(body) += side.linear * body.inverse_mass * impulse;
+    ChangeOfW(body) += side.turning * impulse;
+  }
 }
 
 }  // namespace
 
-void JointBlock::Begin() {
+void JointSolver::Begin() {
   rows_.clear();
   joints_.clear();
 }
 
-void JointBlock::AddRow(btSolverConstraint* row, double return_speed) {
-  // Bullet stores the joint of a row in m_originalContactPoint.
-  const bool is_next = !rows_.empty() && rows_.back().constraint->m_originalContactPoint ==
-                                             row->m_originalContactPoint;
+void JointSolver::AddRow(const JointRow& row, bool is_next) {
   if (!is_next) joints_.push_back({static_cast<int>(rows_.size()), 0});
   ++joints_.back().count;
-  rows_.push_back({row, return_speed, 1 / row->m_jacDiagABInv, -1});
+  rows_.push_back({row, /*self_response=*/1 / row.inverse_response});
 }
 
-void JointBlock::Factor(btAlignedObjectArray<btSolverBody>& bodies) {
+void JointSolver::Factor(std::span<const Body> bodies) {
   FindJointsOfBodies(bodies);
   FindGraph();
   // The order depends only on the pattern of the matrix: keep it while joints and bodies stay the
@@ -139,23 +128,21 @@ void JointBlock::Factor(btAlignedObjectArray<btSolverBody>& bodies) {
   matrix_.Begin(&elimination_);
   PlaceRows();
   Assemble(bodies);
-  // Rows without an unknown stay with Bullet's iteration.
-  std::erase_if(rows_, [](const Row& row) { return row.unknown < 0; });
   ReduceReturns();
   FactorSoftened(kSoftness, &matrix_);
 }
 
 /// Sorts movable bodies into low-degree ones and supernodes, in the order of their joints.
-void JointBlock::FindJointsOfBodies(const btAlignedObjectArray<btSolverBody>& bodies) {
+void JointSolver::FindJointsOfBodies(std::span<const Body> bodies) {
   joints_of_.resize(std::max<std::size_t>(joints_of_.size(), bodies.size()));
   for (auto& joints : joints_of_) joints.clear();
   low_degree_bodies_.clear();
   supernodes_.clear();
   for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
-    const btSolverConstraint& row = *rows_[joints_[joint].first].constraint;
-    for (int body : {row.m_solverBodyIdA, row.m_solverBodyIdB}) {
+    const JointRow& row = rows_[joints_[joint].first];
+    for (const int body : {row.sides[0].body, row.sides[1].body}) {
       // Static and kinematic bodies respond to no impulse: they couple no rows.
-      if (bodies[body].internalGetInvMass().x() == 0) continue;
+      if (!bodies[body].is_movable()) continue;
       joints_of_[body].push_back(static_cast<int>(joint));
       const std::size_t count = joints_of_[body].size();
       if (count == 1) low_degree_bodies_.push_back(body);
@@ -167,7 +154,7 @@ void JointBlock::FindJointsOfBodies(const btAlignedObjectArray<btSolverBody>& bo
 }
 
 /// Builds the graph of the matrix. Nodes are the joints, followed by the supernodes.
-void JointBlock::FindGraph() {
+void JointSolver::FindGraph() {
   graph_.sizes.clear();
   for (const JointRows& joint : joints_) graph_.sizes.push_back(joint.count);
   graph_.sizes.resize(joints_.size() + supernodes_.size(), kSupernodeRows);
@@ -194,24 +181,21 @@ void JointBlock::FindGraph() {
   }
 }
 
-/// Assigns each row its unknown, and disables it in Bullet's iteration.
-void JointBlock::PlaceRows() {
+/// Assigns each row its unknown.
+void JointSolver::PlaceRows() {
   for (std::size_t joint = 0; joint < joints_.size(); ++joint) {
     const int place = elimination_.place_of_node[joint];
     if (place < 0) continue;
     for (int i = 0; i < joints_[joint].count; ++i) {
-      Row& row = rows_[joints_[joint].first + i];
-      row.unknown = matrix_.first_row(place) + i;
-      // Zero iterations of Bullet's own for this row.
-      row.constraint->m_overrideNumSolverIterations = 0;
+      rows_[joints_[joint].first + i].unknown = matrix_.first_row(place) + i;
     }
   }
 }
 
 /// Fills in A through low-degree bodies, and B through supernodes.
-void JointBlock::Assemble(const btAlignedObjectArray<btSolverBody>& bodies) {
+void JointSolver::Assemble(std::span<const Body> bodies) {
   for (int body : low_degree_bodies_) {
-    const double inverse_mass = bodies[body].internalGetInvMass().x();
+    const double inverse_mass = bodies[body].inverse_mass;
     const std::vector<int>& joints = joints_of_[body];
     for (int joint : joints) AssemblePair(joint, joint, body, inverse_mass);
     if (joints.size() == 2) AssemblePair(joints[0], joints[1], body, inverse_mass);
@@ -223,7 +207,7 @@ void JointBlock::Assemble(const btAlignedObjectArray<btSolverBody>& bodies) {
 
 /// Adds the responses between the rows of two joints through a low-degree body. Only blocks on and
 /// below the diagonal exist, so the joint that is eliminated first is the column.
-void JointBlock::AssemblePair(int joint, int other, int body, double inverse_mass) {
+void JointSolver::AssemblePair(int joint, int other, int body, double inverse_mass) {
   int place = elimination_.place_of_node[joint], other_place = elimination_.place_of_node[other];
   if (place < 0) return;
   if (place > other_place) {
@@ -234,18 +218,17 @@ void JointBlock::AssemblePair(int joint, int other, int body, double inverse_mas
   const JointRows columns = joints_[joint], rows = joints_[other];
   for (int i = 0; i < rows.count; ++i) {
     for (int k = 0; k < columns.count; ++k) {
-      *entry++ += Response(*rows_[rows.first + i].constraint, *rows_[columns.first + k].constraint,
-                           body, inverse_mass);
+      *entry++ += Response(rows_[rows.first + i], rows_[columns.first + k], body, inverse_mass);
     }
   }
 }
 
 /// Fills in -I and the blocks of B or B^T, depending on whether the joint or the supernode comes
 /// first.
-void JointBlock::AssembleSupernode(int node, int body, const btSolverBody& solver_body) {
+void JointSolver::AssembleSupernode(int node, int body, const Body& supernode) {
   const int place = elimination_.place_of_node[node];
   if (place < 0) return;
-  const SupernodeScale scale(solver_body);
+  const SupernodeScale scale(supernode);
   for (int i = 0; i < kSupernodeRows; ++i) matrix_.diagonal(place, i) = -1;
   for (int joint : joints_of_[body]) {
     const int joint_place = elimination_.place_of_node[joint];
@@ -254,7 +237,7 @@ void JointBlock::AssembleSupernode(int node, int body, const btSolverBody& solve
     double* block =
         is_joint_first ? matrix_.block(place, joint_place) : matrix_.block(joint_place, place);
     for (int i = 0; i < rows.count; ++i) {
-      const auto speeds = scale.SpeedsOf(Side(*rows_[rows.first + i].constraint, body));
+      const auto speeds = scale.SpeedsOf(SideOf(rows_[rows.first + i], body));
       for (int k = 0; k < kSupernodeRows; ++k) {
         block[is_joint_first ? k * rows.count + i : i * kSupernodeRows + k] = speeds[k];
       }
@@ -264,37 +247,47 @@ void JointBlock::AssembleSupernode(int node, int body, const btSolverBody& solve
 
 /// Factors with a softness: each joint row is regularized by this fraction of its own response. Hub
 /// pivots stay at or below -1.
-void JointBlock::FactorSoftened(double softness, sparse::BlockMatrix* matrix) {
+void JointSolver::FactorSoftened(double softness, sparse::BlockMatrix* matrix) {
   least_pivots_.assign(matrix->num_rows(), -1);  // supernodes
-  for (const Row& row : rows_) least_pivots_[row.unknown] = softness * row.self_response;
+  for (const Row& row : rows_) {
+    if (row.unknown >= 0) least_pivots_[row.unknown] = softness * row.self_response;
+  }
   matrix->Factor(least_pivots_);
 }
 
 /// Reduces the return speeds e to the speeds e' = A x that the impulses x of the softened system
 /// (A + s D) x = e produce; e - e' = s D x.
-void JointBlock::ReduceReturns() {
-  if (std::ranges::all_of(rows_, [](const Row& row) { return row.return_speed == 0; })) return;
+void JointSolver::ReduceReturns() {
+  const auto has_none = [](const Row& row) { return row.unknown < 0 || row.return_speed == 0; };
+  if (std::ranges::all_of(rows_, has_none)) return;
   softened_ = matrix_;
   FactorSoftened(kReturnSoftness, &softened_);
   unknowns_.assign(matrix_.num_rows(), 0);
-  for (const Row& row : rows_) unknowns_[row.unknown] = row.return_speed;
-  softened_.Solve(&unknowns_);
   for (const Row& row : rows_) {
+    if (row.unknown >= 0) unknowns_[row.unknown] = row.return_speed;
+  }
+  softened_.Solve(&unknowns_);
+  for (Row& row : rows_) {
+    if (row.unknown < 0) continue;
     const double missing = kReturnSoftness * row.self_response * unknowns_[row.unknown];
-    row.constraint->m_rhs -= missing * row.constraint->m_jacDiagABInv;
+    row.impulse_alone -= missing * row.inverse_response;
   }
 }
 
 /// Solves for the impulses that make up the difference between each row's wanted change of speed
-/// (m_rhs / m_jacDiagABInv) and its change so far.
-void JointBlock::Solve(btAlignedObjectArray<btSolverBody>& bodies) {
+/// and its change so far.
+void JointSolver::Solve(std::span<const Body> bodies) {
   unknowns_.assign(matrix_.num_rows(), 0);
   for (const Row& row : rows_) {
-    unknowns_[row.unknown] = row.constraint->m_rhs / row.constraint->m_jacDiagABInv -
-                             SpeedGained(*row.constraint, bodies);
+    if (row.unknown < 0) continue;
+    unknowns_[row.unknown] = row.impulse_alone / row.inverse_response - SpeedGained(row, bodies);
   }
   matrix_.Solve(&unknowns_);
-  for (const Row& row : rows_) Apply(*row.constraint, unknowns_[row.unknown], bodies);
+  for (Row& row : rows_) {
+    if (row.unknown < 0) continue;
+    Apply(row, unknowns_[row.unknown], bodies);
+    row.impulse += unknowns_[row.unknown];
+  }
 }
 
-}  // namespace smile::physics
+}  // namespace smile::impulses

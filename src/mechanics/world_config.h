@@ -38,6 +38,9 @@ struct WorldConfig {
   /// False for physics versions 1 to 4, with Bullet's contacts between bodies: blocks stick to a
   /// plate that tilts, stacks slide on a slope, and high stacks creep.
   bool has_firm_contacts = true;
+  /// False for physics versions 1 to 4, in which the motors of all joints take part in the
+  /// iterations of the solver.
+  bool moves_free_trees = true;
   MotorConfig motor;
 
   bool operator==(const WorldConfig&) const = default;

@@ -118,6 +118,16 @@ void ExactWorld::integrateTransforms(btScalar seconds) {
   btMultiBodyDynamicsWorld::integrateTransforms(seconds);
 }
 
+void ExactWorld::solveConstraints(btContactSolverInfo& info) {
+  if (!moves_free_trees_) return btMultiBodyDynamicsWorld::solveConstraints(info);
+  const btAlignedObjectArray<btMultiBody*> trees = m_multiBodies;
+  const btAlignedObjectArray<btMultiBodyConstraint*> constraints = m_multiBodyConstraints;
+  free_trees_.Solve(manifolds(), info.m_timeStep, &m_multiBodies, &m_multiBodyConstraints);
+  btMultiBodyDynamicsWorld::solveConstraints(info);
+  m_multiBodies = trees;
+  m_multiBodyConstraints = constraints;
+}
+
 /// Notes how the bodies of contacts are turned before they move.
 void ExactWorld::NoteRotations() {
   for (btPersistentManifold* manifold : manifolds()) {

@@ -7,6 +7,7 @@
 #include "mechanics/body_pairs.h"
 #include "physics/definitions.h"
 #include "physics/internal_bullet.h"
+#include "physics/internal_free_trees.h"
 
 namespace smile::physics {
 
@@ -64,6 +65,8 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   void SetTurnsNormals(bool turns_normals) { turns_normals_ = turns_normals; }
   /// Turns normals. Call when all bodies have moved in a step.
   void TurnNormals();
+  /// Sets whether trees of articulations that nothing touches are moved without Bullet.
+  void SetMovesFreeTrees(bool moves) { moves_free_trees_ = moves; }
   /// Sets the islands that are returned when something reaches them.
   void SetDormantIslands(DormantIslands* islands) { dormant_islands_ = islands; }
   /// Removes a constraint and keeps the order; Bullet's own removal fills the gap with the last
@@ -78,6 +81,8 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   /// Computes bounding boxes by StatelessBroadphase::UpdateBounds(), and returns islands that they
   /// reach.
   void updateAabbs() override;
+  /// Lets Bullet solve what does not move freely.
+  void solveConstraints(btContactSolverInfo& info) override;
   /// Does nothing: kinematic objects are given their velocities, which Bullet would derive from
   /// poses.
   void saveKinematicState(btScalar) override {}
@@ -103,6 +108,8 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
     btPersistentManifold* manifold;
     btMatrix3x3 R_WA, R_WB;
   };
+  bool moves_free_trees_ = false;
+  FreeTrees free_trees_;
   bool turns_normals_ = false;
   std::vector<TurningContacts> turning_;
 };

@@ -1,5 +1,12 @@
 #include "physics/internal_compound_pairs.h"
 
+#include <BulletCollision/CollisionDispatch/btConvexConvexAlgorithm.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
+#include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
+
+#include <algorithm>
+#include <cmath>
 #include <new>
 #include <vector>
 
@@ -57,6 +64,34 @@ std::vector<int> CloseTo(const PosedPart& box, std::span<const PosedPart> parts,
   return close;
 }
 
+/// Objects farther apart than this, beyond the distance at which contact begins, need no exact
+/// clearance [m].
+constexpr btScalar kMaxClearance = 0.1;
+
+/// Returns a lower bound of the distance of two boxes [m].
+btScalar GapBetween(const PosedPart& a, const PosedPart& b) {
+  btVector3 gap = a.min - b.max;
+  gap.setMax(b.min - a.max);
+  gap.setMax(btVector3(0, 0, 0));
+  return gap.length();
+}
+
+/// Returns the distance of two parts [m]; 0 if they overlap.
+btScalar DistanceBetween(const btCollisionShape& a, const btTransform& X_WA,
+                         const btCollisionShape& b, const btTransform& X_WB) {
+  btVoronoiSimplexSolver simplex;
+  // MakeCollisionShape() makes convex parts only.
+  btGjkPairDetector detector(static_cast<const btConvexShape*>(&a),
+                             static_cast<const btConvexShape*>(&b), &simplex,
+                             /*penetrationDepthSolver=*/nullptr);
+  btGjkPairDetector::ClosestPointInput input;
+  input.m_transformA = X_WA;
+  input.m_transformB = X_WB;
+  btPointCollector closest;
+  detector.getClosestPoints(input, closest, /*debugDraw=*/nullptr);
+  return closest.m_hasResult ? std::max(closest.m_distance, btScalar(0)) : 0;
+}
+
 }  // namespace
 
 struct CompoundPairAlgorithm::Parts {
@@ -79,7 +114,8 @@ thread_local bool CompoundPairAlgorithm::AllPartPairsScope::is_active_ = false;
 btCollisionAlgorithm* CompoundPairAlgorithm::CreateFunc::CreateCollisionAlgorithm(
     btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper*,
     const btCollisionObjectWrapper*) {
-  // The dispatcher owns the memory of algorithms: it frees them by its own pool.
+  // The dispatcher owns the memory of algorithms, and has a pool for those of Bullet's size.
+  static_assert(sizeof(CompoundPairAlgorithm) <= sizeof(btConvexConvexAlgorithm));
   void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(CompoundPairAlgorithm));
   return new (memory) CompoundPairAlgorithm(info);
 }
@@ -126,10 +162,55 @@ void CompoundPairAlgorithm::UpdatePairs(const Parts& a, const Parts& b) {
   });
 }
 
+/// Returns true if the objects cannot have come into contact since their clearance was measured.
+bool CompoundPairAlgorithm::AreClear(const btTransform& X_AB, const btCollisionShape& b) const {
+  if (clearance_ == nullptr) return false;
+  btVector3 center;
+  btScalar radius;
+  b.getBoundingSphere(center, radius);
+  // In A's frame, a point of B has moved by no more than B's origin and what the turn does to the
+  // farthest point.
+  btScalar turn = 0;
+  for (int i = 0; i < 3; ++i)
+    turn += (X_AB.getBasis()[i] - clearance_->X_AB.getBasis()[i]).length2();
+  const btScalar moved = (X_AB.getOrigin() - clearance_->X_AB.getOrigin()).length() +
+                         std::sqrt(turn) * (center.length() + radius);
+  return moved < clearance_->distance;
+}
+
+/// Measures the clearance of objects without contact.
+void CompoundPairAlgorithm::MeasureClearance(const Parts& a, const Parts& b,
+                                             const btTransform& X_AB) {
+  clearance_ = nullptr;
+  for (const auto& [numbers, pair] : pairs_) {
+    if (pair.manifold != nullptr && pair.manifold->getNumContacts() > 0) return;
+  }
+  const btCollisionShape* shape_a = a.whole->getCollisionShape();
+  const btCollisionShape* shape_b = b.whole->getCollisionShape();
+  const btScalar reach = std::min(shape_a->getContactBreakingThreshold(gContactBreakingThreshold),
+                                  shape_b->getContactBreakingThreshold(gContactBreakingThreshold));
+  btScalar least = reach + kMaxClearance;
+  for (std::size_t i = 0; i < a.posed.size(); ++i) {
+    for (std::size_t j = 0; j < b.posed.size(); ++j) {
+      if (GapBetween(a.posed[i], b.posed[j]) >= least) continue;
+      least = std::min(least, DistanceBetween(*PartShape(shape_a, i), a.posed[i].X_WP,
+                                              *PartShape(shape_b, j), b.posed[j].X_WP));
+      if (least <= reach) return;
+    }
+  }
+  clearance_ = std::make_unique<Clearance>(Clearance{least - reach, X_AB});
+  // What is no state leaves no trace: parts are paired again when the objects come near.
+  for (const auto& [numbers, pair] : pairs_) Free(pair);
+  pairs_.clear();
+}
+
 void CompoundPairAlgorithm::processCollision(const btCollisionObjectWrapper* a,
                                              const btCollisionObjectWrapper* b,
                                              const btDispatcherInfo& info,
                                              btManifoldResult* result) {
+  const btTransform X_AB = a->getWorldTransform().inverseTimes(b->getWorldTransform());
+  const bool all = AllPartPairsScope::is_active();
+  if (!all && AreClear(X_AB, *b->getCollisionShape())) return;
   PosedPart single_a, single_b;
   const Parts parts_a = {a, PartsOf(a, &single_a)}, parts_b = {b, PartsOf(b, &single_b)};
   UpdatePairs(parts_a, parts_b);
@@ -157,6 +238,9 @@ void CompoundPairAlgorithm::processCollision(const btCollisionObjectWrapper* a,
     result->setBody0Wrap(whole_a);
     result->setBody1Wrap(whole_b);
   }
+  // A pair that is asked about once, as by OverlapProbe, needs none.
+  if (!all && was_processed_) MeasureClearance(parts_a, parts_b, X_AB);
+  was_processed_ = true;
 }
 
 void CompoundPairAlgorithm::Collide(PartPair& pair, const btCollisionObjectWrapper& a,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "physics/internal_shapes.h"
@@ -61,7 +62,17 @@ class CompoundPairAlgorithm : public btCollisionAlgorithm {
   void Collide(PartPair& pair, const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b,
                const btDispatcherInfo& info, btManifoldResult* result);
   void Free(const PartPair& pair);
+  bool AreClear(const btTransform& X_AB, const btCollisionShape& b) const;
+  void MeasureClearance(const Parts& a, const Parts& b, const btTransform& X_AB);
 
+  /// How far the objects were apart at least, beyond the distance at which contact begins [m], when
+  /// B was at X_AB. Until they have moved by this against each other, there is nothing to find.
+  struct Clearance {
+    btScalar distance;
+    btTransform X_AB;
+  };
+  std::unique_ptr<Clearance> clearance_;
+  bool was_processed_ = false;
   std::map<PartNumbers, PartPair> pairs_;  ///< those that are close, or still have contacts
 };
 

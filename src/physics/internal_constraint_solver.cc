@@ -7,12 +7,27 @@
 
 #include "physics/internal_joint_constraint.h"
 
-// Connects JointBlock, which solves joint rows exactly, with Bullet's iterative solver, which does
-// contacts, motors and limits. In each of its iterations the joints are solved first, all at once,
-// and the contacts after them.
+// Connects our solvers of joints and contacts with Bullet's iterative solver, which does motors,
+// limits and the contacts of links. In each of its iterations the joints are solved first, all at
+// once, and the contacts after them.
 
 namespace smile::physics {
 namespace {
+
+impulses::Body BodyOf(btSolverBody* body) {
+  impulses::Body result{.inverse_mass = body->m_invMass[0],
+                        .p_WBcm = FromBullet(body->m_worldTransform.getOrigin()),
+                        .v = FromBullet(body->m_linearVelocity),
+                        .w = FromBullet(body->m_angularVelocity),
+                        .forced_v = FromBullet(body->m_externalForceImpulse),
+                        .forced_w = FromBullet(body->m_externalTorqueImpulse),
+                        .change_of_v = body->m_deltaLinearVelocity.m_floats,
+                        .change_of_w = body->m_deltaAngularVelocity.m_floats};
+  if (result.is_movable()) {
+    result.inverse_inertia = FromBullet(body->m_originalBody->getInvInertiaTensorWorld());
+  }
+  return result;
+}
 
 /// A solver row with its joint and its number among the joint's rows.
 struct NumberedRow {
@@ -37,6 +52,16 @@ std::vector<NumberedRow> RowsOf(btConstraintArray& pool) {
   return rows;
 }
 
+impulses::JointRow JointRowOf(const btSolverConstraint& row, double return_speed) {
+  return {.sides = {{{row.m_solverBodyIdA, FromBullet(row.m_contactNormal1),
+                      FromBullet(row.m_relpos1CrossNormal), FromBullet(row.m_angularComponentA)},
+                     {row.m_solverBodyIdB, FromBullet(row.m_contactNormal2),
+                      FromBullet(row.m_relpos2CrossNormal), FromBullet(row.m_angularComponentB)}}},
+          .inverse_response = row.m_jacDiagABInv,
+          .impulse_alone = row.m_rhs,
+          .return_speed = return_speed};
+}
+
 /// Returns true for a link of a (non-kinematic) articulation.
 bool IsLink(const btCollisionObject* object) {
   return btMultiBodyLinkCollider::upcast(object) != nullptr;
@@ -52,20 +77,20 @@ void ConstraintSolver::convertContacts(btPersistentManifold** manifolds, int num
     const bool is_of_link = IsLink(manifolds[i]->getBody0()) || IsLink(manifolds[i]->getBody1());
     (is_of_link ? of_links : of_bodies).push_back(manifolds[i]);
   }
-  if (has_firm_contacts_) {
-    const bool may_rest = of_links.size() == 0 && m_tmpSolverNonContactConstraintPool.size() == 0;
-    BeginContacts(All(of_bodies), may_rest, info);
-    of_bodies.resize(0);
-  }
-  const int num_of_bodies = of_bodies.size();
-  btMultiBodyConstraintSolver::convertContacts(num_of_bodies > 0 ? &of_bodies[0] : nullptr,
-                                               num_of_bodies, info);
+  const bool may_rest = of_links.size() == 0 && m_tmpSolverNonContactConstraintPool.size() == 0;
+  const int num_for_bullet = has_firm_contacts_ ? 0 : of_bodies.size();
+  btMultiBodyConstraintSolver::convertContacts(num_for_bullet > 0 ? &of_bodies[0] : nullptr,
+                                               num_for_bullet, info);
   btContactSolverInfo in_all_directions = info;
   in_all_directions.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
   for (int i = 0; i < of_links.size(); ++i) convertMultiBodyContact(of_links[i], in_all_directions);
+  // Last, when all bodies are known: a further one may move the others in memory.
+  if (has_firm_contacts_) FindManifolds(All(of_bodies), info);
+  if (has_firm_contacts_ || !held_rows_.empty()) ReadBodies();
+  if (has_firm_contacts_) contacts_.Begin(manifolds_, may_rest, info, bodies_);
 }
 
-void ConstraintSolver::BeginContacts(std::span<btPersistentManifold*> of_bodies, bool may_rest,
+void ConstraintSolver::FindManifolds(std::span<btPersistentManifold*> of_bodies,
                                      const btContactSolverInfo& info) {
   manifolds_.clear();
   const auto index_of = [this, &info](const btCollisionObject* object) {
@@ -75,20 +100,33 @@ void ConstraintSolver::BeginContacts(std::span<btPersistentManifold*> of_bodies,
     const int a = index_of(manifold->getBody0()), b = index_of(manifold->getBody1());
     manifolds_.push_back({manifold, a, b});
   }
-  contacts_.Begin(manifolds_, may_rest, info, All(m_tmpSolverBodyPool));
+}
+
+void ConstraintSolver::ReadBodies() {
+  bodies_.clear();
+  for (btSolverBody& body : All(m_tmpSolverBodyPool)) bodies_.push_back(BodyOf(&body));
 }
 
 void ConstraintSolver::convertJoints(btTypedConstraint** joints, int num_joints,
                                      const btContactSolverInfo& info) {
   btMultiBodyConstraintSolver::convertJoints(joints, num_joints, info);
-  block_.Begin();
+  joints_.Begin();
+  held_rows_.clear();
   if (num_joints == 0) return;
+  const JointConstraint* last = nullptr;
   for (const auto& [row, joint, number] : RowsOf(m_tmpSolverNonContactConstraintPool)) {
     // A body without inertia does not answer to a torque; Bullet passes over such a row.
     if (!joint->IsHeld(number) || row->m_jacDiagABInv == 0) continue;
-    block_.AddRow(row, joint->return_speed(number));
+    joints_.AddRow(JointRowOf(*row, joint->return_speed(number)), /*is_next=*/joint == last);
+    held_rows_.push_back(row);
+    last = joint;
   }
-  block_.Factor(m_tmpSolverBodyPool);
+  ReadBodies();
+  joints_.Factor(bodies_);
+  for (std::size_t i = 0; i < held_rows_.size(); ++i) {
+    // Zero iterations of Bullet's own.
+    if (joints_.is_solved(i)) held_rows_[i]->m_overrideNumSolverIterations = 0;
+  }
 }
 
 btScalar ConstraintSolver::solveSingleIteration(int iteration, btCollisionObject** bodies,
@@ -98,7 +136,7 @@ btScalar ConstraintSolver::solveSingleIteration(int iteration, btCollisionObject
                                                 btIDebugDraw* draw) {
   // Contacts come last in each iteration; the joint error that they leave is corrected in the next
   // step.
-  if (num_joints > 0) block_.Solve(m_tmpSolverBodyPool);
+  if (num_joints > 0) joints_.Solve(bodies_);
   const btScalar residual = btMultiBodyConstraintSolver::solveSingleIteration(
       iteration, bodies, num_bodies, manifolds, num_manifolds, joints, num_joints, info, draw);
   return std::max(residual, contacts_.Sweep());
@@ -106,6 +144,9 @@ btScalar ConstraintSolver::solveSingleIteration(int iteration, btCollisionObject
 
 btScalar ConstraintSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int num_bodies,
                                                          const btContactSolverInfo& info) {
+  for (std::size_t i = 0; i < held_rows_.size(); ++i) {
+    if (joints_.is_solved(i)) held_rows_[i]->m_appliedImpulse = joints_.impulse(i);
+  }
   for (const auto& [row, joint, number] : RowsOf(m_tmpSolverNonContactConstraintPool)) {
     joint->NoteImpulse(number, row->m_appliedImpulse);
   }

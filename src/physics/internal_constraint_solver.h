@@ -2,7 +2,7 @@
 
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 
-#include "physics/internal_joint_block.h"
+#include "impulses/joint_solver.h"
 #include "physics/internal_manifold_solver.h"
 
 namespace smile::physics {
@@ -33,14 +33,15 @@ class ConstraintSolver : public btMultiBodyConstraintSolver {
                                 const btContactSolverInfo& info, btIDebugDraw* draw) override;
 
  private:
-  /// Solves contacts between bodies by ManifoldSolver.
-  void BeginContacts(std::span<btPersistentManifold*> of_bodies, bool may_rest,
-                     const btContactSolverInfo& info);
+  void FindManifolds(std::span<btPersistentManifold*> of_bodies, const btContactSolverInfo& info);
+  void ReadBodies();
 
   bool has_firm_contacts_;
-  JointBlock block_;
+  std::vector<impulses::Body> bodies_;  ///< those of Bullet's solver
+  impulses::JointSolver joints_;
+  std::vector<btSolverConstraint*> held_rows_;  ///< Bullet's, of joints_
   ManifoldSolver contacts_;
-  std::vector<SolverManifold> manifolds_;
+  std::vector<SolverManifold> manifolds_;  ///< of contacts_
 };
 
 }  // namespace smile::physics

@@ -12,6 +12,7 @@ Engine::Engine(const WorldConfig& config)
       dormant_islands(world, dispatcher, broadphase) {
   world.SetDormantIslands(&dormant_islands);
   world.SetTurnsNormals(config.has_firm_contacts);
+  world.SetMovesFreeTrees(config.moves_free_trees);
   compound_pairs.RegisterWith(&dispatcher);
   if (config.has_firm_contacts) dispatcher.setNearCallback(KeepOrCollide);
   world.setGravity(btVector3(0, 0, -config.gravity));

@@ -118,6 +118,16 @@ void ExactWorld::integrateTransforms(btScalar seconds) {
   btMultiBodyDynamicsWorld::integrateTransforms(seconds);
 }
 
+void ExactWorld::solveConstraints(btContactSolverInfo& info) {
+  if (!moves_free_trees_) return btMultiBodyDynamicsWorld::solveConstraints(info);
+  const btAlignedObjectArray<btMultiBody*> trees = m_multiBodies;
+  const btAlignedObjectArray<btMultiBodyConstraint*> constraints = m_multiBodyConstraints;
+  free_trees_.Solve(manifolds(), info.m_timeStep, &m_multiBodies, &m_multiBodyConstraints);
+  btMultiBodyDynamicsWorld::solveConstraints(info);
+  m_multiBodies = trees;
+  m_multiBodyConstraints = constraints;
+}
+
 /// Notes how the bodies of contacts are turned before they move.
 void ExactWorld::NoteRotations() {
   for (btPersistentManifold* manifold : manifolds()) {
@@ -187,9 +197,9 @@ void ExactWorld::EaseCloseFits() {
     return BodyId{static_cast<std::uint32_t>(OrderOf(object))};
   };
   for (btPersistentManifold* manifold : manifolds()) {
-    const std::pair<BodyId, BodyId> pair =
-        std::minmax(id_of(manifold->getBody0()), id_of(manifold->getBody1()));
-    if (!std::ranges::binary_search(close_fits_, pair)) continue;
+    const mechanics::BodyPair pair =
+        mechanics::PairOf(id_of(manifold->getBody0()), id_of(manifold->getBody1()));
+    if (!close_fits_.Contains(pair)) continue;
     for (int k = 0; k < manifold->getNumContacts(); ++k) {
       btManifoldPoint& point = manifold->getContactPoint(k);
       const btScalar distance =

@@ -2,11 +2,12 @@
 
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 
-#include <utility>
 #include <vector>
 
+#include "mechanics/body_pairs.h"
 #include "physics/definitions.h"
 #include "physics/internal_bullet.h"
+#include "physics/internal_free_trees.h"
 
 namespace smile::physics {
 
@@ -48,8 +49,8 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   /// Overlap of a close fit up to which its contacts bear no load [m].
   static constexpr double kCloseFitPlay = 0.0005;
 
-  /// Sets the pairs to which kCloseFitPlay applies from now on, sorted, the smaller id first.
-  void SetCloseFits(const std::vector<std::pair<BodyId, BodyId>>& pairs) { close_fits_ = pairs; }
+  /// Sets the pairs to which kCloseFitPlay applies from now on.
+  void SetCloseFits(const mechanics::BodyPairs& pairs) { close_fits_ = pairs; }
   /// Restores the order after objects were added or removed. Cheap if they are already in order, as
   /// after the usual addition at the end.
   void SortObjects();
@@ -64,6 +65,8 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   void SetTurnsNormals(bool turns_normals) { turns_normals_ = turns_normals; }
   /// Turns normals. Call when all bodies have moved in a step.
   void TurnNormals();
+  /// Sets whether trees of articulations that nothing touches are moved without Bullet.
+  void SetMovesFreeTrees(bool moves) { moves_free_trees_ = moves; }
   /// Sets the islands that are returned when something reaches them.
   void SetDormantIslands(DormantIslands* islands) { dormant_islands_ = islands; }
   /// Removes a constraint and keeps the order; Bullet's own removal fills the gap with the last
@@ -78,6 +81,8 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   /// Computes bounding boxes by StatelessBroadphase::UpdateBounds(), and returns islands that they
   /// reach.
   void updateAabbs() override;
+  /// Lets Bullet solve what does not move freely.
+  void solveConstraints(btContactSolverInfo& info) override;
   /// Does nothing: kinematic objects are given their velocities, which Bullet would derive from
   /// poses.
   void saveKinematicState(btScalar) override {}
@@ -96,13 +101,15 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   void LimitDepths();
 
   DormantIslands* dormant_islands_ = nullptr;
-  std::vector<std::pair<BodyId, BodyId>> close_fits_;
+  mechanics::BodyPairs close_fits_;
   std::vector<int> smallest_in_island_;
   /// Contacts with the rotations of both bodies before they move.
   struct TurningContacts {
     btPersistentManifold* manifold;
     btMatrix3x3 R_WA, R_WB;
   };
+  bool moves_free_trees_ = false;
+  FreeTrees free_trees_;
   bool turns_normals_ = false;
   std::vector<TurningContacts> turning_;
 };

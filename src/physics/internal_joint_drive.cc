@@ -39,6 +39,17 @@ void JointDrive::SetTarget(double velocity, double max_impulse) {
   max_impulse_ = max_impulse;
 }
 
+mechanics::JointGoal JointDrive::GoalFor(double seconds) const {
+  const JointSpeeds allowed = AllowedSpeeds(*m_bodyA, m_linkA, seconds);
+  return {.v = m_bodyA->getJointVel(m_linkA),
+          .wanted = velocity_,
+          .least = allowed.least,
+          .most = allowed.most,
+          .max_impulse = max_impulse_,
+          .leader = leader_ ? leader_->link : -1,
+          .ratio = leader_ ? leader_->multiplier : 1};
+}
+
 void JointDrive::finalizeMultiDof() {
   allocateJacobiansMultiDof();
   // The six columns of the base precede those of the joints, also for a fixed base.

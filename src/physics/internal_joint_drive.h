@@ -4,6 +4,8 @@
 
 #include <optional>
 
+#include "mechanics/tree_motion.h"
+
 namespace smile::physics {
 
 /// Another joint of the same multibody that a joint follows, with a fixed ratio of velocities.
@@ -27,6 +29,10 @@ class JointDrive : public btMultiBodyConstraint {
   /// [N m s or N s]. The velocity of a joint that follows another is relative to that of its leader
   /// times the multiplier, and its impulse is practically unlimited.
   void SetTarget(double velocity, double max_impulse);
+
+  int link() const { return m_linkA; }
+  /// Returns what is to be reached in a step.
+  mechanics::JointGoal GoalFor(double seconds) const;
 
   void finalizeMultiDof() override;
   int getIslandIdA() const override;

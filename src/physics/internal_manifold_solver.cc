@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "contacts/reduction.h"
+#include "impulses/reduction.h"
 
 namespace smile::physics {
 namespace {
@@ -13,22 +13,7 @@ namespace {
 /// Friction of a point without any [N s]; its square is not 0.
 constexpr double kBarelyOutside = std::numeric_limits<float>::min();
 
-contacts::Body BodyOf(btSolverBody* body) {
-  contacts::Body result{.inverse_mass = body->m_invMass[0],
-                        .p_WBcm = FromBullet(body->m_worldTransform.getOrigin()),
-                        .v = FromBullet(body->m_linearVelocity),
-                        .w = FromBullet(body->m_angularVelocity),
-                        .forced_v = FromBullet(body->m_externalForceImpulse),
-                        .forced_w = FromBullet(body->m_externalTorqueImpulse),
-                        .change_of_v = body->m_deltaLinearVelocity.m_floats,
-                        .change_of_w = body->m_deltaAngularVelocity.m_floats};
-  if (result.is_movable()) {
-    result.inverse_inertia = FromBullet(body->m_originalBody->getInvInertiaTensorWorld());
-  }
-  return result;
-}
-
-contacts::Contact ContactOf(const btManifoldPoint& point) {
+impulses::Contact ContactOf(const btManifoldPoint& point) {
   return {.p_WB = FromBullet(point.m_positionWorldOnB),
           .p_BA_W = FromBullet(point.m_positionWorldOnA - point.m_positionWorldOnB),
           .normal = FromBullet(point.m_normalWorldOnB),
@@ -42,7 +27,7 @@ contacts::Contact ContactOf(const btManifoldPoint& point) {
 
 /// Stores the impulses of a contact.
 /// @param friction  coefficient of the bodies.
-void Store(const contacts::Contact& contact, double friction, btManifoldPoint* point) {
+void Store(const impulses::Contact& contact, double friction, btManifoldPoint* point) {
   const double impulse = contact.friction.norm();
   point->m_appliedImpulse = contact.impulse;
   point->m_appliedImpulseLateral1 = impulse;
@@ -59,13 +44,13 @@ void Store(const contacts::Contact& contact, double friction, btManifoldPoint* p
 }  // namespace
 
 void ManifoldSolver::Begin(std::span<const SolverManifold> manifolds, bool may_rest,
-                           const btContactSolverInfo& info, std::span<btSolverBody> bodies) {
-  bodies_.clear();
+                           const btContactSolverInfo& info,
+                           std::span<const impulses::Body> bodies) {
+  bodies_ = bodies;
   patches_.clear();
   contacts_.clear();
   points_.clear();
   spare_points_.clear();
-  for (btSolverBody& body : bodies) bodies_.push_back(BodyOf(&body));
   // Manifolds of the same two bodies follow each other.
   for (std::size_t i = 0, end = 0; i < manifolds.size(); i = end) {
     while (end < manifolds.size() && manifolds[end].a == manifolds[i].a &&
@@ -74,7 +59,7 @@ void ManifoldSolver::Begin(std::span<const SolverManifold> manifolds, bool may_r
     }
     AddPatch(manifolds.subspan(i, end - i));
   }
-  const contacts::ContactSolver::Config config{.step_seconds = info.m_timeStep,
+  const impulses::ContactSolver::Config config{.step_seconds = info.m_timeStep,
                                                .warm_start = info.m_warmstartingFactor,
                                                .bounce_speed = info.m_restitutionVelocityThreshold};
   const bool is_at_rest = solver_.Begin(config, bodies_, patches_, contacts_, may_rest);
@@ -100,7 +85,7 @@ void ManifoldSolver::AddPatch(std::span<const SolverManifold> of_two_bodies) {
     }
   }
   if (candidates_.empty()) return;
-  const std::vector<int> chosen = contacts::ChooseContacts(candidates_);
+  const std::vector<int> chosen = impulses::ChooseContacts(candidates_);
   patches_.push_back({a, b, static_cast<int>(contacts_.size()), static_cast<int>(chosen.size()),
                       btManifoldResult::calculateCombinedFriction(first_manifold->getBody0(),
                                                                   first_manifold->getBody1())});
@@ -113,7 +98,7 @@ void ManifoldSolver::AddPatch(std::span<const SolverManifold> of_two_bodies) {
 
 void ManifoldSolver::End() {
   solver_.End();
-  for (const contacts::Patch& patch : patches_) {
+  for (const impulses::Patch& patch : patches_) {
     for (int i = patch.first; i < patch.first + patch.count; ++i) {
       Store(contacts_[i], patch.friction, points_[i]);
     }

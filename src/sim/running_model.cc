@@ -22,7 +22,8 @@ physics::WorldConfig RulesOf(int physics_version) {
   return {.eases_close_fits = physics_version >= 2,
           .has_close_bounds = physics_version >= 3,
           .sums_hashes = physics_version >= 3,
-          .has_firm_contacts = physics_version >= 5};
+          .has_firm_contacts = physics_version >= 5,
+          .moves_free_trees = physics_version >= 5};
 }
 
 }  // namespace

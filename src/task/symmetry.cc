@@ -126,9 +126,6 @@ Symmetry ContainerSymmetry(const scene::Box& box) {
 
 /// Returns the symmetry of a regular polygon with its first corner at +x, extruded along z.
 Symmetry PrismSymmetry(int sides, bool is_reversible) {
-  if (sides >= kRoundSides) {
-    return {.axis = Vector3::UnitZ(), .is_reversible = is_reversible, .turns = {}};
-  }
   Symmetry symmetry{.axis = {}, .turns = {}};
   // A half turn about x maps the polygon onto itself, because it has a corner on x, and exchanges
   // top and bottom.
@@ -139,6 +136,96 @@ Symmetry PrismSymmetry(int sides, bool is_reversible) {
     if (is_reversible) symmetry.turns.emplace_back(turn * reversal);
   }
   return symmetry;
+}
+
+/// Round part of a body B: a sphere, or a solid of revolution.
+struct RoundPart {
+  Vector3 p_BC = Vector3::Zero();  ///< its center
+  std::optional<Vector3> axis;     ///< in B; nullopt: a sphere
+  /// Radii at the ends of the axis, at its start first, and of the hole; length [m].
+  double radius_start = 0, radius_end = 0, radius_hole = 0, length = 0;
+  Color color;
+
+  /// Returns true if the other part looks the same after a reversal of the axis.
+  bool IsReversalOf(const RoundPart& other, const Vector3& axis_of_body) const {
+    const bool is_along = !axis || axis->dot(*other.axis) > 0;
+    const double start = is_along ? other.radius_end : other.radius_start;
+    const double end = is_along ? other.radius_start : other.radius_end;
+    return axis.has_value() == other.axis.has_value() && color == other.color &&
+           std::abs(axis_of_body.dot(p_BC + other.p_BC)) < kSamePlace &&
+           std::abs(radius_start - start) + std::abs(radius_end - end) < kSamePlace &&
+           std::abs(radius_hole - other.radius_hole) + std::abs(length - other.length) < kSamePlace;
+  }
+};
+
+/// Returns the round part that a simple shape is; nullopt if it is not round.
+std::optional<RoundPart> RoundPartOf(const scene::Part& part, const RigidTransform& X_BE) {
+  RoundPart round{.p_BC = X_BE.translation(), .axis = {}, .color = part.color};
+  const auto set = [&](int axis, double start, double end, double hole, double length) {
+    round.axis = X_BE.rotation().col(axis);
+    round.radius_start = start;
+    round.radius_end = end;
+    round.radius_hole = hole;
+    round.length = length;
+    return true;
+  };
+  // The axis of a cylinder is y; those of frustums and rings are z.
+  const bool is_round = std::visit(
+      Overloaded{[&](const scene::Sphere& sphere) {
+                   round.radius_start = round.radius_end = sphere.radius;
+                   return true;
+                 },
+                 [&](const scene::Cylinder& c) { return set(1, c.radius, c.radius, 0, c.length); },
+                 [&](const scene::Frustum& f) {
+                   return f.sides >= kRoundSides &&
+                          set(2, f.radius_bottom, f.radius_top, 0, f.height);
+                 },
+                 [&](const scene::Ring& ring) {
+                   return ring.sides >= kRoundSides && set(2, ring.radius_outer, ring.radius_outer,
+                                                           ring.radius_inner, ring.height);
+                 },
+                 [](const auto&) { return false; }},
+      part.shape);
+  return is_round ? std::optional(round) : std::nullopt;
+}
+
+/// Appends the simple parts of an element E; returns false if one is not round, or if there are
+/// too many.
+bool AppendRoundParts(const scene::Part& part, const RigidTransform& X_BE,
+                      std::vector<RoundPart>* parts) {
+  if (const auto* composite = std::get_if<scene::Composite>(&part.shape)) {
+    return std::ranges::all_of(composite->parts, [&](const scene::Part& child) {
+      return AppendRoundParts(child, X_BE * child.X_PE, parts);
+    });
+  }
+  const std::optional<RoundPart> round = RoundPartOf(part, X_BE);
+  if (round) parts->push_back(*round);
+  return round && parts->size() <= kMaxPieces;
+}
+
+/// Returns the symmetry of a body whose parts are all round, about one axis through its origin;
+/// nullopt for other bodies.
+std::optional<Symmetry> RoundSymmetry(const scene::Part& whole) {
+  std::vector<RoundPart> parts;
+  if (!AppendRoundParts(whole, RigidTransform(), &parts) || parts.empty()) return std::nullopt;
+  // A part off the origin determines the axis, and so does one that is not a sphere.
+  std::optional<Vector3> axis;
+  for (const RoundPart& part : parts) {
+    if (axis) break;
+    if (part.axis) axis = part.axis;
+    if (part.p_BC.norm() > kSamePlace) axis = part.p_BC.normalized();
+  }
+  if (!axis) return Symmetry{.is_sphere = true, .axis = {}, .turns = {}};
+  const auto is_about_axis = [&](const RoundPart& part) {
+    return axis->cross(part.p_BC).norm() < kSamePlace &&
+           (!part.axis || axis->cross(*part.axis).norm() < kSamePlace);
+  };
+  if (!std::ranges::all_of(parts, is_about_axis)) return std::nullopt;
+  const bool is_reversible = std::ranges::all_of(parts, [&](const RoundPart& part) {
+    return std::ranges::any_of(
+        parts, [&](const RoundPart& other) { return part.IsReversalOf(other, *axis); });
+  });
+  return Symmetry{.axis = axis, .is_reversible = is_reversible, .turns = {}};
 }
 
 /// Returns the rotation angle of R, within [0, pi] [rad].
@@ -210,13 +297,9 @@ std::vector<double> Symmetry::YawsBetween(const Matrix3& R_WA, const Matrix3& R_
 }
 
 Symmetry SymmetryOf(const scene::ObjectSpec& object) {
+  if (const std::optional<Symmetry> round = RoundSymmetry(object.whole)) return *round;
   return std::visit(
-      Overloaded{[](const scene::Sphere&) { return Symmetry{.is_sphere = true, .axis = {}}; },
-                 // The axis of a cylinder is y; those of frustums and rings are z.
-                 [](const scene::Cylinder&) {
-                   return Symmetry{.axis = Vector3::UnitY(), .is_reversible = true, .turns = {}};
-                 },
-                 [](const scene::Frustum& frustum) {
+      Overloaded{[](const scene::Frustum& frustum) {
                    return PrismSymmetry(frustum.sides, frustum.radius_top == frustum.radius_bottom);
                  },
                  [](const scene::Box& box) { return ContainerSymmetry(box); },

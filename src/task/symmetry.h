@@ -26,9 +26,10 @@ struct Symmetry {
 };
 
 /// Returns the symmetry of the visible object. Spheres and cylinders are round, and so are frustums
-/// and rings of 24 sides and more; those with fewer have one rotation per side. All other shapes
-/// are tested with the 24 rotations of a cube: a cube looks the same after all 24, a plank of
-/// square section after 8.
+/// and rings of 24 sides and more, and composites of round parts about one axis through the origin.
+/// Frustums and rings of fewer sides have one rotation per side. All other shapes are tested with
+/// the 24 rotations of a cube: a cube looks the same after all 24, a plank of square section
+/// after 8.
 Symmetry SymmetryOf(const scene::ObjectSpec& object);
 
 }  // namespace smile::task

@@ -50,6 +50,39 @@ TEST(Symmetry, OfAnArrangementIsThatOfItsPiecesAndTheirColors) {
   EXPECT_NEAR(LookedTurn(bar_of({}, {1, 0, 0}), {0, 0, 180}), 180, 1e-4);
 }
 
+TEST(Symmetry, RoundPartsAboutOneAxisAreARoundBody) {
+  constexpr double kNone = 1e-4;  // [deg]
+  const auto tool_of = [](double grip_x, double grip_z, const scene::Shape& blade) {
+    const RigidTransform upright(RotationFromFixedAxes({90, 0, 0}), {grip_x, 0, grip_z});
+    scene::Part grip = ObjectAt("grip", scene::Cylinder{.radius = 0.035}, {}).whole;
+    grip.X_PE = upright;
+    // The blade is nested: a part of a part.
+    scene::Composite tip;
+    tip.parts = {ObjectAt("blade", blade, {0, 0, -0.02}).whole};
+    scene::Composite tool;
+    tool.parts = {grip, ObjectAt("tip", tip, {0, 0, -0.03}).whole};
+    return tool;
+  };
+  const scene::Ring blade{.radius_outer = 0.01, .radius_inner = 0, .sides = 24};
+  EXPECT_LT(LookedTurn(tool_of(0, 0.05, blade), {0, 0, 28}), kNone);
+  EXPECT_NEAR(LookedTurn(tool_of(0, 0.05, blade), {180, 0, 28}), 180, kNone);
+  EXPECT_NEAR(LookedTurn(tool_of(0, 0.05, blade), {20, 0, 0}), 20, kNone);
+  EXPECT_NEAR(LookedTurn(tool_of(0.001, 0.05, blade), {0, 0, 28}), 28, kNone) << "two axes";
+  EXPECT_NEAR(LookedTurn(tool_of(0, 0.05, scene::Block{}), {0, 0, 28}), 28, kNone);
+  EXPECT_LT(LookedTurn(tool_of(0, 0.05, scene::Sphere{}), {0, 0, 28}), kNone);
+
+  const auto dumbbell_of = [](const Color& left, const Color& right, double radius_top) {
+    const scene::Frustum weight{.radius_top = radius_top, .height = 0.05, .sides = 32};
+    scene::Part mirrored = ObjectAt("r", weight, {0, 0, 0.1}, right).whole;
+    mirrored.X_PE = RigidTransform(RotationFromFixedAxes({180, 0, 0}), {0, 0, 0.1});
+    scene::Composite dumbbell;
+    dumbbell.parts = {ObjectAt("l", weight, {0, 0, -0.1}, left).whole, mirrored};
+    return dumbbell;
+  };
+  EXPECT_LT(LookedTurn(dumbbell_of({}, {}, 0.02), {180, 0, 28}), kNone);
+  EXPECT_NEAR(LookedTurn(dumbbell_of({}, {1, 0, 0}, 0.02), {180, 0, 28}), 180, kNone);
+}
+
 TEST(Symmetry, ATiltIsNoTurnAboutTheVertical) {
   const Symmetry brick = SymmetryOf(ObjectAt("x", scene::Block{{0.1, 0.2, 0.4}}, {0, 0, 0}));
   const Matrix3 upright = Matrix3::Identity();

@@ -34,6 +34,12 @@ std::vector<std::pair<std::string, JsonNode>> JsonNode::Members() const {
   return members;
 }
 
+std::vector<std::pair<std::string, JsonNode>> JsonNode::MembersUpTo(std::size_t count) const {
+  ExpectObject();
+  ExpectSizeUpTo(count);
+  return Members();
+}
+
 std::vector<JsonNode> JsonNode::Items() const {
   if (!value_.is_array()) Fail("found " + Kind() + ", expected a list");
   std::vector<JsonNode> items;
@@ -47,6 +53,11 @@ std::vector<JsonNode> JsonNode::Items(std::size_t count) const {
   std::vector<JsonNode> items = Items();
   if (items.size() == count) return items;
   Fail("length is " + std::to_string(items.size()) + ", expected " + std::to_string(count));
+}
+
+std::vector<JsonNode> JsonNode::ItemsUpTo(std::size_t count) const {
+  if (value_.is_array()) ExpectSizeUpTo(count);
+  return Items();
 }
 
 std::string JsonNode::String() const {
@@ -85,6 +96,11 @@ std::uint64_t JsonNode::Whole(std::uint64_t low, std::uint64_t high) const {
   const auto number = value_.get<std::uint64_t>();
   if (number >= low && number <= high) return number;
   Fail("found " + std::to_string(number) + expected);
+}
+
+void JsonNode::ExpectSizeUpTo(std::size_t count) const {
+  if (value_.size() <= count) return;
+  Fail("found " + std::to_string(value_.size()) + ", expected at most " + std::to_string(count));
 }
 
 void JsonNode::ExpectObject() const {

@@ -27,9 +27,13 @@ class JsonNode {
   JsonNode Member(const std::string& name) const;
   /// Returns names and values of an object.
   std::vector<std::pair<std::string, JsonNode>> Members() const;
+  /// Returns names and values of an object of at most `count` members.
+  std::vector<std::pair<std::string, JsonNode>> MembersUpTo(std::size_t count) const;
   std::vector<JsonNode> Items() const;
   /// Returns a list of exactly `count` items.
   std::vector<JsonNode> Items(std::size_t count) const;
+  /// Returns a list of at most `count` items.
+  std::vector<JsonNode> ItemsUpTo(std::size_t count) const;
   bool IsNull() const { return value_.is_null(); }
   bool IsString() const { return value_.is_string(); }
   std::string String() const;
@@ -44,6 +48,7 @@ class JsonNode {
   const std::string& place() const { return place_; }
 
  private:
+  void ExpectSizeUpTo(std::size_t count) const;
   std::string Kind() const { return value_.type_name(); }
 
   const Json& value_;

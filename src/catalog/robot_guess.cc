@@ -24,7 +24,6 @@ namespace {
 
 using internal::ArmChain;
 
-constexpr std::size_t kMaxArms = 16, kMaxJoints = 16;  // as in side files
 /// Fraction of random configurations in which links overlap that touch by construction; less for
 /// those two joints apart.
 constexpr double kMostly = 0.5, kOften = 0.2;
@@ -99,18 +98,20 @@ class Guesser {
       Fail("found no arm among its " + std::to_string(model.num_joints()) +
            " joints, expected a chain of two joints or more");
     }
-    if (structure.arms.size() > kMaxArms) {
-      Fail("found " + std::to_string(structure.arms.size()) + " arms, expected 16 at most");
+    if (structure.arms.size() > robot::kMaxArms) {
+      Fail("found " + std::to_string(structure.arms.size()) + " arms, expected at most " +
+           std::to_string(robot::kMaxArms));
     }
     if (!structure.torso.empty()) {
       notes_.push_back("torso, which no arm contains: " + NamesOf(model, structure.torso));
     }
     Json frames = Json::object(), arms = Json::object();
     for (const ArmChain& arm : structure.arms) {
-      if (arm.joints.size() > kMaxJoints) {
+      if (arm.joints.size() > robot::kMaxArmJoints) {
         Fail("found a chain of " + std::to_string(arm.joints.size()) + " joints from " +
              Quoted(model.links[arm.joints.front()].joint_name) + " to " +
-             Quoted(model.links[arm.joints.back()].joint_name) + ", expected 16 at most in an arm");
+             Quoted(model.links[arm.joints.back()].joint_name) + ", expected at most " +
+             std::to_string(robot::kMaxArmJoints) + " in an arm");
       }
       notes_.push_back(arm.name + ": " + std::to_string(arm.joints.size()) + " joints, " +
                        NamesOf(model, arm.joints));
@@ -165,7 +166,7 @@ class Guesser {
       if (carries_arm) break;
       if (!model.links[link].mimic) joints.insert(joints.begin(), link);
     }
-    if (joints.size() > kMaxJoints) return;
+    if (joints.size() > robot::kMaxArmJoints) return;
     Json names = Json::array();
     for (int joint : joints) names.push_back(model.links[joint].joint_name);
     root_["head"] = {{"joints", names}, {"camera", eye->name}};

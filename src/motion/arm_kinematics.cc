@@ -38,9 +38,9 @@ RigidTransform MotionOf(const LinkSpec& link, double q) {
 
 void CheckArm(const robot::RobotModel& model, const robot::Arm& arm,
               std::span<const double> q_others) {
-  if (arm.joints.empty() || arm.joints.size() > kMaxArmJoints) {
+  if (arm.joints.empty() || arm.joints.size() > robot::kMaxArmJoints) {
     throw std::invalid_argument("arm " + arm.name + " has " + std::to_string(arm.joints.size()) +
-                                " joints, expected 1 to " + std::to_string(kMaxArmJoints));
+                                " joints, expected 1 to " + std::to_string(robot::kMaxArmJoints));
   }
   if (arm.tool < 0 || arm.tool >= static_cast<int>(model.frames.size())) {
     throw std::invalid_argument("arm " + arm.name + " has no tool");

@@ -9,11 +9,10 @@
 
 namespace smile::motion {
 
-inline constexpr int kMaxArmJoints = 16;
-
 /// Geometric Jacobian, 6 x number of joints, in fixed storage: rows 0..2 linear [m/s per unit of
 /// rate], rows 3..5 angular, both along the axes of the world.
-using ArmJacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, kMaxArmJoints>;
+using ArmJacobian =
+    Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, robot::kMaxArmJoints>;
 
 /// Forward kinematics of one arm and its tool G: equal to robot::FramePose() up to rounding, in a
 /// hundredth of the time, since only links that carry the tool are computed.
@@ -23,7 +22,8 @@ class ArmKinematics {
   /// @param q_others  one value per joint of the robot; used for joints that carry the arm but are
   /// not
   ///                  part of it [rad or m].
-  /// @throws std::invalid_argument if the arm has no joints, more than kMaxArmJoints, or one that
+  /// @throws std::invalid_argument if the arm has no joints, more than robot::kMaxArmJoints, or one
+  /// that
   ///         does not carry its tool; or if `q_others` has the wrong size.
   ArmKinematics(const robot::RobotModel& model, const robot::Arm& arm,
                 const RigidTransform& X_WBase, std::span<const double> q_others);

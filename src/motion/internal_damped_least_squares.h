@@ -5,7 +5,8 @@
 namespace smile::motion {
 
 /// Configuration of an arm, in fixed storage.
-using ArmVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxArmJoints, 1>;
+using ArmVector =
+    Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, robot::kMaxArmJoints, 1>;
 
 /// Damped least squares solver: iterates from one start, within limits, until the goal is met or
 /// the error no longer decreases.

@@ -45,9 +45,8 @@ std::vector<Choice> ReadChoices(const JsonNode& gripper) {
   std::vector<Choice> choices;
   if (!gripper.Has("choices")) return choices;
   const JsonNode all = gripper.Member("choices");
-  for (const auto& [name, words] : all.Members()) {
+  for (const auto& [name, words] : all.MembersUpTo(kMaxChoices)) {
     ExpectShortName(name, all);
-    if (choices.size() == kMaxChoices) all.Fail("are more than 16, expected fewer");
     Choice& choice = choices.emplace_back(Choice{.name = name, .words = {}, .chosen = {}});
     for (const JsonNode& word : words.Items()) {
       choice.words.push_back(word.ShortString(kMaxShortText));

@@ -23,9 +23,8 @@
 namespace smile::robot::internal {
 namespace {
 
-constexpr std::size_t kMaxPlaces = 100, kMaxArms = 16;  // of a robot
-constexpr std::size_t kMaxParts = 16;                   // of a gripper
-constexpr std::size_t kMaxJoints = 16, kMaxArmName = 40;
+constexpr std::size_t kMaxPlaces = 100;  // of a robot
+constexpr std::size_t kMaxParts = 16;    // of a gripper
 /// Words with another meaning in commands and poses.
 constexpr std::array<std::string_view, 5> kNoArmNames{"both", "any", "all", "head", "opening"};
 
@@ -91,9 +90,9 @@ class SideFileReader {
   void Read(const JsonNode& root) {
     follows_mimics_ = root.Member("format").Number() >= 2;
     if (root.Has("frames")) {
-      const auto frames = root.Member("frames").Members();
-      if (frames.size() > kMaxPlaces) root.Member("frames").Fail("are more than 100");
-      for (const auto& [name, frame] : frames) ReadFrame(name, frame);
+      for (const auto& [name, frame] : root.Member("frames").MembersUpTo(kMaxPlaces)) {
+        ReadFrame(name, frame);
+      }
     }
     if (root.Has("limits")) {
       for (const auto& [name, limits] : root.Member("limits").Members()) ReadLimits(name, limits);
@@ -181,9 +180,7 @@ class SideFileReader {
   void ReadArm(const std::string& name, const JsonNode& node) {
     node.ExpectMembers(kArmMembers);
     Arm arm{.name = name, .joints = {}, .tool = -1, .gripper = {}};
-    const std::vector<JsonNode> joints = node.Member("joints").Items();
-    if (joints.size() > kMaxJoints) node.Member("joints").Fail("are more than 16, expected fewer");
-    for (const JsonNode& joint : joints) {
+    for (const JsonNode& joint : node.Member("joints").ItemsUpTo(kMaxArmJoints)) {
       const int next = JointNamedBy(joint);
       Take(next, joint);
       ExpectOnArm(next, arm, joint);
@@ -400,9 +397,8 @@ class SideFileReader {
     if (node.Has("joint")) joints.push_back(node.Member("joint"));
     if (node.Has("joints")) {
       if (node.Has("joint")) node.Fail("has joint and joints, expected one of them");
-      joints = node.Member("joints").Items();
+      joints = node.Member("joints").ItemsUpTo(kMaxArmJoints);
     }
-    if (joints.size() > kMaxJoints) node.Member("joints").Fail("are more than 16, expected fewer");
     for (const JsonNode& joint : joints) {
       head.joints.push_back(JointNamedBy(joint));
       Take(head.joints.back(), joint);
@@ -625,9 +621,7 @@ std::vector<Mounting> SideFile::Mountings() const {
   std::vector<Mounting> mountings;
   const JsonNode root(root_, file_, "");
   if (!root.Has("arms")) return mountings;
-  const auto arms = root.Member("arms").Members();
-  if (arms.size() > kMaxArms) root.Member("arms").Fail("are more than 16, expected fewer");
-  for (const auto& [arm, node] : arms) {
+  for (const auto& [arm, node] : root.Member("arms").MembersUpTo(kMaxArms)) {
     ExpectArmName(arm, root.Member("arms"));
     node.ExpectMembers(kArmMembers);
     // An arm without a flange has its gripper in the URDF itself.
@@ -638,9 +632,7 @@ std::vector<Mounting> SideFile::Mountings() const {
     const JsonNode gripper(gripper_->value, file_, gripper_->place);
     // A gripper without parts of its own uses links of the URDF.
     if (!gripper.Has("parts")) continue;
-    const std::vector<JsonNode> parts = gripper.Member("parts").Items();
-    if (parts.size() > kMaxParts) gripper.Member("parts").Fail("are more than 16, expected fewer");
-    for (const JsonNode& part : parts) {
+    for (const JsonNode& part : gripper.Member("parts").ItemsUpTo(kMaxParts)) {
       part.ExpectMembers(kPartMembers);
       mountings.push_back(
           {.urdf = part.Member("urdf").String(),

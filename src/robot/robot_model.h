@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
@@ -13,6 +14,10 @@
 #include "scene/visual_model.h"
 
 namespace smile::robot {
+
+/// Greatest numbers of arms of a robot, and of joints of an arm or a head; length of an arm's name
+/// [bytes].
+inline constexpr std::size_t kMaxArms = 16, kMaxArmJoints = 16, kMaxArmName = 40;
 
 /// A named frame F that moves with a link L. Each link of the description has one of its own name,
 /// including links that were merged into their parent.

@@ -1,13 +1,9 @@
 #pragma once
 
-#include <cstddef>
 #include <map>
 #include <string>
 
 namespace smile::sim {
-
-/// Greatest number of arms of a robot, and length of their names [bytes].
-inline constexpr std::size_t kMaxArms = 16, kMaxArmName = 40;
 
 /// Values for some arms of the robot, by the name of the arm.
 ///

@@ -5,9 +5,8 @@
 
 namespace smile::sim {
 
-/// Upper bounds of names and arrays.
+/// Upper bound of names [bytes].
 inline constexpr std::size_t kMaxText = 256;
-inline constexpr std::size_t kMaxJoints = 64;
 /// Upper bound of a scene in a command [bytes].
 inline constexpr std::size_t kMaxSceneText = std::size_t{1} << 20;
 /// Greatest integer that JSON implementations represent exactly.

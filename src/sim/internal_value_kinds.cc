@@ -10,6 +10,7 @@
 #include "demonstrator/demonstrator.h"
 #include "motion/trajectory_shape.h"
 #include "robot/face_expression.h"
+#include "robot/robot_model.h"
 #include "sim/command.h"
 
 // Kinds of values of command fields. Each has a shape that programs check and a phrase that people
@@ -28,7 +29,7 @@ JsonShape AnyNumber() { return JsonShape::Number(-kMaxNumber, kMaxNumber); }
 
 /// Returns the form of a point, with its allowed times.
 JsonShape TrajectoryPointShape(const JsonShape& seconds) {
-  const JsonShape numbers = JsonShape::List(AnyNumber(), 1, kMaxJoints);
+  const JsonShape numbers = JsonShape::List(AnyNumber(), 1, motion::kMaxTrajectoryJoints);
   return JsonShape::Object({{"seconds", seconds},
                             {"positions", numbers},
                             {"velocities", numbers, /*is_required=*/false}});
@@ -51,7 +52,7 @@ std::map<ValueKind, Allowed> MakeKinds() {
   const JsonShape text = JsonShape::Text(kMaxText);
   const JsonShape point = JsonShape::List(AnyNumber(), 3, 3);
   const std::string point_words = "three numbers [x, y, z] of at most 1e6";
-  const JsonShape joints = JsonShape::List(AnyNumber(), 1, kMaxJoints);
+  const JsonShape joints = JsonShape::List(AnyNumber(), 1, motion::kMaxTrajectoryJoints);
   return {
       {kHand, HandsAllowed()},
       {kText, {text, "a string of at most 256 characters"}},
@@ -64,10 +65,11 @@ std::map<ValueKind, Allowed> MakeKinds() {
       {kSpeed, {JsonShape::Number(kMinSpeed, kMaxNumber), "a number above 0, from 1e-6 to 1e6"}},
       {kJoints, {joints, "one number per joint of the arm"}},
       {kArms,
-       {JsonShape::Map(joints, kMaxArms, kMaxArmName),
+       {JsonShape::Map(joints, robot::kMaxArms, robot::kMaxArmName),
         "at most 16 arms like {\"arm\": [0.1, 0]}, one number per joint"}},
       {kGrippers,
-       {JsonShape::List(AnyNumber(), 2, 2).Or(JsonShape::Map(AnyNumber(), kMaxArms, kMaxArmName)),
+       {JsonShape::List(AnyNumber(), 2, 2)
+            .Or(JsonShape::Map(AnyNumber(), robot::kMaxArms, robot::kMaxArmName)),
         "two numbers [left, right], or at most 16 numbers like {\"arm\": 0.1}"}},
       {kNumber, {AnyNumber(), "a number of at most 1e6"}},
       {kFlag, {JsonShape::Flag(), "true or false"}},
@@ -76,9 +78,10 @@ std::map<ValueKind, Allowed> MakeKinds() {
        {JsonShape::List(JsonShape::Text(demonstrator::kMaxPropertyLength), 0,
                         demonstrator::kMaxProperties),
         "at most 32 names of properties of at most 256 characters"}},
-      {kArm, {JsonShape::Text(kMaxArmName), "the name of an arm, both or all"}},
+      {kArm, {JsonShape::Text(robot::kMaxArmName), "the name of an arm, both or all"}},
       {kShare, {JsonShape::Number(kMinSpeed, 1), "a number above 0, at most 1"}},
-      {kJointNames, {JsonShape::List(text, 1, kMaxJoints), "1 to 64 names of joints"}},
+      {kJointNames,
+       {JsonShape::List(text, 1, motion::kMaxTrajectoryJoints), "1 to 64 names of joints"}},
       {kTrajectoryPoints,
        {JsonShape::List(TrajectoryPointShape(JsonShape::Number(0, motion::kMaxTrajectorySeconds)),
                         1, motion::kMaxTrajectoryPoints),

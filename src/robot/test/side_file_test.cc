@@ -132,6 +132,26 @@ TEST_F(SideFile, RefusesNamesOfArmsThatMeanSomethingElse) {
             "the gripper only");
 }
 
+TEST_F(SideFile, RefusesMoreThanSixteenArmsOrJointsOfAnArm) {
+  const auto arms = [&](int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i) {
+      text += (i == 0 ? "\"" : ", \"") + ("a" + std::to_string(i)) + "\": {}";
+    }
+    return ComplaintAbout("{\"format\": 1, \"arms\": {" + text + "}}");
+  };
+  EXPECT_EQ(arms(17), "r.robot.json: <arms>: found 17, expected at most 16");
+  EXPECT_EQ(arms(16), "r.robot.json: <arms/a0>: has no member \"joints\"");
+  const auto joints = [&](int count) {
+    std::string text = "\"turn\"";
+    for (int i = 1; i < count; ++i) text += ", \"turn\"";
+    return ComplaintAbout("{\"format\": 1, \"arms\": {\"a\": {\"joints\": [" + text +
+                          "], \"tool\": \"arm\"}}}");
+  };
+  EXPECT_EQ(joints(17), "r.robot.json: <arms/a/joints>: found 17, expected at most 16");
+  EXPECT_TRUE(joints(16).starts_with("r.robot.json: <arms/a/joints/1>: joint \"turn\" is already"));
+}
+
 TEST_F(SideFile, RefusesJointsThatTwoMove) {
   const auto complaint = [](const std::string& place, const std::string& joint) {
     return "r.robot.json: <" + place + ">: joint \"" + joint +

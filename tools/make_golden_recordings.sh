@@ -41,7 +41,7 @@ for script in examples/*.jsonl examples/scenes/*.jsonl; do
     robot_poses) record "$name" tower "$script" ;;
     tower) record "$name" "$name" "$script" ;;
     um | controls | screws) record "$name" "$name" "$script" --no-robot ;;
-    strings) ;;  # long: a shorter one is below
+    strings | scissors) ;;  # long: shorter ones are below
     dock | row) record "$name" "$name" "$script" --no-robot --no-symbols --seconds 10 ;;
     *) record "$name" "$name" "$script" --no-robot --no-symbols ;;
   esac
@@ -50,12 +50,20 @@ done
 # The mechanisms that no example shows.
 record hands tower "$scripts/hands.jsonl" --no-robot
 record strings strings "$scripts/strings.jsonl" --no-robot --no-symbols
+record scissors scissors "$scripts/scissors.jsonl" --no-robot --no-symbols
 record shapes everything "$scripts/shapes.jsonl" --no-robot --no-symbols
 record robot tower "$scripts/robot.jsonl"
 record kinematic tower "$scripts/robot.jsonl" --kinematic
 record friction_grasp tower "$scripts/robot.jsonl" --friction-grasp
 record classic tower "$scripts/robot.jsonl" --classic
 record electric tower "$scripts/electric.jsonl" --gripper electric
+record tern tower "$scripts/tern.jsonl" --robot tern
+record presses controls "$scripts/presses.jsonl" --no-robot --no-symbols
+
+# Firm contacts (physics version 5): what falls, rests, slides and rolls; a gripper; a hand that carries a lid.
+record firm_shapes everything "$scripts/shapes.jsonl" --no-robot --no-symbols
+record firm_robot tower "$scripts/robot.jsonl"
+record firm_lidbox lidbox examples/scenes/lidbox.jsonl --no-robot --no-symbols
 
 # Recordings made of others: begun, undone and redone in the middle; continued from an earlier step; edited; imported.
 golden branches run scenes/tower.xml --commands "$scripts/branches.jsonl" --recordings "$scratch" --no-pictures --no-robot

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contacts/internal_plane.h"
+#include "contacts/support.h"
 
 // Projected Gauss-Seidel over contacts. At each contact: first the normal impulse, at least 0, that
 // gives the bodies the speed wanted there; then the friction that stops them in the plane, drawn
@@ -22,8 +23,6 @@ constexpr double kSlipping = 0.999;
 
 /// Bodies that may roll, and turn faster than this against each other, roll [rad/s].
 constexpr double kRollingSpeed = 0.01;
-/// A contact that bears nothing sticks while its points are this close in the plane [m].
-constexpr double kUnmoved = 1e-5;
 
 /// Bodies that the impulses of the last step leave slower than this stand still [m/s, rad/s], if no
 /// contact is deeper than this [m].
@@ -34,12 +33,6 @@ constexpr double kStillDepth = 1e-4;
 bool IsStill(const Vector3& linear, const Vector3& angular) {
   return linear.squaredNorm() < kStillSpeed * kStillSpeed &&
          angular.squaredNorm() < kStillAngularSpeed * kStillAngularSpeed;
-}
-
-/// Returns true if the bodies have not moved along the plane of a contact since they touched.
-bool IsUnmoved(const Contact& contact) {
-  const Vector3 along = contact.p_BA_W - contact.p_BA_W.dot(contact.normal) * contact.normal;
-  return along.squaredNorm() < kUnmoved * kUnmoved;
 }
 
 Eigen::Map<Vector3> ChangeOfV(const Body& body) { return Eigen::Map<Vector3>(body.change_of_v); }
@@ -74,7 +67,8 @@ bool ContactSolver::Begin(const Config& config, std::span<const Body> bodies,
     const std::span<Contact> own = contacts.subspan(patch.first, patch.count);
     Vector3 center = Vector3::Zero();
     for (const Contact& contact : own) center += contact.p_WB / patch.count;
-    AddRows({Side{&a, center - a.p_WBcm}, Side{&b, center - b.p_WBcm}}, patch.friction, center, own);
+    AddRows({Side{&a, center - a.p_WBcm}, Side{&b, center - b.p_WBcm}}, patch.friction, center,
+            own);
   }
   return false;
 }
@@ -85,7 +79,8 @@ bool ContactSolver::StayAtRest(std::span<const Body> bodies, std::span<const Pat
   // Carried bodies are among them: what they push is not at rest.
   const auto is_still = [](const Body& body) { return IsStill(body.v, body.w); };
   const auto is_shallow = [](const Contact& contact) { return contact.distance >= -kStillDepth; };
-  if (contacts.empty() || !std::ranges::all_of(bodies, is_still) || !std::ranges::all_of(contacts, is_shallow)) {
+  if (contacts.empty() || !std::ranges::all_of(bodies, is_still) ||
+      !std::ranges::all_of(contacts, is_shallow)) {
     return false;
   }
   // About the centers of mass.
@@ -173,8 +168,8 @@ Vector3 ContactSolver::VelocityAt(const Rows& rows, const Vector3& from_center, 
 
 void ContactSolver::AddRows(const std::array<Side, 2>& sides, double friction,
                             const Vector3& center, std::span<Contact> contacts) {
-  const Rows& rows = rows_.emplace_back(Rows{sides, static_cast<int>(points_.size()),
-                                             static_cast<int>(contacts.size()), friction});
+  const Rows& rows = rows_.emplace_back(
+      Rows{sides, static_cast<int>(points_.size()), static_cast<int>(contacts.size()), friction});
   const Responses responses = ResponsesOf(rows);
   Vector6 start;
   for (Contact& contact : contacts) {
@@ -221,9 +216,10 @@ void ContactSolver::AddPoint(const Rows& rows, const Responses& responses, const
   point.rolling = static_cast<int>(rolling_.size());
   const Vector6 turn_1 = Vector6::Of(Vector3::Zero(), across[0]);
   const Vector6 turn_2 = Vector6::Of(Vector3::Zero(), across[1]);
-  Friction& rolling =
-      rolling_.emplace_back(contact->rolling_friction, FrictionAlong(turn_1, turn_2, responses))
-          .friction;
+  Friction& rolling = rolling_
+                          .emplace_back(Rolling{contact->rolling_friction,
+                                                FrictionAlong(turn_1, turn_2, responses)})
+                          .friction;
   const Body &a = *rows.sides[0].body, &b = *rows.sides[1].body;
   const Vector3 angular = a.w + a.forced_w - b.w - b.forced_w;
   rolling.wanted = {-across[0].dot(angular), -across[1].dot(angular)};
@@ -283,9 +279,8 @@ double ContactSolver::Sweep() {
   double greatest = 0;
   for (const Rows& rows : rows_) {
     const auto& [a, b] = rows.sides;
-    const Vector3 linear =
-        ChangeOfV(*a.body) + ChangeOfW(*a.body).cross(a.arm) - ChangeOfV(*b.body) -
-        ChangeOfW(*b.body).cross(b.arm);
+    const Vector3 linear = ChangeOfV(*a.body) + ChangeOfW(*a.body).cross(a.arm) -
+                           ChangeOfV(*b.body) - ChangeOfW(*b.body).cross(b.arm);
     Vector6 velocity = Vector6::Of(linear, ChangeOfW(*a.body) - ChangeOfW(*b.body));
     Vector6 impulse;
     for (Point& point : std::span(points_).subspan(rows.first, rows.count)) {

@@ -27,13 +27,13 @@ struct Body {
 
 /// Point at which two bodies, A and B, may touch.
 struct Contact {
-  Vector3 p_WB = Vector3::Zero();      ///< on body B [m]
-  Vector3 p_BA_W = Vector3::Zero();    ///< from there to the point of A that stuck to it [m]
-  Vector3 normal = Vector3::UnitZ();   ///< from B to A
-  double distance = 0;                 ///< along the normal [m]; negative: depth
-  double restitution = 0;              ///< part of the speed with which bodies part again
-  double rolling_friction = 0;         ///< torque against rolling per normal force [m]
-  double impulse = 0;                  ///< along the normal, on A [N s]: of the last step, then of this
+  Vector3 p_WB = Vector3::Zero();     ///< on body B [m]
+  Vector3 p_BA_W = Vector3::Zero();   ///< from there to the point of A that stuck to it [m]
+  Vector3 normal = Vector3::UnitZ();  ///< from B to A
+  double distance = 0;                ///< along the normal [m]; negative: depth
+  double restitution = 0;             ///< part of the speed with which bodies part again
+  double rolling_friction = 0;        ///< torque against rolling per normal force [m]
+  double impulse = 0;  ///< along the normal, on A [N s]: of the last step, then of this
   Vector3 friction = Vector3::Zero();  ///< impulse in the plane, likewise
   bool sticks = false;                 ///< result: bears something, and neither slips nor rolls
 };
@@ -55,8 +55,8 @@ class ContactSolver {
  public:
   struct Config {
     double step_seconds = 1.0 / 480;
-    double warm_start = 0.85;    ///< part of the last impulses to begin with
-    double bounce_speed = 0.2;   ///< slower bodies do not bounce [m/s]
+    double warm_start = 0.85;   ///< part of the last impulses to begin with
+    double bounce_speed = 0.2;  ///< slower bodies do not bounce [m/s]
   };
 
   /// Begins a step of an island with the impulses of the last step.

@@ -55,9 +55,9 @@ std::vector<int> ChooseContacts(std::span<const Contact> contacts) {
   while (!left.empty()) {
     // Those in the plane of the first one that is left come to the front, in their order.
     const Vector3& normal = contacts[left.front()].normal;
-    const auto end = std::ranges::stable_partition(left, [&normal, contacts](int i) {
-                       return contacts[i].normal.dot(normal) > kSameNormal;
-                     }).begin();
+    const auto end = std::stable_partition(left.begin(), left.end(), [&normal, contacts](int i) {
+      return contacts[i].normal.dot(normal) > kSameNormal;
+    });
     // At least the first one itself: its normal may have lost its length.
     const auto rest = std::max(end, left.begin() + 1);
     ChooseInPlane({left.begin(), rest}, contacts, &chosen);

@@ -18,22 +18,6 @@ class StateHash;
 
 namespace smile::physics {
 
-/// Parameters of joint motors; measured values, see docs/decisions/physics.md.
-struct MotorConfig {
-  /// Fraction of the position error that is corrected in each physics step.
-  double position_gain = 0.1;
-  /// The reference leads the joint by at most this: a blocked arm stays gentle and resumes without
-  /// a jump.
-  double max_lead_angle = 0.05;    ///< of a revolute joint [rad]
-  double max_lead_length = 0.002;  ///< of a prismatic one [m]
-  /// Multiple of the listed effort that motors may use: velocity commands arrive without
-  /// acceleration limits, which the real controller would smooth. It is 1 while they bear an
-  /// overload, see WeldSpec::holds_up.
-  double effort_scale = 4.0;
-
-  bool operator==(const MotorConfig&) const = default;
-};
-
 /// Links and motors on a fixed base, in reduced coordinates (R. Featherstone, Rigid Body Dynamics
 /// Algorithms). Gravity is compensated. It collides with bodies, with other articulations and with
 /// itself, unless it is kinematic; see scene::ArticulationSpec::is_kinematic. Joints never leave

@@ -1,13 +1,15 @@
 #pragma once
 
 #include "mechanics/body_spec.h"
+#include "mechanics/contact.h"
 #include "mechanics/ids.h"
 #include "mechanics/joint.h"
 #include "mechanics/snapshot.h"
+#include "mechanics/world_config.h"
 
 namespace smile::physics {
 
-// What a World is made of, as data: these are words of this room, too.
+// What a World is made of and tells, as data: these are words of this room, too.
 using mechanics::ArticulationId;
 using mechanics::BallJointSpec;
 using mechanics::BodyId;
@@ -16,8 +18,13 @@ using mechanics::FixedJointSpec;
 using mechanics::Joint;
 using mechanics::JointId;
 using mechanics::JointSpec;
+using mechanics::LinkContact;
+using mechanics::MotorConfig;
+using mechanics::Overlaps;
+using mechanics::Push;
 using mechanics::SliderJointSpec;
 using mechanics::Snapshot;
 using mechanics::WeldSpec;
+using mechanics::WorldConfig;
 
 }  // namespace smile::physics

@@ -18,13 +18,6 @@ namespace {
 /// must not fall through it. A close fit has the same play [m].
 constexpr double kCloseFitDepth = ExactWorld::kCloseFitPlay;
 
-/// Inserts a pair into a sorted list, once.
-void InsertPair(const std::pair<BodyId, BodyId>& pair,
-                std::vector<std::pair<BodyId, BodyId>>* pairs) {
-  const auto place = std::lower_bound(pairs->begin(), pairs->end(), pair);
-  if (place == pairs->end() || *place != pair) pairs->insert(place, pair);
-}
-
 }  // namespace
 
 CollisionExemptions::CollisionExemptions(const WorldConfig& config, const WorldObjects& objects,
@@ -33,20 +26,20 @@ CollisionExemptions::CollisionExemptions(const WorldConfig& config, const WorldO
 
 void CollisionExemptions::IgnoreUntilSeparated(BodyId a, BodyId b) {
   if (a == b) throw std::invalid_argument("world: a body cannot pass through itself");
-  const BodyPair pair = std::minmax(a, b);
+  const BodyPair pair = mechanics::PairOf(a, b);
   Body &body_a = objects_.body(a), &body_b = objects_.body(b);
   if (body_a.is_static() && body_b.is_static()) return;
-  if (std::binary_search(ignored_.begin(), ignored_.end(), pair)) return;
+  if (ignored_.Contains(pair)) return;
   // A pair is in one of the two lists at most.
-  std::erase(close_fits_, pair);
-  InsertPair(pair, &ignored_);
+  close_fits_.Remove(pair);
+  ignored_.Add(pair);
   engine_.broadphase.Exclude(body_a.dynamics().bullet(), body_b.dynamics().bullet(),
                              &engine_.dispatcher);
 }
 
 template <class IsOver>
 void CollisionExemptions::EndIgnoring(IsOver is_over) {
-  std::erase_if(ignored_, [this, &is_over](const BodyPair& pair) {
+  ignored_.RemoveIf([this, &is_over](const BodyPair& pair) {
     if (!is_over(pair)) return false;
     // The two are a pair again, which only those in the world become.
     objects_.body(pair.first).dynamics().ReturnToWorld();
@@ -60,7 +53,7 @@ void CollisionExemptions::EndIgnoring(IsOver is_over) {
 void CollisionExemptions::EndAllOf(BodyId id) {
   const auto is_of = [id](const BodyPair& pair) { return pair.first == id || pair.second == id; };
   EndIgnoring(is_of);
-  std::erase_if(close_fits_, is_of);
+  close_fits_.RemoveIf(is_of);
 }
 
 void CollisionExemptions::EndAll() {
@@ -70,14 +63,13 @@ void CollisionExemptions::EndAll() {
 
 void CollisionExemptions::Update() {
   // The depth of a pair of sleeping bodies cannot change, so only awake ones are measured.
-  std::erase_if(close_fits_, [this](const BodyPair& pair) {
-    return IsAnyAwake(pair) && OverlapDepth(pair) <= 0;
-  });
+  close_fits_.RemoveIf(
+      [this](const BodyPair& pair) { return IsAnyAwake(pair) && OverlapDepth(pair) <= 0; });
   EndIgnoring([this](const BodyPair& pair) {
     if (!IsAnyAwake(pair)) return false;
     const double depth = OverlapDepth(pair);
     if (depth > kCloseFitDepth) return false;
-    if (depth > 0 && config_.eases_close_fits) InsertPair(pair, &close_fits_);
+    if (depth > 0 && config_.eases_close_fits) close_fits_.Add(pair);
     return true;
   });
   // The solver's world applies the play in each step.
@@ -96,26 +88,20 @@ double CollisionExemptions::OverlapDepth(const BodyPair& pair) const {
 }
 
 void CollisionExemptions::Save(Snapshot* snapshot) const {
-  snapshot->passing = ignored_;
-  snapshot->close_fits = close_fits_;
+  snapshot->passing = ignored_.sorted();
+  snapshot->close_fits = close_fits_.sorted();
 }
 
 void CollisionExemptions::Restore(const Snapshot& snapshot) {
   for (const auto& [a, b] : snapshot.passing) IgnoreUntilSeparated(a, b);
-  close_fits_ = snapshot.close_fits;
+  close_fits_ = mechanics::BodyPairs(snapshot.close_fits);
 }
 
 void CollisionExemptions::AddTo(StateHash* hash) const {
-  const auto add = [hash](const std::vector<BodyPair>& pairs) {
-    for (const auto& [a, b] : pairs) {
-      hash->Add(std::uint64_t{a.value});
-      hash->Add(std::uint64_t{b.value});
-    }
-  };
-  add(ignored_);
+  ignored_.AddTo(hash);
   // Added only if present, so that hashes of worlds without close fits stay unchanged.
   if (!close_fits_.empty()) hash->Add("close fits");
-  add(close_fits_);
+  close_fits_.AddTo(hash);
 }
 
 }  // namespace smile::physics

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <utility>
-#include <vector>
-
+#include "mechanics/body_pairs.h"
 #include "physics/internal_world_objects.h"
 
 namespace smile::physics {
@@ -28,7 +26,7 @@ class CollisionExemptions {
   void AddTo(StateHash* hash) const;
 
  private:
-  using BodyPair = std::pair<BodyId, BodyId>;
+  using BodyPair = mechanics::BodyPair;
 
   template <class IsOver>
   void EndIgnoring(IsOver is_over);
@@ -38,8 +36,7 @@ class CollisionExemptions {
   const WorldConfig& config_;
   const WorldObjects& objects_;
   Engine& engine_;
-  std::vector<BodyPair> ignored_;     ///< sorted, the smaller id first
-  std::vector<BodyPair> close_fits_;  ///< sorted, the smaller id first
+  mechanics::BodyPairs ignored_, close_fits_;
 };
 
 }  // namespace smile::physics

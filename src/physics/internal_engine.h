@@ -1,12 +1,12 @@
 #pragma once
 
+#include "physics/definitions.h"
 #include "physics/internal_compound_pairs.h"
 #include "physics/internal_constraint_solver.h"
 #include "physics/internal_dormant_islands.h"
 #include "physics/internal_exact_world.h"
 #include "physics/internal_overlap_probe.h"
 #include "physics/internal_stateless_broadphase.h"
-#include "physics/world_config.h"
 
 namespace smile::physics {
 

@@ -187,9 +187,9 @@ void ExactWorld::EaseCloseFits() {
     return BodyId{static_cast<std::uint32_t>(OrderOf(object))};
   };
   for (btPersistentManifold* manifold : manifolds()) {
-    const std::pair<BodyId, BodyId> pair =
-        std::minmax(id_of(manifold->getBody0()), id_of(manifold->getBody1()));
-    if (!std::ranges::binary_search(close_fits_, pair)) continue;
+    const mechanics::BodyPair pair =
+        mechanics::PairOf(id_of(manifold->getBody0()), id_of(manifold->getBody1()));
+    if (!close_fits_.Contains(pair)) continue;
     for (int k = 0; k < manifold->getNumContacts(); ++k) {
       btManifoldPoint& point = manifold->getContactPoint(k);
       const btScalar distance =

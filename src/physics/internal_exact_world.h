@@ -2,9 +2,9 @@
 
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 
-#include <utility>
 #include <vector>
 
+#include "mechanics/body_pairs.h"
 #include "physics/definitions.h"
 #include "physics/internal_bullet.h"
 
@@ -48,8 +48,8 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   /// Overlap of a close fit up to which its contacts bear no load [m].
   static constexpr double kCloseFitPlay = 0.0005;
 
-  /// Sets the pairs to which kCloseFitPlay applies from now on, sorted, the smaller id first.
-  void SetCloseFits(const std::vector<std::pair<BodyId, BodyId>>& pairs) { close_fits_ = pairs; }
+  /// Sets the pairs to which kCloseFitPlay applies from now on.
+  void SetCloseFits(const mechanics::BodyPairs& pairs) { close_fits_ = pairs; }
   /// Restores the order after objects were added or removed. Cheap if they are already in order, as
   /// after the usual addition at the end.
   void SortObjects();
@@ -96,7 +96,7 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   void LimitDepths();
 
   DormantIslands* dormant_islands_ = nullptr;
-  std::vector<std::pair<BodyId, BodyId>> close_fits_;
+  mechanics::BodyPairs close_fits_;
   std::vector<int> smallest_in_island_;
   /// Contacts with the rotations of both bodies before they move.
   struct TurningContacts {

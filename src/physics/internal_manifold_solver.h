@@ -34,7 +34,7 @@ class ManifoldSolver {
   std::vector<contacts::Body> bodies_;
   std::vector<contacts::Patch> patches_;
   std::vector<contacts::Contact> contacts_;
-  std::vector<btManifoldPoint*> points_;  ///< of contacts_
+  std::vector<btManifoldPoint*> points_;        ///< of contacts_
   std::vector<btManifoldPoint*> spare_points_;  ///< those that bear nothing, beside others
   std::vector<contacts::Contact> candidates_;   ///< scratch space of AddPatch()
   std::vector<btManifoldPoint*> candidate_points_;

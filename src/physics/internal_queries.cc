@@ -74,12 +74,12 @@ std::vector<Push> FindPushes(std::span<const BodyId> ids, const WorldObjects& ob
   return pushes;
 }
 
-std::vector<Contact> FindContacts(const Articulation& articulation, int link,
-                                  const WorldObjects& objects, Engine& engine) {
+std::vector<LinkContact> FindContacts(const Articulation& articulation, int link,
+                                      const WorldObjects& objects, Engine& engine) {
   const btCollisionObject* collider = articulation.links().collider(link);
   // Manifolds are sorted in each step; after a restore their order may differ.
   engine.world.SortManifolds();
-  std::vector<Contact> contacts;
+  std::vector<LinkContact> contacts;
   objects.ForEachManifoldOf(collider, [&](const btPersistentManifold& manifold, Body& body) {
     // Bullet's normal is on B and points towards A: reverse it if the link is B.
     const bool link_is_a = manifold.getBody0() == collider;
@@ -94,7 +94,7 @@ std::vector<Contact> FindContacts(const Articulation& articulation, int link,
     }
   });
   std::stable_sort(contacts.begin(), contacts.end(),
-                   [](const Contact& a, const Contact& b) { return a.body < b.body; });
+                   [](const LinkContact& a, const LinkContact& b) { return a.body < b.body; });
   return contacts;
 }
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "physics/contact.h"
+#include "physics/definitions.h"
 #include "physics/internal_world_objects.h"
 
 // Queries for contacts and overlaps in a World. No query leaves a trace.
@@ -10,8 +10,8 @@
 namespace smile::physics {
 
 /// Returns the contacts of bodies with a link, by body. Contacts up to 0.1 mm apart count.
-std::vector<Contact> FindContacts(const Articulation& articulation, int link,
-                                  const WorldObjects& objects, Engine& engine);
+std::vector<LinkContact> FindContacts(const Articulation& articulation, int link,
+                                      const WorldObjects& objects, Engine& engine);
 
 /// See World::PushesOn().
 std::vector<Push> FindPushes(std::span<const BodyId> ids, const WorldObjects& objects,

@@ -102,7 +102,7 @@ const Articulation& World::articulation(ArticulationId id) const {
   return objects_->articulation(id);
 }
 
-std::vector<Contact> World::ContactsWith(ArticulationId id, int link) const {
+std::vector<LinkContact> World::ContactsWith(ArticulationId id, int link) const {
   return FindContacts(articulation(id), link, *objects_, *engine_);
 }
 

@@ -7,9 +7,7 @@
 
 #include "physics/articulation.h"
 #include "physics/body.h"
-#include "physics/contact.h"
 #include "physics/definitions.h"
-#include "physics/world_config.h"
 
 namespace smile::physics {
 
@@ -83,7 +81,7 @@ class World {
   const std::vector<Joint>& joints() const;
 
   /// Returns the contacts of bodies with a link, by body. Contacts up to 0.1 mm apart count.
-  std::vector<Contact> ContactsWith(ArticulationId id, int link) const;
+  std::vector<LinkContact> ContactsWith(ArticulationId id, int link) const;
   /// Returns the pushes on these bodies in the last step, in the order of its contacts, with an
   /// impulse above 0. Contacts between objects that sleep or never move are left out.
   /// @param ids  in ascending order.

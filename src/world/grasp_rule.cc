@@ -27,8 +27,8 @@ std::vector<physics::BodyId> EachOnce(std::vector<physics::BodyId> bodies) {
 
 }  // namespace
 
-std::vector<physics::BodyId> GraspedBodies(std::span<const physics::Contact> left,
-                                           std::span<const physics::Contact> right,
+std::vector<physics::BodyId> GraspedBodies(std::span<const physics::LinkContact> left,
+                                           std::span<const physics::LinkContact> right,
                                            const RigidTransform& X_WG, double opening) {
   // In the tool's frame G, fingers close along y and point along z.
   const Vector3 across = X_WG.rotation().col(1), along = X_WG.rotation().col(2);
@@ -37,9 +37,9 @@ std::vector<physics::BodyId> GraspedBodies(std::span<const physics::Contact> lef
   // closing direction.
   const double max_offset = opening * std::tan(std::numbers::pi / 16);
   std::vector<physics::BodyId> bodies;
-  for (const physics::Contact& a : left) {
+  for (const physics::LinkContact& a : left) {
     if (a.normal_in_world.dot(across) < kFacing) continue;
-    for (const physics::Contact& b : right) {
+    for (const physics::LinkContact& b : right) {
       if (b.body != a.body || b.normal_in_world.dot(across) > -kFacing) continue;
       if (std::abs((a.p_WQ - b.p_WQ).dot(along)) > max_offset) continue;
       bodies.push_back(a.body);
@@ -48,11 +48,11 @@ std::vector<physics::BodyId> GraspedBodies(std::span<const physics::Contact> lef
   return EachOnce(std::move(bodies));
 }
 
-std::vector<physics::BodyId> BodiesBetweenJaws(std::span<const physics::Contact> left,
-                                               std::span<const physics::Contact> right) {
+std::vector<physics::BodyId> BodiesBetweenJaws(std::span<const physics::LinkContact> left,
+                                               std::span<const physics::LinkContact> right) {
   std::vector<physics::BodyId> bodies;
-  for (const physics::Contact& a : left) {
-    for (const physics::Contact& b : right) {
+  for (const physics::LinkContact& a : left) {
+    for (const physics::LinkContact& b : right) {
       if (b.body != a.body) continue;
       // Normals point from the body to the jaws, so each should point along the line to its jaw.
       const Vector3 line = a.p_WQ - b.p_WQ;
@@ -64,11 +64,11 @@ std::vector<physics::BodyId> BodiesBetweenJaws(std::span<const physics::Contact>
   return EachOnce(std::move(bodies));
 }
 
-std::optional<physics::BodyId> BodyAtCup(std::span<const physics::Contact> contacts,
+std::optional<physics::BodyId> BodyAtCup(std::span<const physics::LinkContact> contacts,
                                          const RigidTransform& X_WG, double radius) {
   std::optional<physics::BodyId> nearest;
   double least = radius;
-  for (const physics::Contact& contact : contacts) {
+  for (const physics::LinkContact& contact : contacts) {
     // A body in front of the cup has a normal back into the cup.
     if (-contact.normal_in_world.dot(X_WG.rotation().col(2)) < kFlat) continue;
     const double distance = (contact.p_WQ - X_WG.translation()).norm();

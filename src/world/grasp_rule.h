@@ -18,8 +18,8 @@ namespace smile::world {
 /// @param X_WG         the tool frame: y across the opening, z along the fingers.
 /// @param opening      between the fingers [m].
 /// @returns ids in ascending order, each once.
-std::vector<physics::BodyId> GraspedBodies(std::span<const physics::Contact> left,
-                                           std::span<const physics::Contact> right,
+std::vector<physics::BodyId> GraspedBodies(std::span<const physics::LinkContact> left,
+                                           std::span<const physics::LinkContact> right,
                                            const RigidTransform& X_WG, double opening);
 
 /// Returns the bodies that two jaws have grasped: those that both touch, such that the line between
@@ -27,15 +27,15 @@ std::vector<physics::BodyId> GraspedBodies(std::span<const physics::Contact> lef
 /// have any directions. Source: V.-D. Nguyen, "Constructing Force-Closure Grasps" (1988), for two
 /// contacts with friction.
 /// @returns ids in ascending order, each once.
-std::vector<physics::BodyId> BodiesBetweenJaws(std::span<const physics::Contact> left,
-                                               std::span<const physics::Contact> right);
+std::vector<physics::BodyId> BodiesBetweenJaws(std::span<const physics::LinkContact> left,
+                                               std::span<const physics::LinkContact> right);
 
 /// Returns the body that closes a suction cup: it touches the cup within `radius` [m] of the tool's
 /// origin, with a surface that deviates by less than 30 degrees from the plane of the cup. Of
 /// several the one whose contact is nearest to the origin; nullopt if there is none.
 /// @param contacts  of the link that carries the cup.
 /// @param X_WG      the tool frame: z points out of the cup.
-std::optional<physics::BodyId> BodyAtCup(std::span<const physics::Contact> contacts,
+std::optional<physics::BodyId> BodyAtCup(std::span<const physics::LinkContact> contacts,
                                          const RigidTransform& X_WG, double radius);
 
 }  // namespace smile::world

@@ -140,9 +140,9 @@ void RobotBody::CommandFingers(int arm) {
 bool RobotBody::IsSqueezing(const robot::Gripper& gripper) const {
   const auto left = world_->ContactsWith(articulation_, gripper.left_finger);
   const auto right = world_->ContactsWith(articulation_, gripper.right_finger);
-  return std::any_of(left.begin(), left.end(), [&right](const physics::Contact& a) {
+  return std::any_of(left.begin(), left.end(), [&right](const physics::LinkContact& a) {
     return std::any_of(right.begin(), right.end(),
-                       [&a](const physics::Contact& b) { return b.body == a.body; });
+                       [&a](const physics::LinkContact& b) { return b.body == a.body; });
   });
 }
 
@@ -311,7 +311,7 @@ std::vector<physics::BodyId> RobotBody::HeldBodies(int arm) const {
 
 bool RobotBody::IsTouching(const std::vector<physics::BodyId>& bodies) const {
   for (int link = -1; link < model().num_joints(); ++link) {  // -1: the base
-    for (const physics::Contact& contact : world_->ContactsWith(articulation_, link)) {
+    for (const physics::LinkContact& contact : world_->ContactsWith(articulation_, link)) {
       if (std::ranges::find(bodies, contact.body) != bodies.end()) return true;
     }
   }

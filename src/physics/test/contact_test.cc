@@ -47,14 +47,14 @@ class ContactTest : public ::testing::Test {
   Vector3 PositionOf(BodyId id) const { return world_.body(id).pose_in_world().translation(); }
 
   Matrix3 R_WS_ = Matrix3::Identity();
-  World world_{{.sleep_linear_speed = 0, .sleep_angular_speed = 0, .has_firm_contacts = true}};
+  World world_{{.sleep_linear_speed = 0, .sleep_angular_speed = 0}};
 };
 
 // The plate tilts slowly, as one that a hand turns. Bullet's contacts hold the block up to 45
 // degrees along an edge, and up to 56 across a corner.
 TEST_F(ContactTest, ABlockSlipsOffATiltedPlateWhereFrictionEndsInEveryDirection) {
   for (const double yaw : {0.0, 20.0, 45.0}) {
-    World world({.has_firm_contacts = true});
+    World world;
     BodySpec plate_spec = BlockSpec({0.6, 0.6, 0.1}, RigidTransform(Vector3(0, 0, -0.05)), 100);
     const BodyId plate = world.AddBody(plate_spec);
     const BodyId block = world.AddBody(CubeSpec(kEdge));
@@ -105,7 +105,7 @@ TEST_F(ContactTest, BlocksThatNeverSleepComeToAnExactRest) {
 
 TEST_F(ContactTest, ASlidingBlockStopsWhereFrictionHasTakenItsEnergyAndStaysThere) {
   for (const double yaw : {0.0, 45.0}) {
-    World world({.has_firm_contacts = true});
+    World world;
     world.AddBody(BlockSpec({4, 4, 0.2}, RigidTransform(Vector3(0, 0, -0.1)), 0));
     const BodyId block = world.AddBody(CubeSpec(kEdge));
     const Vector3 direction(std::cos(Radians(yaw)), std::sin(Radians(yaw)), 0);

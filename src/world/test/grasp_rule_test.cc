@@ -13,37 +13,38 @@ const physics::BodyId kBlock{7};
 
 /// Returns the contact of a finger on one side of the opening, at this depth along it and with this
 /// normal.
-physics::Contact At(double side, double along, const Vector3& normal_in_world) {
+physics::LinkContact At(double side, double along, const Vector3& normal_in_world) {
   return {
       .body = kBlock, .p_WQ = {0, side * kOpening / 2, along}, .normal_in_world = normal_in_world};
 }
 
-std::vector<physics::BodyId> Grasped(const physics::Contact& left, const physics::Contact& right) {
+std::vector<physics::BodyId> Grasped(const physics::LinkContact& left,
+                                     const physics::LinkContact& right) {
   return GraspedBodies({&left, 1}, {&right, 1}, RigidTransform(), kOpening);
 }
 
 TEST(GraspRule, PointsMayDifferAlongTheFingersByElevenDegrees) {
   const double most = kOpening * std::tan(std::numbers::pi / 16);
-  const physics::Contact left = At(1, 0, Vector3::UnitY());
+  const physics::LinkContact left = At(1, 0, Vector3::UnitY());
   EXPECT_EQ(Grasped(left, At(-1, 0.999 * most, -Vector3::UnitY())), std::vector{kBlock});
   EXPECT_TRUE(Grasped(left, At(-1, 1.001 * most, -Vector3::UnitY())).empty());
 }
 
 TEST(GraspRule, NormalsMustFaceEachOther) {
-  const physics::Contact left = At(1, 0, Vector3::UnitY());
+  const physics::LinkContact left = At(1, 0, Vector3::UnitY());
   EXPECT_TRUE(Grasped(left, At(-1, 0, Vector3::UnitY())).empty());
   EXPECT_TRUE(Grasped(left, At(-1, 0, Vector3::UnitX())).empty()) << "its tip pushes";
   EXPECT_EQ(Grasped(left, At(-1, 0, Vector3(0.6, -0.8, 0))), std::vector{kBlock});
 }
 
 TEST(GraspRule, BothFingersMustTouchTheSame) {
-  physics::Contact other = At(-1, 0, -Vector3::UnitY());
+  physics::LinkContact other = At(-1, 0, -Vector3::UnitY());
   other.body = physics::BodyId{8};
   EXPECT_TRUE(Grasped(At(1, 0, Vector3::UnitY()), other).empty());
 }
 
-std::vector<physics::BodyId> BetweenJaws(const physics::Contact& left,
-                                         const physics::Contact& right) {
+std::vector<physics::BodyId> BetweenJaws(const physics::LinkContact& left,
+                                         const physics::LinkContact& right) {
   return BodiesBetweenJaws({&left, 1}, {&right, 1});
 }
 
@@ -52,7 +53,7 @@ TEST(JawRule, TheLineBetweenThePointsIsWithinBothFrictionCones) {
   const Vector3 outwards = Vector3(0, 1, 0.5).normalized();
   const auto at = [&](double side, double angle) {
     const Vector3 normal = std::cos(angle) * side * outwards + std::sin(angle) * Vector3::UnitX();
-    return physics::Contact{
+    return physics::LinkContact{
         .body = kBlock, .p_WQ = side * 0.05 * outwards, .normal_in_world = normal};
   };
   const double cone = std::numbers::pi / 4;
@@ -61,7 +62,7 @@ TEST(JawRule, TheLineBetweenThePointsIsWithinBothFrictionCones) {
   EXPECT_TRUE(BetweenJaws(at(1, 1.01 * cone), at(-1, 0)).empty());
   EXPECT_TRUE(BetweenJaws(at(1, 0), at(-1, 1.01 * cone)).empty());
   EXPECT_TRUE(BetweenJaws(at(-1, 0), at(-1, 0)).empty()) << "one point has no line";
-  physics::Contact other = at(-1, 0);
+  physics::LinkContact other = at(-1, 0);
   other.body = physics::BodyId{8};
   EXPECT_TRUE(BetweenJaws(at(1, 0), other).empty());
 }
@@ -69,11 +70,11 @@ TEST(JawRule, TheLineBetweenThePointsIsWithinBothFrictionCones) {
 TEST(SuctionRule, AFaceClosesTheCupThatIsFlatOnItAndNearItsMiddle) {
   const auto at = [](double aside, double tilt, std::uint32_t body = kBlock.value) {
     // The tool looks along z, so the normal of a face before it points back.
-    return physics::Contact{.body = physics::BodyId{body},
-                            .p_WQ = {aside, 0, 0},
-                            .normal_in_world = {std::sin(tilt), 0, -std::cos(tilt)}};
+    return physics::LinkContact{.body = physics::BodyId{body},
+                                .p_WQ = {aside, 0, 0},
+                                .normal_in_world = {std::sin(tilt), 0, -std::cos(tilt)}};
   };
-  const auto held = [](std::vector<physics::Contact> contacts) {
+  const auto held = [](std::vector<physics::LinkContact> contacts) {
     return BodyAtCup(contacts, RigidTransform(), 0.02);
   };
   const double flat = std::numbers::pi / 6;

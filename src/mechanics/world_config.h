@@ -1,8 +1,22 @@
 #pragma once
 
-#include "physics/articulation.h"
+namespace smile::mechanics {
 
-namespace smile::physics {
+/// Parameters of joint motors; measured values, see docs/decisions/physics.md.
+struct MotorConfig {
+  /// Fraction of the position error that is corrected in each physics step.
+  double position_gain = 0.1;
+  /// The reference leads the joint by at most this: a blocked arm stays gentle and resumes without
+  /// a jump.
+  double max_lead_angle = 0.05;    ///< of a revolute joint [rad]
+  double max_lead_length = 0.002;  ///< of a prismatic one [m]
+  /// Multiple of the listed effort that motors may use: velocity commands arrive without
+  /// acceleration limits, which the real controller would smooth. It is 1 while they bear an
+  /// overload, see WeldSpec::holds_up.
+  double effort_scale = 4.0;
+
+  bool operator==(const MotorConfig&) const = default;
+};
 
 /// Parameters of the simulation; docs/decisions/physics.md explains how they were found.
 struct WorldConfig {
@@ -21,13 +35,12 @@ struct WorldConfig {
   /// False for physics versions 1 and 2, in which the hash of a state goes through all bodies in
   /// order. Otherwise it contains the sum of their hashes, of which those of sleepers are known.
   bool sums_hashes = true;
-  /// True for contacts that hold what friction holds, and no more. Not part of a physics version
-  /// yet: with Bullet's contacts, blocks stick to a plate that tilts, stacks slide on a slope, and
-  /// high stacks creep (docs/decisions/physics.md).
-  bool has_firm_contacts = false;
+  /// False for physics versions 1 to 4, with Bullet's contacts between bodies: blocks stick to a
+  /// plate that tilts, stacks slide on a slope, and high stacks creep.
+  bool has_firm_contacts = true;
   MotorConfig motor;
 
   bool operator==(const WorldConfig&) const = default;
 };
 
-}  // namespace smile::physics
+}  // namespace smile::mechanics

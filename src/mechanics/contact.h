@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "math/rigid_transform.h"
-#include "physics/definitions.h"
+#include "mechanics/ids.h"
 
-namespace smile::physics {
+namespace smile::mechanics {
 
 /// A point where a body touches a link.
-struct Contact {
+struct LinkContact {
   BodyId body;
   Vector3 p_WQ;             ///< point on the link's surface [m]
   Vector3 normal_in_world;  ///< unit, pointing from the body to the link
@@ -34,4 +34,4 @@ struct Overlaps {
   bool operator==(const Overlaps&) const = default;
 };
 
-}  // namespace smile::physics
+}  // namespace smile::mechanics

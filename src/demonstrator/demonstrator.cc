@@ -265,13 +265,12 @@ std::optional<Refusal> Demonstrator::Use(HandName name, bool loosens, world::Too
   const world::Object& tool = *tabletop_->Find(hand(name).held);
   return MoveGoalsWith([&]() -> std::optional<Refusal> {
     Refusal refusal;
-    const auto target = tabletop_->TargetOf(tool, &refusal);
-    if (!target) return refusal;
-    const world::Object& work = tabletop_->objects()[target->object];
+    const auto planned = tabletop_->PlanUse(tool, loosens, &refusal);
+    if (!planned) return refusal;
+    const world::Object& work = tabletop_->objects()[planned->object];
     const Vector3 p_WW = world_->body(work.body).pose_in_world().translation();
-    const auto done = tabletop_->Use(tool, loosens, &refusal);
-    if (!done) return refusal;
-    *use = *done;
+    tabletop_->Use(*planned);
+    *use = *planned;
     FollowWork(tool, work, p_WW);
     return std::nullopt;
   });

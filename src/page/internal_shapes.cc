@@ -70,6 +70,7 @@ JsonShape SceneObjectShape() {
       ObjectShape({{"id", TextShape()}, {"pointable", FlagShape()}, {"within", TextShape()}});
   const JsonShape control =
       ObjectShape({{"id", TextShape()}, {"kind", TextShape()}, {"parts", TextsShape()}});
+  const JsonShape tool = ObjectShape({{"point", PointShape()}, {"turns", FlagShape()}});
   return ObjectShape(
              {{"id", TextShape()},
               {"frame", NumberShape()},
@@ -79,6 +80,8 @@ JsonShape SceneObjectShape() {
                "outer parts first; `within` is the id of the part or object that contains it"},
               {"controls", JsonShape::List(control)},
               {"bonds", FlagShape(), true, "it can be fastened to others"},
+              {"tool", tool, kOptional,
+               "its tip, or the middle of its blades; `turns`: it is also used by turning it"},
               {"properties", TextsShape(), true, "properties that can be marked as relevant"}})
       .Called("SceneObject");
 }
@@ -110,6 +113,12 @@ JsonShape HandShape() {
               {"plane", NumberShape()},
               {"angles", PointShape(), kOptional, "target orientation of the object [degrees]"}})
       .Called("Hand");
+}
+
+JsonShape ToolUseShape() {
+  const JsonShape verb = JsonShape::Word({"cut", "fasten", "loosen"});
+  return ObjectShape({{"do", JsonShape::List(verb)}, {"target", TextShape(), true, "in words"}})
+      .Called("ToolUse");
 }
 
 JsonShape ActionSummaryShape() {

@@ -31,6 +31,7 @@ JsonShape VisualShape();
 JsonShape SceneObjectShape();
 JsonShape RobotDescriptionShape();
 JsonShape HandShape();
+JsonShape ToolUseShape();
 JsonShape ActionSummaryShape();
 JsonShape SegmentShape();
 JsonShape TimelineShape();

@@ -84,6 +84,8 @@ JsonShape StateUpdateShape() {
               {"paused", FlagShape()},
               {"speed", NumberShape(), true, "simulated time per real time, over the last second"},
               {"hands", HandsNowShape()},
+              {"uses", JsonShape::Map(ToolUseShape()), true,
+               "what each held tool would do if it were used now; missing if it would be refused"},
               {"still", FlagShape()},
               {"recording", recording.OrNull()},
               {"playback", playback.OrNull()},

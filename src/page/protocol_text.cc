@@ -48,6 +48,7 @@ std::vector<NamedShape> NamedShapes() {
           {SceneObjectShape()},
           {RobotDescriptionShape()},
           {HandShape()},
+          {ToolUseShape(), "Possible use of a held tool."},
           {ActionSummaryShape(),
            "An action; `on` and `into` name the object beneath a put or dropped object."},
           {SegmentShape()},

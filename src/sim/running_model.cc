@@ -173,6 +173,11 @@ std::vector<world::Holder> RunningModel::Holders() const {
   return holders;
 }
 
+std::vector<world::ToolUse> RunningModel::PossibleUses() const {
+  if (!tabletop_.has_tools()) return {};
+  return tabletop_.PossibleUses(Holders());
+}
+
 std::vector<std::vector<physics::BodyId>> RunningModel::HeldByGrippers() const {
   std::vector<std::vector<physics::BodyId>> held;
   for (int arm = 0; robot_ && arm < robot_->body().num_arms(); ++arm) {

@@ -52,6 +52,8 @@ class RunningModel {
   const demonstrator::Demonstrator& demonstrator() const { return demonstrator_; }
   /// Returns the robot, or nullptr.
   const SimulatedRobot* robot() const { return robot_ ? &*robot_ : nullptr; }
+  /// Returns what the tools that hands and grippers hold would do if they were used now.
+  std::vector<world::ToolUse> PossibleUses() const;
   /// Returns the bodies that each gripper holds, by arm; empty without a robot.
   std::vector<std::vector<physics::BodyId>> HeldByGrippers() const;
   /// See Simulation.

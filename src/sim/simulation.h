@@ -120,6 +120,9 @@ class Simulation {
     return running_->SupportOf(object);
   }
 
+  /// Returns what the tools that hands and grippers hold would do if they were used now.
+  std::vector<world::ToolUse> PossibleUses() const { return running_->PossibleUses(); }
+
   /// Returns the present state for the model's visual model.
   scene::VisualState visual_state() const { return running_->visual_state(); }
 

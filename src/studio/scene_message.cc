@@ -123,6 +123,12 @@ Json PropertiesOf(const scene::ObjectSpec& object) {
   return properties;
 }
 
+Json DescribeTool(const scene::ToolSpec& tool, double meters_per_unit) {
+  const Vector3 p_BQ = tool.p_BT + tool.edge / 2 * tool.axis.normalized();
+  return {{"point", PointInUnits(p_BQ, meters_per_unit)},
+          {"turns", tool.action == scene::ToolAction::kDrive}};
+}
+
 /// Returns all objects of the model. The shape's name is for people: the value of the first
 /// description.
 Json DescribeObjects(const model::Model& model) {
@@ -138,6 +144,11 @@ Json DescribeObjects(const model::Model& model) {
          {"bonds", !scene::GuestsOf(object.whole).empty()},
          {"fixed", object.is_static()},
          {"properties", PropertiesOf(object)}});
+  }
+  for (const model::ToolIndex index : model.tools()) {
+    const model::Tool& tool = model.tool(index);
+    objects[std::size_t{tool.object}]["tool"] =
+        DescribeTool(*tool.spec, model.scene().meters_per_unit);
   }
   return objects;
 }

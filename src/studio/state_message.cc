@@ -94,6 +94,19 @@ Json DescribeAttention(const sim::Simulation& simulation) {
   return attention;
 }
 
+/// Returns what held tools would do if they were used now, by tool.
+Json DescribeUses(const sim::Simulation& simulation) {
+  const model::Model& model = simulation.model();
+  Json uses = Json::object();
+  for (const world::ToolUse& use : simulation.PossibleUses()) {
+    // Both directions of a tool have the same target.
+    Json& described = uses[model.id(model.tool(use.tool).object)];
+    described["do"].push_back(use.verb);
+    described["target"] = use.target;
+  }
+  return uses;
+}
+
 /// Returns the state of the robot; null without one. Its joints are in rad or m, the openings of
 /// its grippers in units of the scene.
 Json DescribeRobot(const sim::Simulation& simulation) {
@@ -131,6 +144,7 @@ Json DescribeRobot(const sim::Simulation& simulation) {
 Json DescribeLive(const sim::Simulation& simulation) {
   return {{"tick", simulation.tick()},
           {"hands", DescribeHands(simulation)},
+          {"uses", DescribeUses(simulation)},
           {"still", simulation.is_still()},
           {"controls", DescribeControls(simulation.model(), simulation.tabletop())},
           {"gone", DescribeGone(simulation.tabletop())},
@@ -140,7 +154,7 @@ Json DescribeLive(const sim::Simulation& simulation) {
 }
 
 /// Returns the state of a played moment, with the same members as DescribeLive(). Those about
-/// hands, controls, important properties and the robot are empty.
+/// hands, tools, controls, important properties and the robot are empty.
 Json DescribeShown(const library::Playback& playback) {
   const recording::TraceTick& moment = playback.moment();
   Json hands = Json::object();
@@ -149,6 +163,7 @@ Json DescribeShown(const library::Playback& playback) {
   }
   return {{"tick", moment.tick},
           {"hands", std::move(hands)},
+          {"uses", Json::object()},
           {"still", true},
           {"controls", Json::object()},
           {"gone", DescribeGone(playback.model(), moment)},

@@ -147,22 +147,14 @@ std::optional<Refusal> Bonds::Fasten(ObjectIndex object, const Vector3& p_WQ) {
   const auto guest = NearestGuest(object, p_WQ);
   if (!guest) return name + " has no guestBondPoint to fasten it by";
   if (auto refusal = RefuseHands(*guest)) return refusal;
-  return TightenMore(*guest, {});
+  return TurnByHand(*guest, 1);
 }
 
-std::optional<Refusal> Bonds::TightenMore(GuestIndex guest, physics::BodyId tool) {
-  if (const auto host = HostOf(guest)) {
-    const int tightness = states_[*host].tightness;
-    // Stages count from 1; 0 means free.
-    if (tightness == static_cast<int>(model_->host(*host).point->stages.size())) {
-      return NameOf(BodyOf(guest)) + " is already at its tightest stage";
-    }
-    return Tighten(guest, *host, tightness + 1, tool);
-  }
-  Refusal refusal;
-  const auto host = HostInReach(guest, kReachUnits * model_->scene().meters_per_unit, &refusal);
-  if (!host) return refusal;
-  return Tighten(guest, *host, 1, tool);
+std::optional<Refusal> Bonds::Loosen(ObjectIndex object, const Vector3& p_WQ) {
+  const auto guest = NearestGuest(object, p_WQ);
+  if (!guest || !HostOf(*guest)) return Named((*objects_)[object].id()) + " is not fastened there";
+  if (auto refusal = RefuseHands(*guest)) return refusal;
+  return TurnByHand(*guest, -1);
 }
 
 std::optional<Refusal> Bonds::RefuseHands(GuestIndex guest) const {
@@ -172,37 +164,59 @@ std::optional<Refusal> Bonds::RefuseHands(GuestIndex guest) const {
          point.accepts.front().type;
 }
 
-std::optional<Refusal> Bonds::Turn(GuestIndex guest, int direction, physics::BodyId tool) {
-  if (direction > 0) return TightenMore(guest, tool);
-  const auto host = HostOf(guest);
-  if (!host) return NameOf(BodyOf(guest)) + " is not fastened there";
-  return Tighten(guest, *host, states_[*host].tightness - 1, tool);
-}
-
-std::optional<Refusal> Bonds::Loosen(ObjectIndex object, const Vector3& p_WQ) {
-  const auto guest = NearestGuest(object, p_WQ);
-  const auto host = guest ? HostOf(*guest) : std::nullopt;
-  if (!host) return Named((*objects_)[object].id()) + " is not fastened there";
-  if (auto refusal = RefuseHands(*guest)) return refusal;
-  return Tighten(*guest, *host, states_[*host].tightness - 1);
-}
-
-/// Changes the stage, or refuses and leaves everything unchanged.
-std::optional<Refusal> Bonds::Tighten(GuestIndex guest, HostIndex host, int tightness,
-                                      physics::BodyId tool) {
-  if (states_[host].is_locked) return Named(model_->host(host).point->id) + " is locked";
-  const RigidTransform X_WB = GuestBodyAt(guest, host, tightness);
-  // All reasons to refuse come before the first change.
-  if (auto refusal = RefuseToMove(guest, host, X_WB, tool)) return refusal;
-
-  // The present bond ends before the guest moves.
-  if (states_[host].joint) world_->RemoveJoint(states_[host].joint);
-  states_[host].joint = {};
-  world_->MoveAssembly(BodyOf(guest), X_WB);
-  Join(guest, host, tightness);
-  // The tip of the tool is where the guest is now.
-  if (tool) world_->IgnoreCollisionUntilSeparated(tool, BodyOf(guest));
+std::optional<Refusal> Bonds::TurnByHand(GuestIndex guest, int direction) {
+  Refusal refusal;
+  const auto turn = PlanTurn(guest, direction, {}, &refusal);
+  if (!turn) return refusal;
+  Turn(*turn);
   return std::nullopt;
+}
+
+std::optional<GuestTurn> Bonds::NextStage(GuestIndex guest, int direction, Refusal* refusal) const {
+  if (const auto host = HostOf(guest)) {
+    const int tightness = states_[*host].tightness + direction;
+    // Stages count from 1; 0 means free.
+    if (tightness <= static_cast<int>(model_->host(*host).point->stages.size())) {
+      return GuestTurn{.guest = guest, .host = *host, .tightness = tightness};
+    }
+    *refusal = NameOf(BodyOf(guest)) + " is already at its tightest stage";
+    return std::nullopt;
+  }
+  if (direction < 0) {
+    *refusal = NameOf(BodyOf(guest)) + " is not fastened there";
+    return std::nullopt;
+  }
+  const auto host = HostInReach(guest, kReachUnits * model_->scene().meters_per_unit, refusal);
+  if (!host) return std::nullopt;
+  return GuestTurn{.guest = guest, .host = *host, .tightness = 1};
+}
+
+std::optional<GuestTurn> Bonds::PlanTurn(GuestIndex guest, int direction, physics::BodyId tool,
+                                         Refusal* refusal) const {
+  auto turn = NextStage(guest, direction, refusal);
+  if (!turn) return std::nullopt;
+  turn->tool = tool;
+  if (states_[turn->host].is_locked) {
+    *refusal = Named(model_->host(turn->host).point->id) + " is locked";
+    return std::nullopt;
+  }
+  const RigidTransform X_WB = GuestBodyAt(guest, turn->host, turn->tightness);
+  if (auto reason = RefuseToMove(guest, turn->host, X_WB, tool)) {
+    *refusal = *std::move(reason);
+    return std::nullopt;
+  }
+  return turn;
+}
+
+void Bonds::Turn(const GuestTurn& turn) {
+  const physics::BodyId body = BodyOf(turn.guest);
+  // The present bond ends before the guest moves.
+  if (states_[turn.host].joint) world_->RemoveJoint(states_[turn.host].joint);
+  states_[turn.host].joint = {};
+  world_->MoveAssembly(body, GuestBodyAt(turn.guest, turn.host, turn.tightness));
+  Join(turn.guest, turn.host, turn.tightness);
+  // The tip of the tool is where the guest is now.
+  if (turn.tool) world_->IgnoreCollisionUntilSeparated(turn.tool, body);
 }
 
 std::optional<Refusal> Bonds::RefuseToMove(GuestIndex guest, HostIndex host,

@@ -21,6 +21,14 @@ struct BondState : model::HostState {
   bool operator==(const BondState&) const = default;
 };
 
+/// Change of a guest to its next stage.
+struct GuestTurn {
+  GuestIndex guest{0};
+  HostIndex host{0};
+  int tightness = 0;       ///< from then on; 0: free
+  physics::BodyId tool{};  ///< by which; it may be in the way of the guest. None: a bare hand
+};
+
 /// Bond points of a scene: which guest is fastened to which host, and how tightly.
 class Bonds {
  public:
@@ -37,9 +45,14 @@ class Bonds {
   const std::vector<BondState>& states() const { return states_; }  ///< by HostIndex
   void Restore(std::vector<BondState> states, const model::Model& model);
 
-  /// Tightens or loosens a guest by one stage with a tool, which may be in the way of it.
+  /// Returns how a tool would turn a guest by one stage now, or nullopt with the reason in
+  /// `refusal`. A tool may turn a guest that refuses hands.
   /// @param direction  1: tightens, -1: loosens.
-  [[nodiscard]] std::optional<Refusal> Turn(GuestIndex guest, int direction, physics::BodyId tool);
+  std::optional<GuestTurn> PlanTurn(GuestIndex guest, int direction, physics::BodyId tool,
+                                    Refusal* refusal) const;
+  /// Turns a guest as planned in the present state. The guest and its assembly move to the place of
+  /// the stage; the host stays.
+  void Turn(const GuestTurn& turn);
   /// Ends the bond of a host at once, as when it is cut: guest and host pass through each other
   /// until they have separated.
   void End(HostIndex host);
@@ -48,8 +61,7 @@ class Bonds {
 
   /// Tightens the object's guest point nearest to `p_WQ` by one stage. A free guest goes to the
   /// nearest host that fits, is free, not locked, not on the floor, less than two units away and
-  /// not already connected with the object. The guest and its assembly move to the place of the
-  /// stage; the host stays.
+  /// not already connected with the object.
   [[nodiscard]] std::optional<Refusal> Fasten(ObjectIndex object, const Vector3& p_WQ);
   /// Loosens a guest by one stage; from the first stage it comes free.
   [[nodiscard]] std::optional<Refusal> Loosen(ObjectIndex object, const Vector3& p_WQ);
@@ -59,7 +71,10 @@ class Bonds {
  private:
   /// Returns the reason why hands cannot turn a guest.
   std::optional<Refusal> RefuseHands(GuestIndex guest) const;
-  std::optional<Refusal> TightenMore(GuestIndex guest, physics::BodyId tool);
+  /// Returns the next stage of a guest, whether or not there is room for it.
+  std::optional<GuestTurn> NextStage(GuestIndex guest, int direction, Refusal* refusal) const;
+  /// Turns a guest by a bare hand, or returns the reason why not.
+  std::optional<Refusal> TurnByHand(GuestIndex guest, int direction);
   std::optional<GuestIndex> NearestGuest(ObjectIndex object, const Vector3& p_WQ) const;
   /// Returns the host that a free guest would go to, or nullopt with the reason in `refusal`.
   std::optional<HostIndex> HostInReach(GuestIndex guest, double reach, Refusal* refusal) const;
@@ -74,11 +89,9 @@ class Bonds {
   /// Returns the name of a body's object for refusals.
   std::string NameOf(physics::BodyId body) const;
   RigidTransform GuestBodyAt(GuestIndex guest, HostIndex host, int tightness) const;
-  /// @param tool  does not count as an obstacle.
-  std::optional<Refusal> Tighten(GuestIndex guest, HostIndex host, int tightness,
-                                 physics::BodyId tool = {});
   void Join(GuestIndex guest, HostIndex host, int tightness);
   /// Returns the reason why a guest and its assembly cannot be put at `X_WB`.
+  /// @param tool  does not count as an obstacle.
   std::optional<Refusal> RefuseToMove(GuestIndex guest, HostIndex host, const RigidTransform& X_WB,
                                       physics::BodyId tool) const;
   bool IsHeldByRobot(physics::BodyId body) const;

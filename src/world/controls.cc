@@ -133,12 +133,20 @@ void Controls::TurnOver(const ToggleSwitch& toggle, ControlState* state) {
   state->state = (state->state + 1) % toggle.num_states;
 }
 
+bool Controls::CanPress(model::ControlIndex index, int next_state) const {
+  const model::Control& control = model_->control(index);
+  ControlState state = states_[index];
+  return std::holds_alternative<ToggleSwitch>(control.part->shape) ||
+         model::TakeState(control, next_state, &state);
+}
+
 bool Controls::Press(model::ControlIndex index, int next_state) {
+  if (!CanPress(index, next_state)) return false;
   const model::Control& control = model_->control(index);
   if (const auto* toggle = std::get_if<ToggleSwitch>(&control.part->shape)) {
     TurnOver(*toggle, &states_[index]);
-  } else if (!model::TakeState(control, next_state, &states_[index])) {
-    return false;
+  } else {
+    model::TakeState(control, next_state, &states_[index]);
   }
   model::DriveDownstream(model_->all_controls(), index, &states_);
   return true;

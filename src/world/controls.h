@@ -32,6 +32,8 @@ class Controls {
   /// Presses a switch, or triggers a custom control. `part` is the button (`ID-b1`, `ID-b2`) or the
   /// id of a part of the control's present state; empty: any part that leads to another state.
   [[nodiscard]] std::optional<Refusal> Trigger(model::ControlIndex control, std::string_view part);
+  /// Returns whether Press() would change something.
+  bool CanPress(model::ControlIndex control, int next_state) const;
   /// Triggers a control as contact does.
   /// @param next_state  of a custom control; a switch takes the next of its own.
   /// @returns false if nothing changes.

@@ -196,19 +196,18 @@ std::optional<Refusal> Tabletop::Loosen(const Object& object, const Vector3& p_W
   return std::nullopt;
 }
 
-std::optional<ToolUse> Tabletop::TargetOf(const Object& tool, Refusal* refusal) const {
-  if (const auto index = model_->ToolOf(tool.index)) return tools_.Target(*index, refusal);
+std::optional<ToolUse> Tabletop::PlanUse(const Object& tool, bool loosens, Refusal* refusal) const {
+  if (const auto index = model_->ToolOf(tool.index)) {
+    return tools_.PlanUse(*index, loosens, refusal);
+  }
   *refusal = Named(tool.id()) + " is no tool";
   return std::nullopt;
 }
 
-std::optional<ToolUse> Tabletop::Use(const Object& tool, bool loosens, Refusal* refusal) {
-  // The reason of TargetOf() if it is no tool.
-  if (!TargetOf(tool, refusal)) return std::nullopt;
+void Tabletop::Use(const ToolUse& use) {
   const std::vector<ControlState> before = controls_.states();
-  auto use = tools_.Use(*model_->ToolOf(tool.index), loosens, refusal);
-  if (use) FollowControls(before);
-  return use;
+  tools_.Use(use);
+  FollowControls(before);
 }
 
 std::vector<ToolUse> Tabletop::UseTools(const std::vector<Holder>& holders,

@@ -89,10 +89,14 @@ class Tabletop {
   /// See Bonds::Fasten() and Bonds::Loosen(). The object must be one of objects() and present.
   [[nodiscard]] std::optional<Refusal> Fasten(const Object& object, const Vector3& p_WQ);
   [[nodiscard]] std::optional<Refusal> Loosen(const Object& object, const Vector3& p_WQ);
-  /// Returns what a tool would do if it were used now, or nullopt with the reason in `refusal`.
-  std::optional<ToolUse> TargetOf(const Object& tool, Refusal* refusal) const;
-  /// Uses a tool; see Tools::Use().
-  std::optional<ToolUse> Use(const Object& tool, bool loosens, Refusal* refusal);
+  /// See Tools::PlanUse(); refuses objects that are no tools.
+  std::optional<ToolUse> PlanUse(const Object& tool, bool loosens, Refusal* refusal) const;
+  /// See Tools::Use().
+  void Use(const ToolUse& use);
+  /// See Tools::PossibleUses().
+  std::vector<ToolUse> PossibleUses(const std::vector<Holder>& holders) const {
+    return tools_.PossibleUses(holders);
+  }
   /// Call after the steps of a tick; see Tools::AfterTick().
   std::vector<ToolUse> UseTools(const std::vector<Holder>& holders, std::vector<Refusal>* refusals);
   bool has_tools() const { return !tools_.is_empty(); }

@@ -94,11 +94,6 @@ void Tools::Restore(ToolsState state, const model::Model& model) {
   model_ = &model;
 }
 
-std::optional<ToolUse> Tools::Target(model::ToolIndex tool, Refusal* refusal) const {
-  const bool cuts = model_->tool(tool).spec->action == ToolAction::kCut;
-  return cuts ? CutTarget(tool, refusal) : BondTarget(tool, refusal);
-}
-
 std::optional<ToolUse> Tools::CutTarget(model::ToolIndex tool, Refusal* refusal) const {
   const model::Tool& which = model_->tool(tool);
   const scene::ToolSpec& spec = *which.spec;
@@ -252,31 +247,60 @@ std::optional<ToolUse> Tools::BondTarget(model::ToolIndex tool, Refusal* refusal
   return std::nullopt;
 }
 
-std::optional<ToolUse> Tools::Use(model::ToolIndex tool, bool loosens, Refusal* refusal) {
-  std::optional<ToolUse> use = Target(tool, refusal);
-  if (!use) return std::nullopt;
+std::optional<ToolUse> Tools::PlanUse(model::ToolIndex tool, bool loosens, Refusal* refusal) const {
   const ToolAction action = model_->tool(tool).spec->action;
   if (action == ToolAction::kCut) {
-    if (use->joint) world_->RemoveJoint(use->joint);
-    if (use->guest) bonds_->End(*bonds_->HostOf(*use->guest));
-    if (use->control && !controls_->Press(*use->control, use->next_state)) {
+    auto use = CutTarget(tool, refusal);
+    if (use && use->control && !controls_->CanPress(*use->control, use->next_state)) {
       *refusal = "nothing would happen: " + Named(use->target) + " leads to no other state";
       return std::nullopt;
     }
     return use;
   }
+  auto target = BondTarget(tool, refusal);
+  if (!target) return std::nullopt;
   const bool is_looser = action == ToolAction::kLoosen || (action == ToolAction::kDrive && loosens);
-  const physics::BodyId body = (*objects_)[model_->tool(tool).object].body;
-  if (auto reason = bonds_->Turn(*use->guest, is_looser ? -1 : 1, body)) {
-    *refusal = *std::move(reason);
-    return std::nullopt;
+  return PlanStage(*std::move(target), is_looser ? -1 : 1, refusal);
+}
+
+std::optional<ToolUse> Tools::PlanStage(ToolUse target, int direction, Refusal* refusal) const {
+  const physics::BodyId body = (*objects_)[model_->tool(target.tool).object].body;
+  target.turn = bonds_->PlanTurn(*target.guest, direction, body, refusal);
+  if (!target.turn) return std::nullopt;
+  target.verb = direction > 0 ? "fasten" : "loosen";
+  return target;
+}
+
+void Tools::Use(const ToolUse& use) {
+  if (use.turn) {
+    bonds_->Turn(*use.turn);
+    state_.turned[*use.guest] = 0;
+    // The stage has turned the guest, not the tool.
+    ToolState& state = state_.tools[use.tool];
+    if (state.at == use.guest) state.angle = AngleAt(use.tool, *use.guest);
+    return;
   }
-  state_.turned[*use->guest] = 0;
-  // The stage has turned the guest, not the tool.
-  ToolState& state = state_.tools[tool];
-  if (state.at == use->guest) state.angle = AngleAt(tool, *use->guest);
-  use->verb = is_looser ? "loosen" : "fasten";
-  return use;
+  if (use.joint) world_->RemoveJoint(use.joint);
+  if (use.guest) bonds_->End(*bonds_->HostOf(*use.guest));
+  if (use.control) controls_->Press(*use.control, use.next_state);
+}
+
+std::vector<ToolUse> Tools::PossibleUses(const std::vector<Holder>& holders) const {
+  std::vector<ToolUse> uses;
+  for (const model::ToolIndex tool : model_->tools()) {
+    const Holder* holder = HolderOf(tool, holders);
+    if (holder == nullptr) continue;
+    const bool has_two_directions = model_->tool(tool).spec->action == ToolAction::kDrive;
+    for (const bool loosens : {false, true}) {
+      if (loosens && !has_two_directions) continue;
+      Refusal refusal;
+      if (auto use = PlanUse(tool, loosens, &refusal)) {
+        use->arm = holder->arm;
+        uses.push_back(*std::move(use));
+      }
+    }
+  }
+  return uses;
 }
 
 double Tools::AngleAt(model::ToolIndex tool, GuestIndex guest) const {
@@ -312,15 +336,19 @@ std::optional<ToolUse> Tools::Turn(model::ToolIndex tool, Refusal* refusal) {
   const int direction = turned > 0 ? 1 : -1;
   // What remains counts for the next stage, also when this one is refused: the tool spins.
   turned -= direction * turn;
-  const physics::BodyId body = (*objects_)[model_->tool(tool).object].body;
-  if (auto reason = bonds_->Turn(guest, direction, body)) {
-    *refusal = *std::move(reason);
-    return std::nullopt;
-  }
+  use = PlanStage(*std::move(use), direction, refusal);
+  if (!use) return std::nullopt;
+  bonds_->Turn(*use->turn);
   // The stage has turned the guest.
   state.angle = AngleAt(tool, guest);
-  use->verb = direction > 0 ? "fasten" : "loosen";
   return use;
+}
+
+const Holder* Tools::HolderOf(model::ToolIndex tool, const std::vector<Holder>& holders) const {
+  const ObjectIndex object = model_->tool(tool).object;
+  if (!IsInPlay(object)) return nullptr;
+  const auto holder = std::ranges::find(holders, (*objects_)[object].body, &Holder::body);
+  return holder == holders.end() ? nullptr : &*holder;
 }
 
 std::vector<ToolUse> Tools::AfterTick(const std::vector<Holder>& holders,
@@ -329,9 +357,8 @@ std::vector<ToolUse> Tools::AfterTick(const std::vector<Holder>& holders,
   for (const model::ToolIndex tool : model_->tools()) {
     ToolState& state = state_.tools[tool];
     const model::Tool& which = model_->tool(tool);
-    const physics::BodyId body = (*objects_)[which.object].body;
-    const auto holder = std::ranges::find(holders, body, &Holder::body);
-    if (holder == holders.end() || !IsInPlay(which.object)) {
+    const Holder* holder = HolderOf(tool, holders);
+    if (holder == nullptr) {
       state = {};
       continue;
     }
@@ -343,7 +370,8 @@ std::vector<ToolUse> Tools::AfterTick(const std::vector<Holder>& holders,
       use = Turn(tool, &refusal);
     } else if (before == ToolState::Grip::kHeld && state.grip == ToolState::Grip::kSqueezed) {
       // The grasp itself closes the gripper, too: only closing it again is a use.
-      use = Use(tool, /*loosens=*/false, &refusal);
+      use = PlanUse(tool, /*loosens=*/false, &refusal);
+      if (use) Use(*use);
     }
     if (use) {
       use->arm = holder->arm;

@@ -39,7 +39,7 @@ struct Holder {
   bool is_squeezing = false;  ///< a gripper that is commanded to close
 };
 
-/// What a tool is at, or did.
+/// What a tool does to the thing that it is at.
 struct ToolUse {
   model::ToolIndex tool{0};
   int arm = -1;                                  ///< of the robot, if a gripper used it
@@ -47,6 +47,7 @@ struct ToolUse {
   ObjectIndex object{0};                         ///< that it worked on
   std::string target;                            ///< in words: `Rope between link 4 and 5`, `Screw`
   std::optional<GuestIndex> guest{};             ///< of a bond
+  std::optional<GuestTurn> turn{};               ///< of the guest, if it is not cut off
   std::optional<model::ControlIndex> control{};  ///< of a part
   int next_state = -1;                           ///< of the control
   physics::JointId joint{};                      ///< of a chain
@@ -68,12 +69,14 @@ class Tools {
   void Restore(ToolsState state, const model::Model& model);
   bool is_empty() const { return state_.tools.empty(); }
 
-  /// Returns what a tool would work on now, or nullopt with the reason in `refusal`.
-  std::optional<ToolUse> Target(model::ToolIndex tool, Refusal* refusal) const;
-  /// Uses a tool on its target.
+  /// Returns what a tool would do if it were used now, or nullopt with the reason in `refusal`.
   /// @param loosens  direction of a tool of kind kDrive.
-  /// @returns what it did, or nullopt with the reason in `refusal`; nothing has then changed.
-  std::optional<ToolUse> Use(model::ToolIndex tool, bool loosens, Refusal* refusal);
+  std::optional<ToolUse> PlanUse(model::ToolIndex tool, bool loosens, Refusal* refusal) const;
+  /// Uses a tool as planned in the present state.
+  void Use(const ToolUse& use);
+  /// Returns every use that is possible now of the tools that are held: up to two of a tool of kind
+  /// kDrive.
+  std::vector<ToolUse> PossibleUses(const std::vector<Holder>& holders) const;
   /// Call after the steps of a tick: squeezed tools are used, and turned ones turn.
   /// @param holders  all bodies that hands and grippers hold.
   /// @returns what was done; reasons of what was not done are appended to `refusals`.
@@ -93,6 +96,7 @@ class Tools {
     return world_->Has((*objects_)[object].body) && !(*object_states_)[object].has_fallen;
   }
   const std::string& NameOf(ObjectIndex object) const { return (*objects_)[object].id(); }
+  const Holder* HolderOf(model::ToolIndex tool, const std::vector<Holder>& holders) const;
   std::optional<ToolUse> CutTarget(model::ToolIndex tool, Refusal* refusal) const;
   void AppendChainCuts(const Vector3& p_WT, const Vector3& p_WTip,
                        std::vector<Candidate>* candidates) const;
@@ -101,6 +105,8 @@ class Tools {
   void AppendPartCuts(const Vector3& p_WT, const Vector3& p_WTip,
                       std::vector<Candidate>* candidates) const;
   std::optional<ToolUse> BondTarget(model::ToolIndex tool, Refusal* refusal) const;
+  /// Adds to a target what a stage in this direction would do to it.
+  std::optional<ToolUse> PlanStage(ToolUse target, int direction, Refusal* refusal) const;
   /// Returns the angle of a tool about the axis of a place of a guest.
   double AngleAt(model::ToolIndex tool, GuestIndex guest) const;
   /// Advances a tool of kind kDrive that is held.

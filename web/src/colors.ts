@@ -17,4 +17,5 @@ export const guideColors = {
   ghost: "#6470e8",
   hover: "#5b68f0",
   marker: "#d6336c",
+  tool: "#17854a",
 };

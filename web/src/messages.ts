@@ -51,6 +51,8 @@ export interface SceneObject {
   controls: { id: string; kind: string; parts: string[] }[];
   /** it can be fastened to others */
   bonds: boolean;
+  /** its tip, or the middle of its blades; `turns`: it is also used by turning it */
+  tool?: { point: Point; turns: boolean };
   /** properties that can be marked as relevant */
   properties: string[];
 }
@@ -73,6 +75,13 @@ export interface Hand {
   plane: number;
   /** target orientation of the object [degrees] */
   angles?: Point;
+}
+
+/** Possible use of a held tool. */
+export interface ToolUse {
+  do: ("cut" | "fasten" | "loosen")[];
+  /** in words */
+  target: string;
 }
 
 /** An action; `on` and `into` name the object beneath a put or dropped object. */
@@ -168,6 +177,8 @@ export interface StateMessage {
   /** simulated time per real time, over the last second */
   speed: number;
   hands: { left: Hand; right: Hand; both: Hand; any: Hand };
+  /** what each held tool would do if it were used now; missing if it would be refused */
+  uses: Record<string, ToolUse>;
   still: boolean;
   recording: { id: string; title: string; seconds: number; segments: Segment[] } | null;
   playback: { recording: string; seconds: number; length: number; rate: number } | null;

@@ -184,6 +184,14 @@ export const texts = {
     useLoosening: (tool: string) => `Loosen with ${tool}`,
     title: (object: string) => `Actions for ${object}`,
   },
+  toolHint: {
+    name: "Tool in place",
+    can: (tool: string, verbs: readonly string[], target: string) => `${tool} can ${verbs.join(" or ")} ${target}`,
+    byHand: (entry: string, turns: boolean, isTouch: boolean) =>
+      capital(`${turns ? "turn it, or " : ""}${isTouch ? "touch and hold" : "right-click"} it: ${entry}`),
+    byGripper: (turns: boolean) => (turns ? "Turn it" : "Close the gripper again"),
+    changeHand: "It is in another hand",
+  },
   menuReasons: {
     noControl: "It is not part of a control",
   },
@@ -423,7 +431,7 @@ export const texts = {
       ["Drag the held object", "carry it in its plane; with Ctrl horizontally"],
       ["Click elsewhere", "release it"],
       ["Drag a colored ring", "turn it in steps of 1 degree; with Shift of 45"],
-      ["Right-click or long touch", "trigger, point to, fasten, loosen"],
+      ["Right-click or long touch", "trigger, point to, fasten, loosen; use the held tool"],
       ["Drag beside the objects", "turn the view; with Shift move it sideways"],
       ["Wheel or two fingers", "zoom"],
       ["Shift and wheel", "turn the motion plane"],

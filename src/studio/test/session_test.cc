@@ -344,6 +344,45 @@ TEST_F(SessionTest, OnlyObjectsThatFitHolesAreOfferedForFastening) {
   EXPECT_EQ(offered, (std::vector<std::string>{"BrassScrew", "SteelScrew"}));
 }
 
+TEST_F(SessionTest, ReportsWhatAHeldToolWouldDoExactlyWhileItsUseIsAllowed) {
+  const std::filesystem::path scenes = root_ / "scenes";
+  WriteFile(scenes / "cover.xml", ReadFile(DataFile("scenes/cover.xml"), 1 << 20));
+  std::filesystem::copy(DataFile("scenes/parts"), scenes / "parts");
+  Begin();
+  Do(R"({"do":"load","scene":"cover"})");
+  const auto expect_uses = [this](const char* uses) {
+    const Json allowed = AllowedCommands(
+        R"([{"do":"use","hand":"right"}, {"do":"use","hand":"right","loosen":true}])");
+    Json verbs = Json::array();
+    if (allowed[0] == true) verbs.push_back("fasten");
+    if (allowed[1] == true) verbs.push_back("loosen");
+    const Json state = State();
+    EXPECT_EQ(state["uses"], ParseJson(uses)) << ToText(allowed);
+    EXPECT_EQ(state["uses"].empty() ? Json::array() : state["uses"]["Screwdriver"]["do"], verbs);
+  };
+  const auto move_to = [this](const std::string& position) {
+    Command(R"({"do":"move_to","hand":"right","position":)" + position + "}");
+    TickSeconds(1.5);
+  };
+  Command(R"({"do":"grasp","hand":"right","object":"Screwdriver"})");
+  expect_uses("{}");
+  move_to("[5.1,0.2,3.4]");
+  move_to("[-2.55,1.75,3.4]");
+  expect_uses("{}");
+  move_to("[-2.55,1.75,2.84]");
+  // It is tight already.
+  expect_uses(R"({"Screwdriver":{"do":["loosen"],"target":"ScrewNW"}})");
+  Command(R"({"do":"use","hand":"right","loosen":true})");
+  expect_uses(R"({"Screwdriver":{"do":["fasten","loosen"],"target":"ScrewNW"}})");
+  move_to("[-2.55,1.75,3.6]");
+  expect_uses("{}");
+
+  const Json scene = Scene();
+  for (const Json& object : scene["objects"]) {
+    EXPECT_EQ(object.contains("tool"), object["id"] == "Screwdriver") << object["id"];
+  }
+}
+
 TEST_F(SessionTest, ObjectsOfAShownRecordingCannotBeGrasped) {
   Begin();
   Command(R"({"do":"start","name":"take"})");

@@ -34,8 +34,18 @@ class ToolsTest : public WorkshopTest {
   /// Returns what a tool did, or the refusal.
   std::string Use(std::string_view tool, bool loosens = false) {
     Refusal refusal;
-    const auto use = tabletop_->Use(*tabletop_->Find(tool), loosens, &refusal);
-    return use ? use->verb + " " + use->target : refusal;
+    const auto use = tabletop_->PlanUse(*tabletop_->Find(tool), loosens, &refusal);
+    if (!use) return refusal;
+    tabletop_->Use(*use);
+    return use->verb + " " + use->target;
+  }
+  /// Returns what a held tool could do.
+  std::vector<std::string> PossibleUses(std::string_view tool) const {
+    std::vector<std::string> uses;
+    for (const ToolUse& use : tabletop_->PossibleUses({{.body = tabletop_->Find(tool)->body}})) {
+      uses.push_back(use.verb + " " + use.target);
+    }
+    return uses;
   }
   /// Puts the driver's tip on the place of the screw, turned by an angle about the vertical.
   void PutDriver(double angle_deg, double tilt_deg = 0, double gap = 0) {
@@ -139,6 +149,31 @@ TEST_F(ToolsTest, AScrewdriverTurnsTheScrewThatRefusesBareHands) {
   PutDriver(0);
   EXPECT_EQ(Use("Driver", /*loosens=*/true), "loosen Screw");
   EXPECT_EQ(TightnessOf("Nut_hole"), 1);
+}
+
+using Words = std::vector<std::string>;
+
+TEST_F(ToolsTest, AHeldToolHasAPossibleUseOnlyWhereItIsInPlace) {
+  scene::SceneSpec scene = String();
+  scene.objects.push_back(Scissors({0.09, -0.08, 1}));
+  Start(scene);
+  EXPECT_EQ(PossibleUses("Scissors"), Words{"cut Rope between link 4 and 5"});
+  EXPECT_EQ(PossibleUses("link0"), Words{}) << "no tool is held";
+  BodyOf("Scissors").SetPose(RigidTransform(Vector3(0.09, -0.3, 1)));
+  EXPECT_EQ(PossibleUses("Scissors"), Words{});
+}
+
+TEST_F(ToolsTest, PossibleUsesAreThoseThatAreNotRefusedAndChangeNothing) {
+  Start({Nut("Nut", {0, 0, 0.06}, 3, 0), DrivenScrew({0, 0, 0.3}, 2), Driver({0.5, 0, 0.5})});
+  EXPECT_EQ(PossibleUses("Driver"), Words{});
+  PutDriver(0);
+  const TabletopState before = tabletop_->state();
+  EXPECT_EQ(PossibleUses("Driver"), (Words{"fasten Screw", "loosen Screw"}));
+  EXPECT_EQ(tabletop_->state(), before);
+  EXPECT_EQ(Use("Driver"), "fasten Screw");
+  PutDriver(0);
+  EXPECT_EQ(PossibleUses("Driver"), Words{"loosen Screw"});
+  EXPECT_EQ(Use("Driver"), "'Screw' is already at its tightest stage");
 }
 
 TEST_F(ToolsTest, ReportsPlaceAxisAndTypeThatDoNotFit) {

@@ -9,4 +9,6 @@ function media(query: string): ReadonlySignal<boolean> {
 
 /** Panels are sheets here; styles/small.css has the same width. */
 export const isSmall = media("(max-width: 760px)");
+/** People point with fingers. */
+export const isTouch = media("(pointer: coarse)");
 export const prefersDark = media("(prefers-color-scheme: dark)");

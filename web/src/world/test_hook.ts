@@ -19,6 +19,8 @@ export interface TestHook {
   placeOf(objectId: string): number[] | null;
   /** Where the ghost of the held object is drawn: x, y, z [units]; null where none is. */
   ghostPlace(): number[] | null;
+  /** Where the mark of a tool in place is drawn: x, y, z [units]; null where none is. */
+  toolMarkPlace(): number[] | null;
   /** Whether the program has answered everything that the page asked and commanded so far. */
   isAnswered(): boolean;
   fps(): number;
@@ -40,9 +42,10 @@ export interface WhatTestsRead {
   rings: Rings;
   hands: Hands;
   ghost: Object3D;
+  toolMark: Object3D;
 }
 
-export function provideTestHook({ stage, models, picker, rings, hands, ghost }: WhatTestsRead): void {
+export function provideTestHook({ stage, models, picker, rings, hands, ghost, toolMark }: WhatTestsRead): void {
   window.smileStudio = {
     screenPointOf(objectId) {
       const ball = Models.ballAbout(models.piecesOf(objectId));
@@ -55,6 +58,7 @@ export function provideTestHook({ stage, models, picker, rings, hands, ghost }: 
     },
     placeOf: (objectId) => models.groupOf(objectId)?.position.toArray() ?? null,
     ghostPlace: () => (ghost.visible ? ghost.position.toArray() : null),
+    toolMarkPlace: () => (toolMark.visible ? toolMark.position.toArray() : null),
     isAnswered: () => hands.isIdle && numWaiting() === 0,
     fps: () => fps.value,
     lastLatencies: () => [...hands.latency.recent],

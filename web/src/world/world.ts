@@ -17,6 +17,7 @@ import { nameOf, Rings } from "./rings";
 import { canDraw, contextMenu, guides, hovered, isLowDetail, type Preset } from "./signals";
 import { Stage } from "./stage";
 import { provideTestHook } from "./test_hook";
+import { ToolHint } from "./tool_hint";
 import { ViewCamera } from "./view_camera";
 
 export * from "./signals";
@@ -55,6 +56,7 @@ class DrawnWorld implements World {
   private readonly markers = new Markers();
   private readonly hands: Hands;
   private readonly dragGuides: DragGuides;
+  private readonly toolHint: ToolHint;
   private readonly pointers: Pointers;
   private readonly detail = new DetailController(
     (isLow) => this.setDetail(isLow),
@@ -85,13 +87,14 @@ class DrawnWorld implements World {
       () => this.redraw(),
     );
     this.dragGuides = new DragGuides(this.models, this.picker, this.rings, this.hands, this.dropShadow, () => this.redraw());
+    this.toolHint = new ToolHint(host, this.models, this.picker);
     this.pointers = new Pointers(host, this.picker, this.hands, this.camera, (at) => this.hover(at));
-    this.stage.scene.add(this.models.root, this.dragGuides.root, this.marks.root, this.markers.root);
+    for (const { root } of [this.models, this.dragGuides, this.marks, this.markers, this.toolHint]) this.stage.scene.add(root);
     this.styleTag();
     this.listen();
     this.resized();
     const { stage, models, picker, rings, hands } = this;
-    provideTestHook({ stage, models, picker, rings, hands, ghost: this.dragGuides.ghostRoot });
+    provideTestHook({ stage, models, picker, rings, hands, ghost: this.dragGuides.ghostRoot, toolMark: this.toolHint.root });
   }
 
   showPreset(name: Preset): void {
@@ -126,6 +129,7 @@ class DrawnWorld implements World {
     this.detail.dispose();
     this.pointers.dispose();
     this.tag.remove();
+    this.toolHint.dispose();
     this.stage.dispose();
   }
 
@@ -168,7 +172,7 @@ class DrawnWorld implements World {
     if (message === null) return;
     this.models.setGone(message.gone);
     this.models.setRobotShown(message.robot?.shown ?? true);
-    const seen = JSON.stringify([message.hands, message.mode, message.markers]);
+    const seen = JSON.stringify([message.hands, message.uses, message.mode, message.markers]);
     if (seen === this.seenState) return;
     this.seenState = seen;
     this.markers.show(message.markers);
@@ -230,6 +234,7 @@ class DrawnWorld implements World {
     this.lookUnderMouse();
     this.marks.update(this.models, this.stage.camera);
     this.dragGuides.update(this.stage.camera, this.hasMoved);
+    this.toolHint.update(this.stage.camera);
     this.hasMoved = false;
     if (hasMoved) this.stage.shadowsMoved();
     this.dropShadow.draw(this.stage);

@@ -1,0 +1,49 @@
+// Tools in a hand: the page shows when one is in place, and what it can do there.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { Browser } from "./workbench.mjs";
+
+const browser = new Browser();
+before(() => browser.start());
+after(() => browser.close());
+
+const SCISSORS = new URL("../../scenes/scissors.xml", import.meta.url).pathname;
+/** From the middle of the scissors to that of their blades [units]. */
+const TO_BLADES = 2.2;
+const HEIGHT = 3.5; // of the string, between its post and the weight
+const IN_PLACE = [-0.2, 0.8, HEIGHT];
+
+test("a mark and a text show what scissors can cut, while the string is between their blades", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: [SCISSORS, "--no-robot", "--no-pictures"] });
+  const hint = page.getByRole("status", { name: "Tool in place" });
+  const mark = () => page.evaluate(() => window.smileStudio.toolMarkPlace());
+  await witness.until(() => witness.state.still, "the string has come to rest");
+  await person.grasp("Scissors");
+  await person.typePlace({ x: -0.2, y: -0.6, z: HEIGHT });
+  await witness.until(() => witness.positionOf("Scissors")[0] < -0.1, "the scissors are in front of the string");
+  await isWithoutHint();
+
+  await person.carryAbove("Scissors", IN_PLACE);
+  await hint.getByText(/^Scissors can cut String between link \d+ and \d+$/).waitFor();
+  await hint.getByText("Right-click it: Use Scissors").waitFor();
+  await witness.settled(() => witness.positionOf("Scissors"), "the scissors hang there", 300);
+  await person.look();
+  const [[x, y, z], shown] = [witness.positionOf("Scissors"), await mark()];
+  const error = Math.hypot(...[x, y + TO_BLADES, z].map((value, axis) => value - shown[axis]));
+  assert.ok(error < 0.1, `the mark is ${error} units from the blades`);
+
+  await person.carryAbove("Scissors", [-0.2, -0.6, HEIGHT]);
+  await isWithoutHint();
+  await person.carryAbove("Scissors", IN_PLACE);
+  await hint.getByText("Scissors can cut").waitFor();
+  const menu = await person.menuAt(witness.positionOf("Scissors"));
+  await person.entry("Use Scissors", menu).click();
+  await witness.until(() => witness.events.some(({ kind, state }) => kind === "used" && state === "cut"), "the string is cut");
+
+  async function isWithoutHint() {
+    await hint.getByText("can").waitFor({ state: "detached" });
+    assert.equal(await hint.textContent(), "");
+    assert.equal(await mark(), null);
+  }
+});

@@ -7,7 +7,7 @@ docs/learner.md describes its twin in Octave, matlab/learner; both choose the sa
 smile: imitates
 """
 
-from arms import arms_of, arms_for
+from arms import arms_for, arms_of
 from demonstration import read_demonstration
 from execution import Action, execute_action
 from motion_planning import retreat

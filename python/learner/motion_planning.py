@@ -42,8 +42,8 @@ def plan_pick_and_place(arms, block, goal, others, sensor):
 
 
 def transfer_height(arm, blocks, goal):
-    """Returns the height of an arm's tool between two places [units]: the held block passes over all
-    others, and so do the empty fingers, also over the placed block."""
+    """Returns the height of an arm's tool between two places [units]: the held block passes over
+    all others, and so do the empty fingers, also over the placed block."""
     highest = max(block.top for block in blocks)
     bottom = goal.position[2] - goal.size[2] / 2
     return max(max(highest, bottom) + goal.size[2],

@@ -1,10 +1,12 @@
-function yes = avoidsTorso(robot, arm, q)
-% Returns true if joint angles of an arm, Nx7 [rad], keep its upper arm away from the torso, which it
-% would touch with S0 at the limit toward the other side.
+function yes = avoidsTorso(arm, q)
+% Returns true if joint angles of an arm, Nxn [rad], keep its upper arm away from the torso between the arms,
+% which it would touch with its first joint at the limit that is farther from its parked angle.
   margin = constants().motion_planning.torso_margin_rad;
-  if arm == 1
-    yes = all(q(:, 1) > robot.minJointAngles(arm, 1) + margin);
+  if ~arm.hasTorso
+    yes = true;
+  elseif arm.parked(1) - arm.lower > arm.upper - arm.parked(1)
+    yes = all(q(:, 1) > arm.lower + margin);
   else
-    yes = all(q(:, 1) < robot.maxJointAngles(arm, 1) - margin);
+    yes = all(q(:, 1) < arm.upper - margin);
   end
 end

@@ -1,4 +1,4 @@
-function [actions, state] = chooseActions(state, sensor, eye, robot)
+function [actions, state] = chooseActions(state, sensor, eye, arms)
 % Updates the beliefs from a picture and plans the next actions: a 1xN cell; {} when everything is built
 % or no plan is found (state.summary says which).
   c = constants().task_planning;
@@ -13,7 +13,7 @@ function [actions, state] = chooseActions(state, sensor, eye, robot)
   end
   state.known = updateBeliefs(state.known, seen, picture, eye);
   if ~state.hasSite
-    state = chooseSite(state, robot, picture, eye);
+    state = chooseSite(state, arms, picture, eye);
     if ~state.hasSite, return; end
   end
 
@@ -34,7 +34,7 @@ function [actions, state] = chooseActions(state, sensor, eye, robot)
     reason = sprintf('blocks were put aside %d times already', c.max_temporary_placements);
   else
     for move = proposeMoves(state, k, find(~used))
-      [actions, place, reason] = planMove(state, k, move, eye, robot, sensor.jointAngles);
+      [actions, place, reason] = planMove(state, k, move, eye, arms, sensor);
       if isempty(actions), continue; end
       state.numTemporary = state.numTemporary + ~isempty(place);
       state.attempts(k) = state.attempts(k) + isempty(place);
@@ -59,11 +59,10 @@ function open = openSteps(state)
   open = open(arrayfun(@(k) all(state.done(state.steps(k).on)), open));
 end
 
-function [actions, place, reason] = planMove(state, k, move, eye, robot, q)
+function [actions, place, reason] = planMove(state, k, move, eye, arms, sensor)
 % Plans one move: straight to its goal, if it has one and an arm reaches both places; otherwise to a
 % temporary place, if necessary where a later step will be.
 %   k      number of the current step
-%   q      2x7, joint angles of the arms [rad]
 %   place  the block at its temporary place, which may be hidden there; a 1x0 struct array for a block
 %          that is built in: there it must be seen
   block = state.known(move.block);
@@ -76,11 +75,11 @@ function [actions, place, reason] = planMove(state, k, move, eye, robot, q)
   place = noBlocks();
   if ~isempty(move.goal)
     sites{2} = [asBlocks(steps(state.done)), container];
-    [actions, reason] = planPickAndPlace(robot, block, move.goal, others, q);
+    [actions, reason] = planPickAndPlace(arms, block, move.goal, others, sensor);
   elseif any(overlap(gripperClearance(steps(k)), footprint(block, 0)))
     sites{2} = [asBlocks(steps([find(state.done), k])), container];
   end
   if isempty(actions)
-    [actions, place, reason] = planTemporaryPlacement(robot, eye, block, others, sites, q, move.goal);
+    [actions, place, reason] = planTemporaryPlacement(arms, eye, block, others, sites, sensor, move.goal);
   end
 end

@@ -1,4 +1,4 @@
-function state = chooseSite(state, robot, picture, eye)
+function state = chooseSite(state, arms, picture, eye)
 % Chooses the site of the building and moves the steps there: steps for a container to where it is
 % detected, dragged steps to the detected object, all others to a free site on the table. If there is no
 % such site, state.hasSite stays false and state.summary says why.
@@ -8,7 +8,7 @@ function state = chooseSite(state, robot, picture, eye)
   if ~isempty(state.container)
     [carried, state.container, problem] = placeInContainer(carried, state.container, picture, eye);
   elseif ~isempty(carried)
-    [carried, problem] = placeOnTable(carried, state.known, robot);
+    [carried, problem] = placeOnTable(carried, state.known, arms);
   end
   state.steps(~is_dragged) = carried;
   for k = find(is_dragged)
@@ -49,8 +49,8 @@ function [steps, container, problem] = placeInContainer(steps, container, pictur
   container = found;
 end
 
-function [steps, problem] = placeOnTable(steps, known, robot)
-% Moves steps to the site with the lowest cost at which the arms reach every place.
+function [steps, problem] = placeOnTable(steps, known, arms)
+% Moves steps to the site with the lowest cost at which the nearest arm reaches each place.
   problem = '';
   c = constants().task_planning;
   demonstrated = vertcat(steps.position);
@@ -67,12 +67,17 @@ function [steps, problem] = placeOnTable(steps, known, robot)
   [~, order] = sort(cost(:));
   for i = order'
     moved = shift(steps, [x(i), y(i)] - center(1:2));
-    if all(arrayfun(@(step) isReachable(robot, 1 + (step.position(1) > 0), step), moved))
+    if all(arrayfun(@(step) isReachedByNearest(arms, step), moved))
       steps = moved;
       return
     end
   end
   problem = 'the building is not within reach anywhere on the table';
+end
+
+function yes = isReachedByNearest(arms, step)
+  arms = nearestFirst(arms, step.position(1));
+  yes = isReachable(arms(1), step);
 end
 
 function steps = shift(steps, displacement)

@@ -7,7 +7,8 @@ function [action, motor, status, image_seconds] = executeAction(action, sensor, 
 %                'follow'   follows a path with an arm
 %                'open'     brings the fingers of an arm to an opening `to` [units]
 %                'grasp'    closes the fingers on a block of a `width` [units]
-  motor = struct('jointVelocities', zeros(2, 7), 'gripperVelocities', [0; 0], 'ticks', 1);
+  still = cellfun(@(joints) zeros(numel(joints), 1), {aux.arms.joints}, 'UniformOutput', false);
+  motor = struct('arms', struct('velocities', still, 'gripperVelocity', 0), 'ticks', 1);
   status = 'busy';
   c = constants().execution;
   image_seconds = c.no_image_s;
@@ -24,22 +25,22 @@ function [action, motor, status, image_seconds] = executeAction(action, sensor, 
     case 'follow'
       [action, velocities, status] = followPath(action, sensor, aux);
       motor.ticks = size(velocities, 2);
-      motor.jointVelocities = zeros(2, 7, motor.ticks);
-      motor.jointVelocities(action.arm, :, :) = velocities;
+      motor.arms(action.arm.index).velocities = velocities;
     case 'open'
-      remaining = action.to - sensor.gripperOpening(action.arm);
+      remaining = action.to - sensor.arms(action.arm.index).gripper;
       if abs(remaining) < c.opening_tolerance
         status = 'done';
         return
       end
       speed = max(-c.opening_speed, min(c.opening_speed, remaining / aux.tickSeconds));
-      motor.gripperVelocities(action.arm) = speed;
+      motor.arms(action.arm.index).gripperVelocity = speed;
       motor.ticks = max(ticksWithin(remaining / speed, aux), 1);
       if action.time > c.opening_timeout_s
         status = 'an obstacle keeps the fingers from opening';
       end
     case 'grasp'
-      [action, motor.gripperVelocities(action.arm), motor.ticks, status] = closeOn(action, sensor, aux);
+      [action, motor.arms(action.arm.index).gripperVelocity, motor.ticks, status] = ...
+          closeOn(action, sensor, aux);
   end
 end
 
@@ -50,9 +51,9 @@ end
 
 function [action, velocities, status] = followPath(action, sensor, aux)
 % Follows a path until the measured joints have arrived, not until a fixed time. The velocities along the
-% path, 7xN, are chunks of N ticks. After its end, each tick has feedback.
+% path, nxN, are chunks of N ticks. After its end, each tick has feedback.
   c = constants().execution;
-  q = sensor.jointAngles(action.arm, :);
+  q = sensor.arms(action.arm.index).joints(:)';
   status = 'busy';
   delay = action.time - action.path.duration;
   num_ticks = min(ticksWithin(-delay, aux) + 1, c.chunk_ticks);
@@ -60,11 +61,11 @@ function [action, velocities, status] = followPath(action, sensor, aux)
   wanted = smileSample(action.path, action.time + aux.tickSeconds * (0:num_ticks - 1));
   velocities = diff([q; wanted]).' / aux.tickSeconds;
   if delay <= 0, return; end
-  if ~isfield(action, 'errors'), action.errors = zeros(0, 7); end
+  if ~isfield(action, 'errors'), action.errors = zeros(0, numel(q)); end
   first = max(1, size(action.errors, 1) - c.num_averaged + 2);
   action.errors = [action.errors(first:end, :); action.path.positions(end, :) - q];
   if haveArrived(action.errors, c)
-    velocities = zeros(7, 1);
+    velocities = zeros(numel(q), 1);
     status = 'done';
   elseif delay > c.max_delay_s
     status = 'an obstacle is in the way of the arm';
@@ -72,7 +73,7 @@ function [action, velocities, status] = followPath(action, sensor, aux)
 end
 
 function yes = haveArrived(errors, c)
-% Returns true if the last joint error, or the mean of the last ones, Nx7 [rad], is small. Averaging
+% Returns true if the last joint error, or the mean of the last ones, Nxn [rad], is small. Averaging
 % suppresses the noise of the measurements.
   yes = max(abs(errors(end, :))) < c.joint_tolerance_rad || ...
         (size(errors, 1) == c.num_averaged && max(abs(mean(errors, 1))) < c.joint_tolerance_rad);
@@ -83,7 +84,7 @@ function [action, velocity, ticks, status] = closeOn(action, sensor, aux)
   c = constants().execution;
   velocity = -c.closing_speed;
   status = 'busy';
-  opening = sensor.gripperOpening(action.arm);
+  opening = sensor.arms(action.arm.index).gripper;
   if ~isfield(action, 'opening') || abs(opening - action.opening) > c.still_opening
     action.opening = opening;
     action.still_time = 0;

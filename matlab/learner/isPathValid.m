@@ -1,5 +1,5 @@
-function yes = isPathValid(robot, path, arm)
-% Returns true if an arm can follow a path while the other arm is parked.
-  yes = avoidsTorso(robot, arm, path.positions) && ...
-        isempty(smileFirstInvalid(robot, path, 'qBoth', [parkedAngles(1); parkedAngles(2)]));
+function yes = isPathValid(arm, path)
+% Returns true if an arm can follow a path while the others are parked.
+  yes = avoidsTorso(arm, path.positions) && ...
+        isempty(smileFirstInvalid(arm.robot, path, 'qBoth', arm.allParked));
 end

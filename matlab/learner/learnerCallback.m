@@ -6,7 +6,7 @@ if strcmp(status, 'done')
   actions(1) = [];
   if isempty(actions)
     is_recovering = false;
-    [actions, state] = chooseActions(state, sensor, eye, robot);
+    [actions, state] = chooseActions(state, sensor, eye, hands);
     if isempty(actions)
       fprintf('%5.1f s: %s\n', sensor.simTime, state.summary);
       aux.exit = true;
@@ -16,6 +16,6 @@ if strcmp(status, 'done')
 elseif ~strcmp(status, 'busy')
   fprintf('%5.1f s: %s\n', sensor.simTime, status);
   if is_recovering, error('the arm is stuck'); end
-  actions = retreat(robot, action.arm, sensor.jointAngles);
+  actions = retreat(action.arm, sensor.arms(action.arm.index).joints(:)');
   is_recovering = true;
 end

@@ -2,9 +2,6 @@
 if ~isfield(aux, 'demonstration')
   error('this brain needs a demonstration: smile imitate DEMO SCENE --brain matlab/learner');
 end
-if ~isfield(aux, 'numLimbs')
-  error('this learner drives two arms of seven joints, like Baxter');
-end
 if exist(fullfile(aux.demonstration, '0.txt'), 'file')
   demo = readDemonstration(aux.demonstration);
 else  % a recording without texts: from its pictures alone
@@ -13,11 +10,12 @@ end
 [steps, container] = inferTask(demo, aux.attention);
 printSteps(steps);
 
-robot = smileRobot(aux);
+arms = armsOf(aux);
+hands = armsFor(steps, arms);
 eye = struct('intrinsics', aux.cameraIntrinsics, 'pose', aux.cameraPose);
 state = initialTaskState(steps, container);  % beliefs about this scene, and progress
 actions = {struct('kind', 'observe')};  % the next actions, in this order
 is_recovering = false;                  % true after a failed action
 
 % The arms start outside the picture.
-aux.initJointAngles = [parkedAngles(1); parkedAngles(2)];
+for k = 1:numel(arms), aux.arms(k).initJoints = arms(k).parked; end

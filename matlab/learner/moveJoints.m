@@ -1,5 +1,4 @@
-function path = moveJoints(robot, arm, waypoints)
-% Plans a path through joint waypoints, Nx7 [rad]: see smileMoveJoints. arm is 1 or 2.
-  names = {'left', 'right'};
-  path = smileMoveJoints(robot, names{arm}, waypoints, 'speed', constants().motion_planning.speed);
+function path = moveJoints(arm, waypoints)
+% Plans a path of an arm through joint waypoints, Nxn [rad]: see smileMoveJoints.
+  path = smileMoveJoints(arm.robot, arm.name, waypoints, 'speed', constants().motion_planning.speed);
 end

@@ -1,29 +1,39 @@
-function actions = planArmPickAndPlace(robot, arm, block, grasp_yaw, goal, place_yaw, height, others, q)
+function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, height, lift, others, q)
 % Plans to bring a block to a goal with one arm and given yaws of the gripper; {} if that arm cannot.
 %   grasp_yaw, place_yaw  directions from finger to finger [rad]
 %   height                of the tool between both places [units]
+%   lift                  of the tool over the block; below `height`, the way leads over the middle between
+%                         both places [units]
 %   others                obstacles, as blocks
-%   q                     2x7, joint angles of the arms [rad]
+%   q                     its joint angles, 1xn [rad]
   c = constants().motion_planning;
-  opening = block.size(2) + c.opening_margin;
-  offset = [0, 0, block.size(3) / 2 - c.grip_below_top];  % of the tool, from the block's center
-  from = toolPose(block.position + offset, grasp_yaw);
-  to = toolPose(goal.position + offset + [0, 0, c.place_height_margin], place_yaw);
+  width = block.size(2);
+  opening = min(width + c.opening_margin, arm.opening);
+  % Of the tool, from the block's center: the fingers reach lower than the tool, but not to the table.
+  depth = max(c.grip_below_top, c.fingers_below_top - arm.reach);
+  offset = [0, 0, block.size(3) / 2 - depth];
+  from = toolPose(arm, block.position + offset, grasp_yaw, width);
+  to = toolPose(arm, goal.position + offset + [0, 0, c.place_height_margin], place_yaw, width);
   over_from = from;
-  over_from(3, 4) = height;
+  over_from(3, 4) = lift;
   over_to = to;
   over_to(3, 4) = height;
-  if ~isDragged(goal)
-    path = planPathThrough(robot, arm, {over_from, from, over_from, over_to, to, over_to}, others, q);
-  else  % a dragged object is not lifted
-    path = planPathThrough(robot, arm, {over_from, from, to, over_to}, others, q);
+  via = {};
+  if lift < height
+    via = {from};
+    via{1}(1:3, 4) = [(from(1:2, 4) + to(1:2, 4)) / 2; height];
   end
+  transfer = [{over_from}, via, {over_to, to}];
+  if isDragged(goal), transfer = {to}; end  % a dragged object is not lifted
+  to_block = [via, {over_from, from}];
+  path = planPathThrough(arm, [to_block, transfer, {over_to}], others, q);
   actions = {};
   if isempty(path), return; end
 
   follow = cellfun(@(it) struct('kind', 'follow', 'arm', arm, 'path', it), path, 'UniformOutput', false);
   open = struct('kind', 'open', 'arm', arm, 'to', opening);
-  grasp = struct('kind', 'grasp', 'arm', arm, 'width', block.size(2));
-  actions = [{open}, follow(1:2), {grasp}, follow(3:end - 2), {open}, follow(end - 1:end), ...
+  grasp = struct('kind', 'grasp', 'arm', arm, 'width', width);
+  n = numel(to_block);
+  actions = [{open}, follow(1:n), {grasp}, follow(n + 1:end - 2), {open}, follow(end - 1:end), ...
              {struct('kind', 'observe')}];
 end

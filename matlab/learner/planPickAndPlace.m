@@ -1,37 +1,53 @@
-function [actions, reason] = planPickAndPlace(robot, block, goal, others, q)
+function [actions, reason] = planPickAndPlace(arms, block, goal, others, sensor)
 % Plans the actions that bring a block to a goal (both with position, yaw and size) and end with an
 % observation; {} and a reason if no arm can do it.
+%   arms    those that may do it, see armsOf
 %   others  obstacles, as blocks
-%   q       2x7, joint angles of the arms [rad]
   actions = {};
   grasp_yaws = graspYaws(block, others);
   place_yaws = graspYaws(goal, others);
   reason = 'there is no room for the fingers';
   if isempty(grasp_yaws) || isempty(place_yaws), return; end
 
-  height = transferHeight([others, block], goal);
-  if isDragged(goal)
-    height = block.position(3) + block.size(3) / 2 + constants().motion_planning.drag_tool_height;
-  end
-  arms = [1, 2];
-  if block.position(1) + goal.position(1) > 0, arms = [2, 1]; end
-  for arm = arms
-    for place_yaw = place_yaws
-      for grasp_yaw = grasp_yaws
-        actions = planArmPickAndPlace(robot, arm, block, grasp_yaw, goal, place_yaw, height, others, q);
-        if ~isempty(actions), return; end
+  for arm = nearestFirst(arms, block.position(1) + goal.position(1))
+    height = transferHeight(arm, [others, block], goal);
+    if isDragged(goal)
+      height = block.position(3) + block.size(3) / 2 + constants().motion_planning.drag_tool_height;
+    end
+    q = sensor.arms(arm.index).joints(:)';
+    lifts = height;
+    % A single arm also takes what it cannot lift that high.
+    if numel(arms) == 1 && ~isDragged(goal) && hasLowWay(block, goal, others)
+      lifts(2) = block.position(3) + block.size(3) + constants().motion_planning.clearance;
+    end
+    for lift = lifts
+      for place_yaw = place_yaws
+        for grasp_yaw = grasp_yaws
+          actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, height, lift, others, q);
+          if ~isempty(actions), return; end
+        end
       end
     end
   end
   reason = 'no arm reaches both its place and its goal';
 end
 
-function height = transferHeight(blocks, goal)
-% Returns the height of the tool between two places [units]: the held block passes over all others, and so
-% do the empty fingers, also over the placed block.
+function yes = hasLowWay(block, goal, others)
+% Returns true if there is no obstacle higher than a block around the first half of its way to a goal.
+  width = constants().motion_planning.low_way_width;
+  way = (goal.position(1:2) - block.position(1:2)) / 2;
+  area = [block.position(1:2) + way / 2, norm(way) + width, width, atan2(way(2), way(1))];
+  tops = arrayfun(@(it) it.position(3) + it.size(3) / 2, others);
+  higher = others(tops > block.position(3) + block.size(3) / 2);
+  yes = ~any(overlap(area, footprint(higher, 0)));
+end
+
+function height = transferHeight(arm, blocks, goal)
+% Returns the height of an arm's tool between two places [units]: the held block passes over all others, and
+% so do the empty fingers, also over the placed block.
   c = constants().motion_planning;
   highest = max(arrayfun(@(block) block.position(3) + block.size(3) / 2, blocks));
   bottom = goal.position(3) - goal.size(3) / 2;
   height = max(max(highest, bottom) + goal.size(3), ...
-               max(highest, bottom + goal.size(3)) + c.tip_below_tool) + c.clearance;
+               max(highest, bottom + goal.size(3)) + arm.reach) + c.clearance;
 end

@@ -1,28 +1,28 @@
-function [actions, place, reason] = planTemporaryPlacement(robot, eye, block, others, sites, q, goal)
+function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, others, sites, sensor, goal)
 % Plans the actions that bring a block to a free place on the table, within the eye's view. Returns them
 % and that place; {} and a reason if there is none.
 %   others  obstacles, as blocks
 %   sites   cell of lists of blocks to keep clear of, existing or planned; the first list that leaves a
 %           place counts
-%   q       2x7, joint angles of the arms [rad]
-%   goal    target to which the other arm must move it from there at once (a handover), or []
+%   goal    target to which another arm must move it from there at once (a handover), or []; a single arm
+%           takes it again itself
   actions = {};
   place = noBlocks();
   reason = 'there is no free place on the table';
-  arms = candidateArms(robot, block, goal);
-  if isempty(arms)
+  candidates = candidateArms(arms, block, goal);
+  if isempty(candidates)
     reason = 'no arm reaches it';
     return
   end
   for site = sites
     attempts = constants().task_planning.max_place_attempts;
-    for place = freePlacements(block, [others, site{1}], goal)
+    for place = freePlacements(arms, block, [others, site{1}], goal)
       if ~isInView(place, eye) || isGraspBlocked(place, site{1}) || ...
-         ~canHandOver(robot, arms, place, goal)
+         ~canHandOver(candidates, arms, place, goal)
         continue
       end
-      can_continue = isempty(goal) || ~isempty(planPickAndPlace(robot, place, goal, others, q));
-      if can_continue, [actions, reason] = planPickAndPlace(robot, block, place, others, q); end
+      can_continue = isempty(goal) || ~isempty(planPickAndPlace(arms, place, goal, others, sensor));
+      if can_continue, [actions, reason] = planPickAndPlace(arms, block, place, others, sensor); end
       attempts = attempts - 1;
       if ~isempty(actions), return; end
       if attempts == 0, break; end
@@ -30,9 +30,9 @@ function [actions, place, reason] = planTemporaryPlacement(robot, eye, block, ot
   end
 end
 
-function places = freePlacements(block, taken, goal)
+function places = freePlacements(arms, block, taken, goal)
 % Returns free places for a block on the table, the best first, up to max_places: with room for its
-% fingers and for those of its neighbors.
+% fingers and for those of its neighbors, and away from the feet of the arms.
   c = constants().task_planning;
   [x, y, yaw] = ndgrid(c.place_x(1):c.place_x(2):c.place_x(3), c.place_y(1):c.place_y(2):c.place_y(3), ...
                        [0, pi / 2, pi / 4, -pi / 4]);
@@ -46,6 +46,9 @@ function places = freePlacements(block, taken, goal)
   % Square blocks can also be held across the other sides.
   is_long = ~arrayfun(@hasEqualSides, taken);
   for rectangle = gripperClearance(taken(is_long))', free = free & ~overlap(rectangle', covered); end
+  for arm = arms
+    free = free & sqrt((x - arm.foot(1)) .^ 2 + (y - arm.foot(2)) .^ 2) > c.foot_distance;
+  end
 
   if isempty(goal)
     % The middle, where both arms reach, is for handovers.
@@ -75,18 +78,28 @@ function yes = isInView(place, eye)
   end
 end
 
-function arms = candidateArms(robot, block, goal)
-% Returns the arms, 1 or 2, that reach a block; with a goal, only those whose other arm reaches the goal.
-  arms = find([isReachable(robot, 1, block), isReachable(robot, 2, block)]);
-  if isempty(goal), return; end
-  arms = arms(arrayfun(@(arm) isReachable(robot, 3 - arm, goal), arms));
+function able = candidateArms(arms, block, goal)
+% Returns the arms that reach a block; with a goal, only those of which another arm reaches the goal.
+  able = arms(arrayfun(@(arm) isReachable(arm, block) && ...
+                              (isempty(goal) || canReach(othersThan(arm, arms), goal)), arms));
 end
 
-function yes = canHandOver(robot, arms, place, goal)
-% Returns true if one of these arms reaches a place; with a goal, also the other arm for the handover.
+function yes = canHandOver(candidates, arms, place, goal)
+% Returns true if one of the candidates reaches a place; with a goal, also another arm for the handover.
   yes = false;
-  for arm = arms
-    yes = yes || (isReachable(robot, arm, place) && ...
-                  (isempty(goal) || isReachable(robot, 3 - arm, place)));
+  for arm = candidates
+    yes = yes || (isReachable(arm, place) && ...
+                  (isempty(goal) || canReach(othersThan(arm, arms), place)));
   end
+end
+
+function others = othersThan(arm, arms)
+% Returns the other arms; a single arm continues itself.
+  others = arms([arms.index] ~= arm.index);
+  if isempty(others), others = arm; end
+end
+
+function yes = canReach(arms, place)
+% Returns true if one of the arms reaches a block's place.
+  yes = any(arrayfun(@(arm) isReachable(arm, place), arms));
 end

@@ -19,6 +19,7 @@ PERCEPTION = _GROUPS["perception"]
 CLEARANCE = _GROUPS["clearance"]
 TASK_MODEL = _GROUPS["task_model"]
 TASK_PLANNING = _GROUPS["task_planning"]
+ARMS = _GROUPS["arms"]
 MOTION_PLANNING = _GROUPS["motion_planning"]
 EXECUTION = _GROUPS["execution"]
 

@@ -5,9 +5,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from smile.motion import Trajectory
 
+from arms import Arm
 from constants import EXECUTION as C
-
-ARMS = ("left", "right")
 
 
 @dataclass
@@ -18,7 +17,7 @@ class Action:
     #            'follow': follows a path with an arm
     #            'open': brings the fingers of an arm to an opening
     #            'grasp': closes the fingers on a block of a width
-    arm: int = 0  # 0 is the left one
+    arm: Arm = None
     path: Trajectory = None
     to: float = 0  # [units]
     width: float = 0  # [units]
@@ -32,8 +31,9 @@ class Action:
 def execute_action(action, sensor, motor, aux):
     """Executes one step of an action: sets `motor` for one tick, or for several where no feedback is
     needed. Returns 'busy', 'done', or a description of the failure."""
-    motor.jointVelocities = np.zeros((2, 7))
-    motor.gripperVelocities = np.zeros(2)
+    for arm, of_arm in zip(sensor.arms, motor.arms):
+        of_arm.velocities = np.zeros(len(arm.joints))
+        of_arm.gripperVelocity = 0
     motor.ticks = 1
     aux.imageSeconds = C.no_image_s
     action.time += sensor.timeElapsed
@@ -58,7 +58,7 @@ def observe(action, sensor, motor, aux):
 def follow(action, sensor, motor, aux):
     """Follows a path until the measured joints have arrived, not until a fixed time. The velocities
     along the path are chunks of some ticks. After its end, each tick has feedback."""
-    q = sensor.jointAngles[action.arm]
+    q = sensor.arms[action.arm.index].joints
     delay = action.time - action.path.duration
     if delay > 0:
         action.errors = [*action.errors[1 - C.num_averaged:], action.path.positions[-1] - q]
@@ -68,8 +68,8 @@ def follow(action, sensor, motor, aux):
     # action.time is the end of the first of these ticks.
     wanted, _ = action.path.at(action.time + aux.tickSeconds * np.arange(num_ticks))
     motor.ticks = num_ticks
-    motor.jointVelocities = np.zeros((2, 7, num_ticks))
-    motor.jointVelocities[action.arm] = np.diff([q, *wanted], axis=0).T / aux.tickSeconds
+    velocities = np.diff([q, *wanted], axis=0).T / aux.tickSeconds
+    motor.arms[action.arm.index].velocities = velocities
     return "an obstacle is in the way of the arm" if delay > C.max_delay_s else "busy"
 
 
@@ -88,7 +88,7 @@ def open_fingers(action, sensor, motor, aux):
     if abs(remaining) < C.opening_tolerance:
         return "done"
     speed = np.clip(remaining / aux.tickSeconds, -C.opening_speed, C.opening_speed)
-    motor.gripperVelocities[action.arm] = speed
+    motor.arms[action.arm.index].gripperVelocity = speed
     motor.ticks = max(ticks_within(remaining / speed, aux), 1)
     is_late = action.time > C.opening_timeout_s
     return "an obstacle keeps the fingers from opening" if is_late else "busy"
@@ -103,7 +103,7 @@ def grasp(action, sensor, motor, aux):
     else:
         action.still_time += sensor.timeElapsed
     if action.still_time < C.still_s:
-        motor.gripperVelocities[action.arm] = -C.closing_speed
+        motor.arms[action.arm.index].gripperVelocity = -C.closing_speed
         free = opening - action.width - C.width_tolerance
         motor.ticks = max(ticks_within(free / C.closing_speed, aux), 1)
         return "busy"
@@ -114,4 +114,4 @@ def grasp(action, sensor, motor, aux):
 
 def gripper_opening(action, sensor):
     """Returns the measured opening of the arm's gripper [units]."""
-    return sensor.gripperOpening.ravel()[action.arm]
+    return sensor.arms[action.arm.index].gripper

@@ -7,11 +7,10 @@ docs/learner.md describes its twin in Octave, matlab/learner; both choose the sa
 smile: imitates
 """
 
-from smile.motion import robot_of
-
+from arms import arms_for, arms_of
 from demonstration import read_demonstration
 from execution import Action, execute_action
-from motion_planning import PARKED, retreat
+from motion_planning import retreat
 from perception import Eye
 from task_model import infer_task
 from task_planning import TaskState, choose_actions
@@ -22,21 +21,21 @@ def init(aux):
     if "demonstration" not in aux:
         raise ValueError("this brain needs a demonstration: "
                          "smile imitate DEMO SCENE --brain python/learner/learner.py")
-    if "numLimbs" not in aux:
-        raise ValueError("this learner drives two arms of seven joints, like Baxter")
     steps, container = infer_task(read_demonstration(aux.demonstration), aux.attention)
     for k, step in enumerate(steps):
         place = ", ".join(steps[lower].name for lower in step.on) or "the table"
         print(f"shown: {k + 1}. {step} on {place}")
 
-    aux.planner = robot_of(aux)
+    arms = arms_of(aux)
+    aux.hands = arms_for(steps, arms)
     aux.eye = Eye(aux.cameraIntrinsics, aux.cameraPose)
     aux.state = TaskState(steps, container)  # beliefs about this scene, and progress
     aux.actions = [Action("observe")]  # the next actions, in this order
     aux.is_recovering = False  # true after a failed action
 
     # The arms start outside the picture.
-    aux.initJointAngles = PARKED
+    for arm in arms:
+        aux.arms[arm.index].initJoints = arm.parked
 
 
 def step(sensor, motor, aux):
@@ -47,7 +46,7 @@ def step(sensor, motor, aux):
         aux.actions.pop(0)
         if not aux.actions:
             aux.is_recovering = False
-            aux.actions = choose_actions(aux.state, sensor, aux.eye, aux.planner)
+            aux.actions = choose_actions(aux.state, sensor, aux.eye, aux.hands)
             if not aux.actions:
                 print(f"{sensor.simTime:5.1f} s: {aux.state.summary}")
                 aux.exit = True
@@ -55,5 +54,6 @@ def step(sensor, motor, aux):
         print(f"{sensor.simTime:5.1f} s: {status}")
         if aux.is_recovering:
             raise RuntimeError("the arm is stuck")
-        aux.actions = retreat(aux.planner, aux.actions[0].arm, sensor.jointAngles)
+        arm = aux.actions[0].arm
+        aux.actions = retreat(arm, sensor.arms[arm.index].joints)
         aux.is_recovering = True

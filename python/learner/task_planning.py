@@ -6,6 +6,7 @@ from typing import NamedTuple, Optional
 
 import numpy as np
 
+from arms import nearest_first
 from blocks import Block, has_equal_sides, is_same_kind, yaw_difference
 from clearance import container_walls, footprint, gripper_clearance, is_grasp_blocked, overlap
 from constants import CLEARANCE, PERCEPTION, TASK_PLANNING as C, numbers_of
@@ -46,7 +47,7 @@ class Move(NamedTuple):
     goal: Optional[Step] = None  # None: a temporary placement
 
 
-def choose_actions(state, sensor, eye, robot):
+def choose_actions(state, sensor, eye, arms):
     """Updates the beliefs from a picture and plans the next actions: a list; [] when everything is
     built or no plan is found (state.summary says which)."""
     picture = sensor.rgbVision / 255
@@ -58,7 +59,7 @@ def choose_actions(state, sensor, eye, robot):
         seen = detect_blocks(picture, eye, state.steps + state.unknown_objects, container)
     state.known = update_beliefs(state.known, seen, picture, eye)
     if not state.has_site:
-        choose_site(state, robot, picture, eye)
+        choose_site(state, arms, picture, eye)
         if not state.has_site:
             return []
 
@@ -81,8 +82,7 @@ def choose_actions(state, sensor, eye, robot):
     else:
         free = [block for block in state.known if block not in used]
         for move in propose_moves(state, step, free):
-            actions, place, reason = plan_move(state, step, move, eye, robot,
-                                               sensor.jointAngles)
+            actions, place, reason = plan_move(state, step, move, eye, arms, sensor)
             if not actions:
                 continue
             if place:
@@ -128,7 +128,7 @@ def is_table_visible(picture, eye, block, table):
     return pixel is not None and np.abs(picture[pixel] - table).max() < PERCEPTION.table_tolerance
 
 
-def choose_site(state, robot, picture, eye):
+def choose_site(state, arms, picture, eye):
     """Chooses the site of the building and moves the steps there: steps for a container to where it
     is detected, dragged steps to the detected object, all others to a free site on the table. If
     there is no such site, state.has_site stays false and state.summary says why."""
@@ -137,7 +137,7 @@ def choose_site(state, robot, picture, eye):
         if state.container:
             carried, state.container = place_in_container(carried, state.container, picture, eye)
         elif carried:
-            carried = place_on_table(carried, state.known, robot)
+            carried = place_on_table(carried, state.known, arms)
         carried = iter(carried)
         state.steps = [place_dragged(step, state.known) if is_dragged(step)
                        else next(carried) for step in state.steps]
@@ -181,8 +181,8 @@ def rotated(v, angle):
     return np.array([v[0] * c - v[1] * s, v[0] * s + v[1] * c])
 
 
-def place_on_table(steps, known, robot):
-    """Moves steps to the site with the lowest cost at which the arms reach every place."""
+def place_on_table(steps, known, arms):
+    """Moves steps to the site with the lowest cost at which the nearest arm reaches each place."""
     demonstrated = np.array([step.position[:2] for step in steps])
     center = (demonstrated.min(axis=0) + demonstrated.max(axis=0)) / 2
     sites = []
@@ -195,7 +195,7 @@ def place_on_table(steps, known, robot):
             cost += C.side_site_cost * abs(x) + sum(block.size[0] for block in blocked)
             sites.append((cost, moved))
     for _, moved in sorted(sites, key=lambda site: site[0]):
-        if all(is_reachable(robot, int(step.position[0] > 0), step) for step in moved):
+        if all(is_reachable(nearest_first(arms, step.position[0])[0], step) for step in moved):
             return moved
     raise NoSite("the building is not within reach anywhere on the table")
 
@@ -266,11 +266,10 @@ def has_objects_on(block, others):
     return overlap(covered, footprint(higher, 0)).any()
 
 
-def plan_move(state, step, move, eye, robot, q):
+def plan_move(state, step, move, eye, arms, sensor):
     """Plans one move: straight to its goal, if it has one and an arm reaches both places; otherwise
     to a temporary place, if necessary where a later step will be.
 
-    q: 2x7, joint angles of the arms [rad]
     Returns actions; the block at its temporary place, which may be hidden there, in a list (empty
     for a block that is built in, because there it must be seen); and the reason if there are no
     actions.
@@ -282,12 +281,12 @@ def plan_move(state, step, move, eye, robot, q):
     sites = [state.steps + container]
     if move.goal:
         sites.append(standing)
-        actions, reason = plan_pick_and_place(robot, move.block, move.goal, others, q)
+        actions, reason = plan_pick_and_place(arms, move.block, move.goal, others, sensor)
         if actions:
             return actions, [], None
     elif is_obstructing(move.block, step):
         sites.append(standing + [step])
-    return plan_temporary_placement(robot, eye, move.block, others, sites, q, move.goal)
+    return plan_temporary_placement(arms, eye, move.block, others, sites, sensor, move.goal)
 
 
 def assumed_support(block):
@@ -301,28 +300,28 @@ def assumed_support(block):
                     position=np.array([x, y, block.bottom / 2]))]
 
 
-def plan_temporary_placement(robot, eye, block, others, sites, q, goal):
+def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal):
     """Plans the actions that bring a block to a free place on the table, within the eye's view.
 
     others: obstacles, as Blocks
     sites:  lists of blocks to keep clear of, existing or planned; the first list that leaves a
             place counts
-    q:      2x7, joint angles of the arms [rad]
-    goal:   target to which the other arm must move it from there at once (a handover), or None
+    goal:   target to which another arm must move it from there at once (a handover), or None; a
+            single arm takes it again itself
     Returns actions, that place in a list, and None; or [], [] and a reason if there is none.
     """
-    arms = candidate_arms(robot, block, goal)
-    if not arms:
+    candidates = candidate_arms(arms, block, goal)
+    if not candidates:
         return [], [], "no arm reaches it"
     reason = "there is no free place on the table"
     for site in sites:
         attempts = C.max_place_attempts
-        for place in free_placements(block, others + site, goal):
+        for place in free_placements(arms, block, others + site, goal):
             if (not is_in_view(place, eye) or is_grasp_blocked(place, site)
-                    or not can_hand_over(robot, arms, place, goal)):
+                    or not can_hand_over(candidates, arms, place, goal)):
                 continue
-            if goal is None or plan_pick_and_place(robot, place, goal, others, q)[0]:
-                actions, reason = plan_pick_and_place(robot, block, place, others, q)
+            if goal is None or plan_pick_and_place(arms, place, goal, others, sensor)[0]:
+                actions, reason = plan_pick_and_place(arms, block, place, others, sensor)
                 if actions:
                     return actions, [place], None
             attempts -= 1
@@ -331,9 +330,9 @@ def plan_temporary_placement(robot, eye, block, others, sites, q, goal):
     return [], [], reason
 
 
-def free_placements(block, taken, goal):
+def free_placements(arms, block, taken, goal):
     """Returns free places for a block on the table, a list of up to max_places, the best first:
-    with room for its fingers and for those of its neighbors."""
+    with room for its fingers and for those of its neighbors, and away from the feet of the arms."""
     yaw, y, x = (it.ravel() for it in np.meshgrid(
         [0, math.pi / 2, math.pi / 4, -math.pi / 4], numbers_of(*C.place_y),
         numbers_of(*C.place_x), indexing="ij"))
@@ -346,6 +345,9 @@ def free_placements(block, taken, goal):
     # Square blocks can also be held across the other sides.
     for rectangle in gripper_clearance([it for it in taken if not has_equal_sides(it)]):
         free &= ~overlap(rectangle, covered)
+
+    for arm in arms:
+        free &= np.hypot(x - arm.foot[0], y - arm.foot[1]) > C.foot_distance
 
     if goal is None:
         # The middle, where both arms reach, is for handovers.
@@ -370,15 +372,26 @@ def is_in_view(place, eye):
     return ((pixels > margin) & (pixels < 2 * eye.intrinsics[:2, 2] - margin)).all()
 
 
-def candidate_arms(robot, block, goal):
-    """Returns the arms that reach a block, a list; with a goal, only those whose other arm reaches
-    the goal."""
-    return [arm for arm in (0, 1) if is_reachable(robot, arm, block)
-            and (goal is None or is_reachable(robot, 1 - arm, goal))]
+def candidate_arms(arms, block, goal):
+    """Returns the arms that reach a block, a list; with a goal, only those of which another arm
+    reaches the goal."""
+    return [arm for arm in arms if is_reachable(arm, block)
+            and (goal is None or can_reach(others_than(arm, arms), goal))]
 
 
-def can_hand_over(robot, arms, place, goal):
-    """Returns true if one of these arms reaches a place; with a goal, also the other arm for the
+def can_hand_over(candidates, arms, place, goal):
+    """Returns true if one of the candidates reaches a place; with a goal, also another arm for the
     handover."""
-    return any(is_reachable(robot, arm, place)
-               and (goal is None or is_reachable(robot, 1 - arm, place)) for arm in arms)
+    return any(is_reachable(arm, place)
+               and (goal is None or can_reach(others_than(arm, arms), place))
+               for arm in candidates)
+
+
+def others_than(arm, arms):
+    """Returns the other arms; a single arm continues itself."""
+    return [it for it in arms if it is not arm] or [arm]
+
+
+def can_reach(arms, place):
+    """Returns true if one of the arms reaches a block's place."""
+    return any(is_reachable(arm, place) for arm in arms)

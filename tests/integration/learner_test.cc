@@ -21,6 +21,43 @@ TEST_F(Learner, RebuildsTheDemonstratedLetters) {
   EXPECT_EQ(Smile("replay --verify um/imitation").exit_code, 0);
 }
 
+/// Records the demonstration of the tower, and imitates it in another layout.
+class LearnerWithAnotherRobot : public Learner, public ::testing::WithParamInterface<const char*> {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(Smile("run '" + Shipped("scenes/tower.xml") + "' --kinematic --commands '" +
+                    Shipped("examples/tower.jsonl") + "' --record shown")
+                  .exit_code,
+              0);
+  }
+  Answer Imitate(const std::string& options) {
+    return Smile("imitate shown '" + Shipped("scenes/tower_robot.xml") + "' --brain '" +
+                 Shipped(GetParam()) + "' --out built --no-pictures --json " + options);
+  }
+};
+
+TEST_P(LearnerWithAnotherRobot, BuildsTheTowerWithASingleArm) {
+  const Answer answer = Imitate("--robot tern --seed 1");
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_TRUE(answer.json()["success"]);
+  EXPECT_LT(answer.json()["mean_error_mm"], 5);
+}
+
+TEST_P(LearnerWithAnotherRobot, RefusesARobotWithoutAGripperForTheBlocks) {
+  const Answer answer = Imitate("--gripper none");
+  EXPECT_NE(answer.exit_code, 0);
+  EXPECT_NE(answer.err.find("the robot has no gripper for blocks that are 1.01 units wide: found "
+                            "left: none, right: none; expected one that opens at least 1.11 units"),
+            std::string::npos)
+      << answer.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Twins, LearnerWithAnotherRobot,
+                         ::testing::Values("python/learner/learner.py", "matlab/learner"),
+                         [](const auto& brain) {
+                           return brain.index == 0 ? std::string("python") : std::string("octave");
+                         });
+
 /// A shipped task, and the folder or file of the learner that imitates it. Two tasks have other
 /// tests: both learners build the tower in tests/learner/inputs_only_test.py, one the bridge in
 /// docs/learner.md.

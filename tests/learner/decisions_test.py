@@ -8,50 +8,56 @@ SMILE is the program, SOURCE the folder of the project, OCTAVE the command that 
 the same inputs.
 """
 
+import json
 import os
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 from PIL import Image
-from smile.motion import robot_of
 
+from arms import arms_for, arms_of
 from demonstration import read_demonstration
-from execution import ARMS
-from motion_planning import PARKED
 from task_model import infer_task
 from task_planning import TaskState, choose_actions
 
-# Task, and the layout of the robot's scene; [] keeps the scene as it is.
-CASES = [("tower", ["--seed", "1"]), ("tower", ["--seed", "2", "--level", "distractors"]),
-         ("tower", ["--seed", "4", "--level", "stacked"]), ("row", ["--seed", "1"]),
-         ("bridge", ["--seed", "3"]),
-         ("um", ["--seed", "2", "--level", "touching"]), ("box", ["--seed", "1"]), ("hatch", [])]
+# For each robot: task, and the layout of the robot's scene; [] keeps the scene as it is.
+CASES = {
+    "baxter": [("tower", ["--seed", "1"]), ("tower", ["--seed", "2", "--level", "distractors"]),
+               ("tower", ["--seed", "4", "--level", "stacked"]), ("row", ["--seed", "1"]),
+               ("bridge", ["--seed", "3"]), ("um", ["--seed", "2", "--level", "touching"]),
+               ("box", ["--seed", "1"]), ("hatch", [])],
+    "tern": [("tower", ["--seed", "1", "--robot", "tern"])],
+}
 TOLERANCE = 1e-6  # of units and radians
 # Of the tool's pose at the end of a path: the residual of inverse kinematics. Joints may differ
 # more, where rounding decides which of many solutions is found.
 TOOL_TOLERANCE = 1e-3
-# Pose of the robot at a table 12 units deep.
-BASE = np.array([[0, -1, 0, 0], [1, 0, 0, -8], [0, 0, 1, 2], [0, 0, 0, 1.0]])
-
-
-class Sensor:
-    def __init__(self, picture):
-        self.rgbVision = picture
-        self.jointAngles = PARKED
+# What a brain knows of each robot, at a table 12 units deep: pose of its base, and its arms.
+ROBOTS = {
+    "baxter": {"robotBase": [[0, -1, 0, 0], [1, 0, 0, -8], [0, 0, 1, 2], [0, 0, 0, 1.0]],
+               "arms": [{"name": name, "joints": [0] * 7, "gripper": [0, 2]}
+                        for name in ("left", "right")]},
+    "tern": {"robotBase": [[0, -1, 0, 0], [1, 0, 0, -5], [0, 0, 1, 0], [0, 0, 0, 1.0]],
+             "arms": [{"name": "arm", "joints": [0] * 6, "gripper": [0, 1.3]}]},
+}
 
 
 def main(smile, source, *octave):
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        cases = [prepare(smile, source, k, *case) for k, case in enumerate(CASES)]
-        urdf = f"{source}/robots/baxter.urdf"
-        expected = subprocess.run([*octave, urdf, *cases], check=True, stdout=subprocess.PIPE,
-                                  text=True).stdout.splitlines()
-        robot = robot_of({"robot": urdf, "robotBase": BASE, "unit": 0.1})
-        found = [line for case in cases for line in decisions(case, robot)]
+        found, expected = [], []
+        for robot, cases in CASES.items():
+            aux = {"robot": f"{source}/robots/{robot}.urdf", "unit": 0.1, **ROBOTS[robot]}
+            Path(f"{robot}.json").write_text(json.dumps(aux))
+            folders = [prepare(smile, source, f"{robot}{k}", *case)
+                       for k, case in enumerate(cases)]
+            expected += subprocess.run([*octave, f"{robot}.json", *folders], check=True,
+                                       stdout=subprocess.PIPE, text=True).stdout.splitlines()
+            found += [line for folder in folders for line in decisions(folder, aux)]
     case = ""
     wrong = len(found) != len(expected)
     for one, other in zip(found, expected):
@@ -63,10 +69,10 @@ def main(smile, source, *octave):
     sys.exit(wrong)
 
 
-def prepare(smile, source, k, task, layout):
+def prepare(smile, source, name, task, layout):
     """Records the demonstration of the task, unless an earlier case did, and takes a picture of the
     scene. Returns the folder of both."""
-    case = Path(f"case{k}")
+    case = Path(name)
     case.mkdir()
     scene = f"{source}/scenes/{task}_robot.xml"
     shown = Path(f"shown_{task}")
@@ -85,8 +91,11 @@ def prepare(smile, source, k, task, layout):
     return str(case)
 
 
-def decisions(case, robot):
-    """Returns the results of the learner for a case: lines of words and numbers."""
+def decisions(case, aux):
+    """Returns the results of the learner for a case: lines of words and numbers.
+
+    aux: what the brain knows of the robot
+    """
     demo = read_demonstration(f"{case}/shown")
     steps, container = infer_task(demo, {})
     building = TaskState(steps, container)
@@ -94,15 +103,22 @@ def decisions(case, robot):
     lines += [fact("step", step.name, *step.color, *step.size, *step.position, step.yaw, *step.on)
               for step in steps]
     picture = np.asarray(Image.open(f"{case}/look.png").convert("RGB"))
-    actions = choose_actions(building, Sensor(picture), demo.eye, robot)
+    arms = arms_of(SimpleNamespace(**aux | {
+        "arms": [SimpleNamespace(**arm) for arm in aux["arms"]],
+        "cameraIntrinsics": demo.eye.intrinsics, "cameraPose": demo.eye.pose}))
+    lines += [fact("arm", arm.name, *arm.parked, arm.reach, *arm.foot) for arm in arms]
+    sensor = SimpleNamespace(rgbVision=picture,
+                             arms=[SimpleNamespace(joints=arm.parked) for arm in arms])
+    actions = choose_actions(building, sensor, demo.eye, arms_for(steps, arms))
     known = sorted(([*it.position, *it.color, *it.size, it.yaw] for it in building.known),
                    key=lambda row: [round(number, 4) for number in row[:3]])
     lines += [fact("known", *row) for row in known]
     lines += [fact("site", *step.position, step.yaw) for step in building.steps]
     for action in actions:
-        lines.append(fact("action", action.kind, action.arm, action.to, action.width))
+        arm = [action.arm.name] if action.arm else []
+        lines.append(fact("action", action.kind, *arm, action.to, action.width))
         if action.kind == "follow":
-            tool = robot.forward(ARMS[action.arm], action.path.positions[-1])
+            tool = action.arm.forward(action.path.positions[-1])
             lines.append(fact("tool", *tool[:3, 3], *tool[:3, 1]))
     return lines
 

@@ -28,7 +28,7 @@ from smile.messages import BYE, INIT, STEP, decode, encode
 
 HEADER = struct.Struct("<4I")  # magic, type, sequence, length of the body
 DOUBLE, BYTE, LOGICAL, TEXT = range(4)  # kinds of elements
-TRUE = {"timeElapsed", "simTime", "jointAngles", "gripperOpening", "rgbVision"}
+TRUE = {"timeElapsed", "simTime", "armJoints", "armGrippers", "rgbVision"}
 
 
 def main(smile, source, brain, *command):

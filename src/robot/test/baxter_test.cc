@@ -111,7 +111,7 @@ TEST(Baxter, NamedPosesStayWithinLimits) {
     EXPECT_TRUE(IsWithinLimits(Baxter(), pose.q)) << pose.name;
   }
   EXPECT_EQ(names, (std::vector<std::string>{"zero", "neutral", "tucked", "untucked", "ready",
-                                             "smile_start"}));
+                                             "parked", "smile_start"}));
   EXPECT_EQ(Baxter().q_start, FindPose(Baxter(), "smile_start")->q);
 }
 

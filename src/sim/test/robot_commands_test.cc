@@ -188,8 +188,8 @@ TEST_F(RobotCommands, ImpossibleCommandsAreRefusedWithAReason) {
   EXPECT_EQ(refusal(TurnJoint{.joint = "left_gripper_left_finger"}).substr(0, 61),
             "the robot has no joint \"left_gripper_left_finger\" to turn");
   EXPECT_EQ(refusal(TakePose{.name = "asleep"}),
-            "the robot has no pose \"asleep\", expected zero, neutral, tucked, untucked, ready or "
-            "smile_start");
+            "the robot has no pose \"asleep\", expected zero, neutral, tucked, untucked, ready, "
+            "parked or smile_start");
   EXPECT_EQ(refusal(FollowTrajectory{{{"knee"}, {{0, {0}, {0}}}}}),
             "the robot has no joint \"knee\"");
   EXPECT_EQ(refusal(FollowTrajectory{}), "there are no joints");

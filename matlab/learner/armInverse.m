@@ -1,0 +1,9 @@
+function q = armInverse(arm, pose, q, varargin)
+% Returns joint angles that bring an arm's tool to a pose, searched from q, 1xn [rad]; [] if there are none.
+% Arms of fewer than six joints cannot make up for a rounded description.
+  if numel(q) < 6
+    tolerance = constants().arms.tolerance;
+    varargin = [varargin, {'positionTolerance', tolerance, 'angleTolerance', tolerance}];
+  end
+  q = smileInverse(arm.robot, arm.name, pose, q, varargin{:});
+end

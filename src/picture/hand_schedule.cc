@@ -254,13 +254,15 @@ void RemoveOverlaps(std::vector<ContactInterval>* intervals) {
 HandSide CalledLeft(const std::vector<NamedInterval>& all) {
   // Left and right are names in commands, and users put either on either side. The table is seen
   // from the demonstrator's place, where +x is left.
+  // What lies in the middle says nothing, wherever rounding has put it.
+  constexpr double kMiddle = 0.001;  // [m]
   double balance = 0;
   for (const auto& [hand, interval] : all) {
     const double x = interval.begin.poses[interval.frame].translation().x();
     if (hand == HandName::kLeft) balance += x;
     if (hand == HandName::kRight) balance -= x;
   }
-  return balance >= 0 ? HandSide::kLeft : HandSide::kRight;
+  return balance >= -kMiddle ? HandSide::kLeft : HandSide::kRight;
 }
 
 }  // namespace

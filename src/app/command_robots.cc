@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "app/commands.h"
 #include "app/console_reporter.h"
@@ -9,6 +11,7 @@
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/wording.h"
+#include "catalog/known_robots.h"
 #include "catalog/robot_catalog.h"
 #include "catalog/robot_check.h"
 #include "catalog/robot_guess.h"
@@ -62,10 +65,10 @@ std::string SideFileTextFor(const RobotsOptions& options, const robot::RobotRead
     std::printf("side file: %s\n", own.c_str());
     return ReadFile(own, kMaxBytes);
   }
-  const auto known = catalog::FindRobot(std::filesystem::absolute(options.urdf)).side_file;
-  if (!known.empty()) {
-    std::printf("side file: %s, which ships for this description\n", known.c_str());
-    return ReadFile(known, kMaxBytes);
+  if (const std::optional<catalog::KnownRobot> known = catalog::FindKnownRobot(options.urdf)) {
+    std::printf("side file: %s, which ships for this description, known %s\n",
+                known->side_file.c_str(), WordsFor(known->match).data());
+    return ReadFile(known->side_file, kMaxBytes);
   }
   ConsoleReporter console;
   const catalog::RobotGuess guess = catalog::GuessRobot(
@@ -87,6 +90,18 @@ int Add(const RobotsOptions& options) {
   return kDone;
 }
 
+/// Prints both hashes of a description, and the side file that ships for it.
+void PrintDescription(const std::filesystem::path& urdf, const robot::RobotModel& model) {
+  constexpr std::size_t kMaxBytes = 4 << 20;
+  const std::optional<catalog::KnownRobot> known = catalog::FindKnownRobot(urdf);
+  const std::string match = known ? "known " + std::string(WordsFor(known->match)) + ": " +
+                                        known->side_file.filename().string()
+                                  : "not known";
+  std::printf("description: %s; content hash %s, kinematics hash %s\n", match.c_str(),
+              catalog::UrdfHash(ReadFile(urdf, kMaxBytes)).c_str(),
+              catalog::KinematicsHash(model).c_str());
+}
+
 int Check(const RobotsOptions& options) {
   const model::RobotPlacement robot = *PlaceRobot({.urdf = options.name});
   ConsoleReporter console;
@@ -94,6 +109,7 @@ int Check(const RobotsOptions& options) {
       catalog::CheckRobot(robot, console.callbacks().ProgressOf("checking"));
   console.Clear();
   for (const std::string& fact : report.facts) std::printf("%s\n", fact.c_str());
+  PrintDescription(catalog::FindRobot(options.name).urdf, robot.model);
   for (const std::string& finding : report.findings) {
     std::fprintf(stderr, "%s: %s\n", options.name.c_str(), finding.c_str());
   }

@@ -55,7 +55,8 @@ class ToolGuesser {
   }
 
   ToolGuess Guess() {
-    const bool works = IsPairOfFingers() ? UseFingers() : motors_.size() == 1 && UseJaws();
+    const std::optional<int> drive = DriveOfJaws();
+    const bool works = IsPairOfFingers() ? UseFingers() : drive && UseJaws(*drive);
     if (works) return std::move(guess_);
     if (!arm_.beyond.empty()) {
       guess_.notes.push_back(
@@ -220,14 +221,28 @@ class ToolGuesser {
 
   // ---- jaws
 
+  /// Returns the joint beyond the palm that can move jaws: the only one with a motor, or the only
+  /// one that others mimic. Besides that one, some grippers have a joint for a part of their
+  /// linkage that is only to be seen.
+  std::optional<int> DriveOfJaws() const {
+    if (motors_.size() == 1) return motors_.front();
+    std::set<int> leaders;
+    for (int joint : arm_.beyond) {
+      if (const auto& mimic = model_.links[joint].mimic) leaders.insert(mimic->leader);
+    }
+    if (leaders.size() != 1 || std::ranges::count(motors_, *leaders.begin()) == 0) {
+      return std::nullopt;
+    }
+    return *leaders.begin();
+  }
+
   /// A side of the gripper: a link, and its box in the tool's frame.
   struct Side {
     int link = -1;
     scene::Bounds bounds;
   };
 
-  bool UseJaws() {
-    const int drive = motors_.front();
+  bool UseJaws(int drive) {
     const scene::LinkSpec& joint = model_.links[drive];
     const std::vector<RigidTransform> X_PL = PosesInPalm(drive, joint.lower);
     const Vector3 axis = AxisOf(drive, X_PL);
@@ -265,6 +280,11 @@ class ToolGuesser {
     guess_.notes.push_back("gripper: jaws " + model_.links[left.link].name + " and " +
                            model_.links[right.link].name + ", moved by " + joint.joint_name +
                            "; the places where they meet are those of their shapes");
+    for (int other : motors_) {
+      if (other == drive) continue;
+      guess_.notes.push_back("joint " + Quoted(model_.links[other].joint_name) +
+                             " moves no jaw; `turn` moves it");
+    }
     return true;
   }
   /// Forgets what was made for a gripper.

@@ -20,9 +20,9 @@ struct ToolGuess {
 ///
 /// A tool frame with a usual name (`tcp`, `tool0`, …) is used if its z axis points out of the
 /// gripper and, with fingers, its y axis across them; otherwise one is made from the shapes of the
-/// links. Two links that slide apart are fingers. One joint with all that mimic it moves jaws; the
-/// places where these meet are measured on their shapes. Anything else is no known gripper: its
-/// joints are left to be turned one by one.
+/// links. Two links that slide apart are fingers. One joint with all that mimic it moves jaws, even
+/// beside joints that nothing mimics; the places where the jaws meet are measured on their shapes.
+/// Anything else is no known gripper: its joints are left to be turned one by one.
 ToolGuess GuessTool(const robot::RobotModel& model, const ArmChain& arm);
 
 }  // namespace smile::catalog::internal

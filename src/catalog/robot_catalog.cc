@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 
 #include "base/files.h"
-#include "base/hash_text.h"
-#include "base/json.h"
-#include "base/state_hash.h"
 #include "base/wording.h"
+#include "catalog/internal_robot_folders.h"
+#include "catalog/known_robots.h"
 
 // Robots are files: a folder of the user has one folder per robot, and `robots/` those that ship.
 // `robots/known/` has side files for descriptions of others, which do not ship.
@@ -20,9 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxName = 40, kMaxUrdfBytes = 4 << 20, kMaxSideFileBytes = 1 << 20;
-/// More robots of the user are not listed.
-constexpr std::size_t kMaxRobots = 1000;
+constexpr std::size_t kMaxName = 40;
 
 bool IsName(const std::string& name) {
   const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
@@ -31,20 +29,6 @@ bool IsName(const std::string& name) {
            return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
          });
 }
-
-/// Returns the entries of a folder, sorted; nothing if it does not exist.
-std::vector<fs::path> EntriesOf(const fs::path& folder) {
-  std::vector<fs::path> entries;
-  std::error_code error;
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-    if (entries.size() == kMaxRobots) break;
-    entries.push_back(it->path());
-  }
-  std::ranges::sort(entries);
-  return entries;
-}
-
-fs::path ShippedFolder() { return DataFile("robots/baxter.urdf").parent_path(); }
 
 }  // namespace
 
@@ -59,12 +43,12 @@ fs::path UserRobotFolder() {
 
 std::vector<CatalogEntry> AllRobots() {
   std::vector<CatalogEntry> robots;
-  for (const fs::path& file : EntriesOf(ShippedFolder())) {
+  for (const fs::path& file : internal::EntriesOf(internal::ShippedFolder())) {
     if (file.extension() == ".urdf") {
       robots.push_back({.name = file.stem().string(), .urdf = file, .is_shipped = true});
     }
   }
-  for (const fs::path& folder : EntriesOf(UserRobotFolder())) {
+  for (const fs::path& folder : internal::EntriesOf(UserRobotFolder())) {
     const std::string name = folder.filename().string();
     const fs::path urdf = folder / (name + ".urdf");
     std::error_code error;
@@ -93,23 +77,8 @@ RobotSource FindRobot(const std::string& name_or_path) {
   fs::path own = path;
   if (fs::exists(own.replace_extension(".robot.json"), error))
     return {.urdf = path, .side_file = {}};
-  return {.urdf = path, .side_file = SideFileFor(ReadFile(path, kMaxUrdfBytes))};
-}
-
-std::string UrdfHash(std::string_view text) {
-  StateHash hash;
-  hash.Add(text);
-  return HashText(hash.value());
-}
-
-fs::path SideFileFor(std::string_view urdf_text) {
-  const std::string hash = UrdfHash(urdf_text);
-  for (const fs::path& file : EntriesOf(ShippedFolder() / "known")) {
-    const Json root = ParseJson(ReadFile(file, kMaxSideFileBytes));
-    const Json hashes = root.value("urdf_hashes", Json::array());
-    if (std::ranges::find(hashes, Json(hash)) != hashes.end()) return file;
-  }
-  return {};
+  const std::optional<KnownRobot> known = FindKnownRobot(path);
+  return {.urdf = path, .side_file = known ? known->side_file : fs::path()};
 }
 
 void CheckNewName(const std::string& name) {

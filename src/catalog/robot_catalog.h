@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "robot/urdf_reader.h"
@@ -29,8 +28,8 @@ std::vector<CatalogEntry> AllRobots();
 /// Files of a robot.
 struct RobotSource {
   std::filesystem::path urdf;
-  /// The side file that ships for exactly this description; empty if the robot has its own, or none
-  /// is known.
+  /// The side file that ships for this description, see FindKnownRobot(); empty if the robot has
+  /// its own, or none is known.
   std::filesystem::path side_file;
 };
 /// Finds a robot.
@@ -38,12 +37,6 @@ struct RobotSource {
 ///                      `.urdf`, or of a file.
 /// @throws std::invalid_argument if the name is unknown.
 RobotSource FindRobot(const std::string& name_or_path);
-
-/// Returns the content hash of a URDF, by which side files know the descriptions that they fit.
-std::string UrdfHash(std::string_view text);
-/// Returns the shipped side file whose member `urdf_hashes` contains that of this text; empty if
-/// there is none.
-std::filesystem::path SideFileFor(std::string_view urdf_text);
 
 /// Throws std::invalid_argument unless a robot of this name can be added: a letter, then letters,
 /// digits, `_` or `-`, and no robot has it.

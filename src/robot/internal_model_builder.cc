@@ -43,8 +43,8 @@ struct MassSum {
 
 class ModelBuilder {
  public:
-  ModelBuilder(const std::vector<UrdfPart>& parts, RobotFileSet* files)
-      : parts_(parts), files_(*files) {}
+  ModelBuilder(const std::vector<UrdfPart>& parts, bool has_shapes, RobotFileSet* files)
+      : parts_(parts), has_shapes_(has_shapes), files_(*files) {}
 
   BuiltModel Build() {
     built_.is_used.resize(parts_.size());
@@ -114,7 +114,7 @@ class ModelBuilder {
   void AddContents(const UrdfPart& part, const urdf::Link& link, int carrier,
                    const RigidTransform& X_LF) {
     const UrdfElement element(*part.document, "link", link.name);
-    AddShapes(part, link, element, carrier, X_LF);
+    if (has_shapes_) AddShapes(part, link, element, carrier, X_LF);
     // The base never moves, so its mass does not matter.
     if (!link.inertial || carrier < 0) return;
     const UrdfInertial piece = element.ReadInertial(*link.inertial);
@@ -241,6 +241,7 @@ class ModelBuilder {
   }
 
   const std::vector<UrdfPart>& parts_;
+  const bool has_shapes_;
   RobotFileSet& files_;
   BuiltModel built_;
   std::set<std::string> names_;
@@ -250,8 +251,8 @@ class ModelBuilder {
 
 }  // namespace
 
-BuiltModel BuildModel(const std::vector<UrdfPart>& parts, RobotFileSet* files) {
-  return ModelBuilder(parts, files).Build();
+BuiltModel BuildModel(const std::vector<UrdfPart>& parts, bool has_shapes, RobotFileSet* files) {
+  return ModelBuilder(parts, has_shapes, files).Build();
 }
 
 }  // namespace smile::robot::internal

@@ -37,7 +37,8 @@ struct BuiltModel {
 
 /// Builds a robot from the tree of `parts[0]`; branches of the other parts are added as if they
 /// were in the same file.
+/// @param has_shapes  false leaves out collision shapes and visuals.
 /// @throws InputError
-BuiltModel BuildModel(const std::vector<UrdfPart>& parts, RobotFileSet* files);
+BuiltModel BuildModel(const std::vector<UrdfPart>& parts, bool has_shapes, RobotFileSet* files);
 
 }  // namespace smile::robot::internal

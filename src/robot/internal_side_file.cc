@@ -31,9 +31,9 @@ constexpr std::array<std::string_view, 5> kNoArmNames{"both", "any", "all", "hea
 constexpr double kMaxPayload = 1e5;  // [kg], the limit for links
 
 // Known members; others are refused, since a misspelled one would be ignored otherwise.
-constexpr std::array<std::string_view, 13> kFileMembers{
-    "format", "urdf_hashes",   "frames", "arms",  "grippers", "gripper", "head",
-    "limits", "never_collide", "poses",  "start", "look",     "stands"};
+constexpr std::array<std::string_view, 14> kFileMembers{
+    "format", "urdf_hashes", "kinematics_hashes", "frames", "arms",  "grippers", "gripper",
+    "head",   "limits",      "never_collide",     "poses",  "start", "look",     "stands"};
 constexpr std::array<std::string_view, 10> kArmMembers{
     "joints",         "tool", "fingers", "jaws",   "suction",
     "closed_opening", "pads", "flange",  "prefix", "payload"};

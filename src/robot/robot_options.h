@@ -25,6 +25,8 @@ struct RobotReaderOptions {
   /// False leaves out the shipped appearance that the side file names, for planning, which draws
   /// nothing.
   bool has_appearance = true;
+  /// False leaves out all shapes, so that no mesh is needed: links, joints, frames and arms remain.
+  bool has_shapes = true;
 };
 
 /// A file that a robot was read from. All of them in one folder, under these names, are the robot

@@ -105,7 +105,7 @@ RobotReading Read(const FoundFile& urdf, const RobotReaderOptions& options, Robo
         {urdf.path.string(), 0, "",
          "has no side file that offers grippers, found the choice " + Quoted(options.gripper)});
   }
-  internal::BuiltModel built = internal::BuildModel(parts, files);
+  internal::BuiltModel built = internal::BuildModel(parts, options.has_shapes, files);
   // Part 0 is the robot itself.
   for (std::size_t i = 0; i < mountings.size(); ++i) {
     // A part whose link does not exist was never attached.

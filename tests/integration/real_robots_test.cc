@@ -1,5 +1,8 @@
 // Descriptions of real robots, as tools/get_real_robots.sh installs them; skipped without.
 
+#include <regex>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "program.h"
@@ -19,14 +22,37 @@ class RealRobots : public ProgramTest, public ::testing::WithParamInterface<Real
  protected:
   void SetUp() override {
     packages_ = Shipped("build/real_robots/cmeel.prefix/share");
-    if (!std::filesystem::exists(packages_)) {
+    urdf_ = Shipped("build/real_robots/" + GetParam().urdf);
+    if (!std::filesystem::exists(urdf_)) {
       GTEST_SKIP() << "tools/get_real_robots.sh installs the robots";
     }
-    urdf_ = packages_ / "example-robot-data/robots" / GetParam().urdf;
   }
   Answer Add(const std::string& name, const std::filesystem::path& urdf) {
     return Smile("robots add " + name + " '" + urdf.string() + "' --package '" +
                  packages_.string() + "'");
+  }
+  /// Returns a description with a link below its root.
+  static std::string OnAFoot(std::string text) {
+    const std::regex link("<link\\s+name=\"([^\"]+)\""), child("<child\\s+link=\"([^\"]+)\"");
+    std::set<std::string> roots;
+    for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
+      roots.insert((*it)[1]);
+    }
+    for (std::sregex_iterator it(text.begin(), text.end(), child), end; it != end; ++it) {
+      roots.erase((*it)[1]);
+    }
+    EXPECT_EQ(roots.size(), 1u);
+    return text.insert(text.rfind("</robot>"),
+                       "<link name=\"foot\"/><joint name=\"foot\" type=\"fixed\"><parent "
+                       "link=\"foot\"/><child link=\"" +
+                           *roots.begin() + "\"/><origin xyz=\"0 0 0.001\"/></joint>\n");
+  }
+  /// Writes another text of the description, beside copies of the files that are beside it.
+  std::filesystem::path Changed(const std::string& text) {
+    std::filesystem::copy(urdf_.parent_path(), directory_ / "changed",
+                          std::filesystem::copy_options::recursive);
+    Write("changed/changed.urdf", text);
+    return directory_ / "changed/changed.urdf";
   }
   Json SideFileOf(const std::string& name) const {
     return Json::parse(Read("data/smile/robots/" + name + "/" + name + ".robot.json"));
@@ -47,17 +73,31 @@ class RealRobots : public ProgramTest, public ::testing::WithParamInterface<Real
 TEST_P(RealRobots, AreKnownByTheirContent) {
   const Answer added = Add("mine", urdf_);
   ASSERT_EQ(added.exit_code, 0) << added.err;
-  EXPECT_NE(added.out.find("which ships for this description"), std::string::npos) << added.out;
+  EXPECT_NE(added.out.find("which ships for this description, known by its content"),
+            std::string::npos)
+      << added.out;
   ExpectArms(SideFileOf("mine"));
   const Answer check = Smile("robots check mine");
   EXPECT_EQ(check.exit_code, 0) << check.err;
 }
 
+TEST_P(RealRobots, AreKnownByTheirKinematics) {
+  const Answer added = Add("mine", Changed(ReadFile(urdf_, 1 << 22) + "<!-- changed -->\n"));
+  ASSERT_EQ(added.exit_code, 0) << added.err;
+  EXPECT_NE(added.out.find("which ships for this description, known by its kinematics"),
+            std::string::npos)
+      << added.out;
+  ExpectArms(SideFileOf("mine"));
+  const Answer check = Smile("robots check mine");
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_NE(check.out.find("description: known by its kinematics: " + GetParam().name),
+            std::string::npos)
+      << check.out;
+}
+
 TEST_P(RealRobots, AreUnderstoodWithoutASideFile) {
-  // Another content, of the same meaning; its relative references still lead to the package.
-  const std::string text = ReadFile(urdf_, 1 << 22) + "<!-- changed -->\n";
-  Write("changed.urdf", text);
-  const Answer added = Add("mine", directory_ / "changed.urdf");
+  // On a foot of 1 mm it is another robot.
+  const Answer added = Add("mine", Changed(OnAFoot(ReadFile(urdf_, 1 << 22))));
   ASSERT_EQ(added.exit_code, 0) << added.err;
   EXPECT_NE(added.out.find("ready pose: each tool over the table, pointing down, free of overlaps"),
             std::string::npos)
@@ -87,13 +127,17 @@ TEST_P(RealRobots, MoveAndReplay) {
   EXPECT_EQ(Smile("replay demo --verify").exit_code, 0);
 }
 
+const std::string kRobots = "cmeel.prefix/share/example-robot-data/robots/";
+
 INSTANTIATE_TEST_SUITE_P(
     Each, RealRobots,
-    testing::Values(RealRobot{"panda", "panda_description/urdf/panda.urdf", 1, 7, "fingers"},
-                    RealRobot{"ur5", "ur_description/urdf/ur5_robot.urdf", 1, 6, ""},
-                    RealRobot{"xarm7", "xarm_description/urdf/xarm7.urdf", 1, 7, ""},
-                    RealRobot{"so101", "so_arm_description/urdf/so101.urdf", 1, 5, "jaws"},
-                    RealRobot{"baxter", "baxter_description/urdf/baxter.urdf", 2, 7, "fingers"}),
+    testing::Values(
+        RealRobot{"panda", kRobots + "panda_description/urdf/panda.urdf", 1, 7, "fingers"},
+        RealRobot{"ur5", kRobots + "ur_description/urdf/ur5_robot.urdf", 1, 6, ""},
+        RealRobot{"ur5e", "airo_models/arms/ur5e/ur5e.urdf", 1, 6, ""},
+        RealRobot{"xarm7", kRobots + "xarm_description/urdf/xarm7.urdf", 1, 7, ""},
+        RealRobot{"so101", kRobots + "so_arm_description/urdf/so101.urdf", 1, 5, "jaws"},
+        RealRobot{"baxter", kRobots + "baxter_description/urdf/baxter.urdf", 2, 7, "fingers"}),
     [](const auto& robot) { return robot.param.name; });
 
 }  // namespace

@@ -39,6 +39,8 @@ TEST_F(Robots, AreAddedWithWhatIsFoundInThem) {
   std::filesystem::remove_all(directory_ / "ws");
   const Answer check = Smile("robots check bird");
   EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_NE(check.out.find("description: not known; content hash "), std::string::npos)
+      << check.out;
   EXPECT_NE(Smile("robots").out.find("\nbird "), std::string::npos);
 
   Write("down.jsonl",

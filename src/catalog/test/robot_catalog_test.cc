@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/json.h"
 #include "catalog/robot_check.h"
 #include "catalog/test/made_urdf.h"
 
@@ -58,20 +57,6 @@ TEST_F(RobotCatalog, RefusesUnknownNamesAndNamesThatAreTaken) {
                   "\", expected a letter, then letters, digits, _ or -, 40 at most");
   }
   EXPECT_EQ(Refusal([] { CheckNewName("ur5e-left_2"); }), "");
-}
-
-TEST_F(RobotCatalog, KnowsDescriptionsByTheirContent) {
-  for (const auto& entry : std::filesystem::directory_iterator(
-           DataFile("robots/baxter.urdf").parent_path() / "known")) {
-    const Json root = ParseJson(ReadFile(entry.path(), 1 << 20));
-    ASSERT_FALSE(root.at("urdf_hashes").empty()) << entry.path();
-    for (const Json& hash : root.at("urdf_hashes")) {
-      EXPECT_EQ(hash.get<std::string>().size(), 16u) << entry.path();
-    }
-  }
-  EXPECT_EQ(SideFileFor("<robot/>"), "");
-  EXPECT_EQ(UrdfHash("<robot/>"), UrdfHash("<robot/>"));
-  EXPECT_NE(UrdfHash("<robot/>"), UrdfHash("<robot />"));
 }
 
 TEST_F(RobotCatalog, ShipsRobotsInWhichNothingIsWrong) {

@@ -117,6 +117,32 @@ TEST_F(RobotGuessTest, FindsJawsThatMimicTheirDrive) {
   EXPECT_NEAR(OpeningRangeOf(model, gripper).open, 0.05 + 2 * 0.0875 * std::sin(0.5), 0.02);
 }
 
+TEST_F(RobotGuessTest, FindsJawsBesideAJointThatNothingMimics) {
+  // As those of a ViperX: fingers that slide from 0.021 to 0.057 m, and a horn of their motor.
+  const std::string size = "0.08 0.01 0.02";
+  const std::string jaws =
+      LinkText("horn", "0.01 0.02 0.02", "0 0 0") + LinkText("l", size, "0.04 -0.01 0") +
+      LinkText("r", size, "0.04 0.01 0") +
+      JointText("gripper", "continuous", "a6", "horn", "0.05 0 0.12", "1 0 0", "") +
+      JointText("left_finger", "prismatic", "a6", "l", "0.07 0 0.12", "0 1 0",
+                R"(lower="0.021" upper="0.057")") +
+      JointText("right_finger", "prismatic", "a6", "r", "0.07 0 0.12", "0 1 0",
+                R"(lower="-0.057" upper="-0.021")",
+                R"(<mimic joint="left_finger" multiplier="-1"/>)");
+  const RobotGuess guess = Guess(ChainText("a", 6) + jaws);
+  const robot::RobotModel model = Read(guess);
+  ASSERT_TRUE(model.arms.at(0).gripper.has_value());
+  const robot::Gripper& gripper = *model.arms[0].gripper;
+  EXPECT_EQ(gripper.kind, robot::GripperKind::kJaws);
+  EXPECT_EQ(model.links[gripper.drive].joint_name, "left_finger");
+  EXPECT_EQ(JointsOf(model, gripper).size(), 2u);
+  EXPECT_NEAR(OpeningRangeOf(model, gripper).closed, 2 * (0.021 - 0.015), 1e-4);
+  EXPECT_NEAR(OpeningRangeOf(model, gripper).open, 2 * (0.057 - 0.015), 1e-4);
+  EXPECT_NE(std::ranges::find(guess.notes, "arm: joint \"gripper\" moves no jaw; `turn` moves it"),
+            guess.notes.end());
+  ExpectReady(model);
+}
+
 TEST_F(RobotGuessTest, FindsASuctionCupByItsName) {
   const std::string cup =
       R"(<link name="suction_cup"/><joint name="t" type="fixed"><parent link="a6"/>

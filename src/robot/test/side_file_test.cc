@@ -83,8 +83,9 @@ TEST_F(SideFile, ComplaintsNameThePlace) {
   EXPECT_EQ(ComplaintAbout(R"({"format": 3})"), "r.robot.json: <format>: found 3, expected 1 or 2");
   EXPECT_EQ(
       ComplaintAbout(WithArm(R"(, "posse": {})")),
-      "r.robot.json: unknown member \"posse\", expected format, urdf_hashes, frames, arms, "
-      "grippers, gripper, head, limits, never_collide, poses, start, look or stands; did you mean "
+      "r.robot.json: unknown member \"posse\", expected format, urdf_hashes, kinematics_hashes, "
+      "frames, arms, grippers, gripper, head, limits, never_collide, poses, start, look or stands; "
+      "did you mean "
       "\"poses\"?");
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": ["spin"], "tool": "arm"}}})"),
             "r.robot.json: <arms/a/joints/0>: found \"spin\", expected a joint that moves");

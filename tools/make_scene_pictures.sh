@@ -35,12 +35,3 @@ for script in examples/{um,row,bridge,box,hatch,drive,scissors,cover}.jsonl exam
   "$program" run "scenes/$name.xml" --commands "$script" --no-robot --record "$scratch/$name" >"$scratch/$name.txt"
   picture "$scratch/$name" "${name}_after"
 done
-# and robot programs at work
-at_work() {  # NAME SECONDS
-  "$program" run "scenes/$1_robot.xml" --brain "python/examples/$1/$1.py" --record "$scratch/$1_program" \
-    --no-pictures >"$scratch/$1_program.txt"
-  "$program" render "$scratch/$1_program" --out "$pictures/$1_program.png" --camera close --size 640x400 --at "$2"
-}
-at_work drive 29
-at_work scissors 10
-at_work cover 9

@@ -1,7 +1,10 @@
-// One pass with two color attachments, so that colors and ids always agree. There is no
-// multisampling, so each pixel belongs to one object.
+// One pass for colors and ids, so that they always agree. There is no multisampling, so each pixel
+// belongs to one object. Each attachment is cleared, written and read back, which in software takes
+// most of the time of large pictures. So ids share one with the colors where they can.
 
 #include "camera/internal_eye_pass.h"
+
+#include <algorithm>
 
 namespace smile::camera::internal {
 namespace {
@@ -37,21 +40,28 @@ layout(location = 0) out vec4 color;
 layout(location = 1) out uint seen_id;
 
 void main() {
-  color = vec4(shade, 1.0);
+  color = vec4(shade, float(id) / 255.0);
   seen_id = id;
 }
 )";
 
+constexpr std::uint32_t kMaxIdInAlpha = 255;
+
+bool FitIntoAlpha(const std::vector<Piece>& pieces) {
+  return std::ranges::all_of(
+      pieces, [](const Piece& piece) { return piece.instance.object_id <= kMaxIdInAlpha; });
+}
+
 /// Clears color, ids and depth of the bound framebuffer.
-void Clear(const Color& background) {
+void Clear(const Color& background, bool has_ids_of_their_own) {
   const GLfloat color[] = {static_cast<GLfloat>(background.red),
                            static_cast<GLfloat>(background.green),
-                           static_cast<GLfloat>(background.blue), 1};
+                           static_cast<GLfloat>(background.blue), 0};
   // Id 0 is the background; the depth of the far plane is read back as 0 (no hit).
   const GLuint no_object[] = {0, 0, 0, 0};
   const GLfloat far_plane = 1;
   glClearBufferfv(GL_COLOR, 0, color);
-  glClearBufferuiv(GL_COLOR, 1, no_object);
+  if (has_ids_of_their_own) glClearBufferuiv(GL_COLOR, 1, no_object);
   glClearBufferfv(GL_DEPTH, 0, &far_plane);
 }
 
@@ -64,19 +74,24 @@ EyePass::EyePass()
 const Framebuffer& EyePass::Draw(const std::vector<Piece>& visible, const CameraView& view,
                                  const RenderOptions& options, MeshStore* meshes,
                                  FramebufferPool* pool) {
-  const Framebuffer& picture = pool->Get({.width_px = view.intrinsics.width_px,
-                                          .height_px = view.intrinsics.height_px,
-                                          .color_formats = {GL_RGBA8, GL_R32UI}});
+  FramebufferLayout layout{.width_px = view.intrinsics.width_px,
+                           .height_px = view.intrinsics.height_px,
+                           .color_formats = {GL_RGBA8}};
+  const bool ids_apart = options.ids && !FitIntoAlpha(visible);
+  if (ids_apart) layout.color_formats.push_back(GL_R32UI);
+  const Framebuffer& picture = pool->Get(layout);
   picture.BindForDrawing();
   // Outputs that are not requested are not written, which saves bandwidth.
-  const GLenum outputs[] = {options.color ? GLenum{GL_COLOR_ATTACHMENT0} : GLenum{GL_NONE},
-                            options.ids ? GLenum{GL_COLOR_ATTACHMENT1} : GLenum{GL_NONE}};
-  glDrawBuffers(2, outputs);
-  Clear(options.background.value_or(Color{0, 0, 0}));
+  const bool writes_first = options.color || (options.ids && !ids_apart);
+  const GLenum outputs[] = {writes_first ? GLenum{GL_COLOR_ATTACHMENT0} : GLenum{GL_NONE},
+                            GL_COLOR_ATTACHMENT1};
+  glDrawBuffers(ids_apart ? 2 : 1, outputs);
+  Clear(options.background.value_or(Color{0, 0, 0}), ids_apart);
 
   program_.Use();
-  glUniformMatrix4fv(clip_from_world_, 1, GL_FALSE, ClipFromWorld(view).data());
-  meshes->Draw(visible);
+  const Eigen::Matrix4f clip_from_world = ClipFromWorld(view);
+  glUniformMatrix4fv(clip_from_world_, 1, GL_FALSE, clip_from_world.data());
+  meshes->Draw(visible, clip_from_world);
   return picture;
 }
 

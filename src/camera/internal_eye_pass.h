@@ -11,10 +11,15 @@ class EyePass {
  public:
   EyePass();
 
-  /// Returns a picture with sRGB colors (attachment 0), ids (attachment 1) and depth; attachments
-  /// that `options` does not request are undefined.
+  /// Returns a picture with sRGB colors (attachment 0) and depth; what `options` does not request
+  /// is undefined. Ids are the alpha of attachment 0 as long as they fit into its 8 bits, otherwise
+  /// attachment 1.
   const Framebuffer& Draw(const std::vector<Piece>& visible, const CameraView& view,
                           const RenderOptions& options, MeshStore* meshes, FramebufferPool* pool);
+  /// True for a picture whose ids are attachment 1.
+  static bool HasIdsOfTheirOwn(const Framebuffer& picture) {
+    return picture.layout().color_formats.size() > 1;
+  }
 
  private:
   Program program_;

@@ -73,11 +73,12 @@ GLsizeiptr BytesOf(const std::vector<T>& values) {
 MeshStore::UploadedMesh MeshStore::Upload(const mesh::UnitMesh& unit_mesh) {
   // The vertex array remembers which buffers and layouts belong together, so drawing only binds it.
   const mesh::TriangleMesh mesh = mesh::MakeMesh(unit_mesh);
+  UploadedMesh uploaded;
   std::vector<Corner> corners;
   for (std::size_t k = 0; k < mesh.positions.size(); ++k) {
     corners.push_back({mesh.positions[k], mesh.normals[k]});
+    uploaded.box.extend(mesh.positions[k]);
   }
-  UploadedMesh uploaded;
   uploaded.num_indices = static_cast<GLsizei>(3 * mesh.triangles.size());
   glBindVertexArray(uploaded.vertex_array.name());
   glBindBuffer(GL_ARRAY_BUFFER, uploaded.corners.name());
@@ -102,8 +103,13 @@ MeshStore::UploadedMesh& MeshStore::MeshFor(const mesh::UnitMesh& unit_mesh) {
   return meshes_.emplace(unit_mesh, Upload(unit_mesh)).first->second;
 }
 
-void MeshStore::Draw(const std::vector<Piece>& pieces) {
-  for (const Piece& piece : pieces) MeshFor(piece.unit_mesh).waiting.push_back(piece.instance);
+void MeshStore::Draw(const std::vector<Piece>& pieces, const Eigen::Matrix4f& clip_from_world) {
+  for (const Piece& piece : pieces) {
+    UploadedMesh& uploaded = MeshFor(piece.unit_mesh);
+    if (MayShow(uploaded.box, piece.instance, clip_from_world)) {
+      uploaded.waiting.push_back(piece.instance);
+    }
+  }
   // One call per unit mesh: instances are uploaded and drawn together.
   for (auto& [unit_mesh, uploaded] : meshes_) {
     if (uploaded.waiting.empty()) continue;

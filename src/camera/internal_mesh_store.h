@@ -15,13 +15,15 @@ namespace smile::camera::internal {
 class MeshStore {
  public:
   /// Draws with the program in use; pieces that share a unit mesh are drawn in one call.
-  void Draw(const std::vector<Piece>& pieces);
+  /// @param clip_from_world  of the program; pieces beside the picture are left out.
+  void Draw(const std::vector<Piece>& pieces, const Eigen::Matrix4f& clip_from_world);
 
  private:
   struct UploadedMesh {
     VertexArray vertex_array;
     Buffer corners, triangles, instances;
     GLsizei num_indices = 0;
+    Eigen::AlignedBox3f box;
     std::vector<Instance> waiting;  // to be drawn
   };
 

@@ -160,6 +160,31 @@ Eigen::Matrix4f ClipFromWorld(const CameraView& view) {
   return (clip_from_camera * camera_from_world).cast<float>();
 }
 
+bool MayShow(const Eigen::AlignedBox3f& box, const Instance& instance,
+             const Eigen::Matrix4f& clip_from_world) {
+  // Of the sums below, a multiple of what rounding may change.
+  constexpr float kRounding = 1e-5f;
+  Eigen::Matrix4f world_from_mesh = Eigen::Matrix4f::Identity();
+  for (int row = 0; row < 3; ++row) {
+    world_from_mesh.row(row) = Eigen::Map<const Eigen::RowVector4f>(instance.rows[row]);
+  }
+  const Eigen::Matrix4f clip_from_mesh = clip_from_world * world_from_mesh;
+  const Eigen::Vector4f center = box.center().homogeneous();
+  const Eigen::Vector3f half_span = box.sizes() / 2;
+  // A point is in the picture if -w <= x <= w and -w <= y <= w. Of each of these four sums, the
+  // largest in the box is that in the center and what half of each edge adds.
+  for (const int axis : {0, 1}) {
+    for (const float sign : {-1.0f, 1.0f}) {
+      const Eigen::Vector4f plane =
+          (clip_from_mesh.row(3) + sign * clip_from_mesh.row(axis)).transpose();
+      const float reach = plane.head<3>().cwiseAbs().dot(half_span);
+      const float magnitude = plane.cwiseAbs().dot(center.cwiseAbs()) + reach;
+      if (plane.dot(center) + reach < -kRounding * magnitude) return false;
+    }
+  }
+  return true;
+}
+
 void CheckIntrinsics(const CameraIntrinsics& c) {
   constexpr int kMaxSize = 8192;
   if (c.width_px < 1 || c.width_px > kMaxSize || c.height_px < 1 || c.height_px > kMaxSize) {

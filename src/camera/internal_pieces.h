@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <vector>
 
@@ -42,6 +43,13 @@ std::vector<Piece> VisiblePieces(const std::vector<Piece>& pieces, const CameraV
 /// Returns the matrix from world to OpenGL's clip space, such that row 0 of the picture is the
 /// first row in memory: +y in clip space is down in the picture.
 Eigen::Matrix4f ClipFromWorld(const CameraView& view);
+
+/// Returns false if an instance of a unit mesh lies beside the picture as a whole. Closer than the
+/// bounding spheres of VisiblePieces(), which are about the origin of a link and include what is
+/// far from its mesh.
+/// @param box  around the unit mesh.
+bool MayShow(const Eigen::AlignedBox3f& box, const Instance& instance,
+             const Eigen::Matrix4f& clip_from_world);
 
 /// Checks the parameters of a camera.
 /// @throws std::invalid_argument unless sizes are 1 to 8192, focal lengths are above 0, all numbers

@@ -177,7 +177,8 @@ void PresentationPass::DrawBackground(const std::optional<Color>& background) {
 void PresentationPass::DrawPieces(const std::vector<Piece>& visible, const CameraView& view,
                                   MeshStore* meshes) {
   program_.Use();
-  SetMatrix(program_, "clip_from_world", ClipFromWorld(view));
+  const Eigen::Matrix4f clip_from_world = ClipFromWorld(view);
+  SetMatrix(program_, "clip_from_world", clip_from_world);
   SetMatrix(program_, "map_from_world", shadow_map_.map_from_world());
   SetVector(program_, "p_WC", view.X_WC.translation());
   SetVector(program_, "to_lamp", DirectionToLamp());
@@ -186,7 +187,7 @@ void PresentationPass::DrawPieces(const std::vector<Piece>& visible, const Camer
   glUniform1f(program_.Uniform("normal_offset"),
               static_cast<float>(-0.5 * shadow_map_.texel_span()));
   shadow_map_.BindTexture();
-  meshes->Draw(visible);
+  meshes->Draw(visible, clip_from_world);
 }
 
 }  // namespace smile::camera::internal

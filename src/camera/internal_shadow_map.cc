@@ -123,7 +123,7 @@ void ShadowMap::Draw(const std::vector<Piece>& pieces, const std::vector<Piece>&
   clip_from_map.topRightCorner<3, 1>().setConstant(-1);
   const Eigen::Matrix4f clip_from_world = clip_from_map * map_from_world_;
   glUniformMatrix4fv(clip_from_world_, 1, GL_FALSE, clip_from_world.data());
-  meshes->Draw(casters);
+  meshes->Draw(casters, clip_from_world);
   glCullFace(GL_BACK);
   glFrontFace(GL_CW);
 }

@@ -22,7 +22,8 @@ struct Renderer::State {
 Renderer::Renderer() : state_(std::make_unique<State>()) {
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
-  glFrontFace(GL_CW);  // pictures are drawn top row first, which reverses orientation
+  glDisable(GL_DITHER);  // alpha may be an id
+  glFrontFace(GL_CW);    // pictures are drawn top row first, which reverses orientation
   internal::CheckGl("setting up");
 }
 
@@ -42,10 +43,10 @@ void Renderer::Render(const scene::VisualModel& model, const scene::VisualState&
   const auto visible = internal::VisiblePieces(pieces, view);
   image->width_px = view.intrinsics.width_px;
   image->height_px = view.intrinsics.height_px;
-  // Clearing keeps the memory, which is reused for the next picture of the same size.
-  image->color.clear();
-  image->depth.clear();
-  image->ids.clear();
+  // The memory of all channels is reused for the next picture of the same size.
+  if (!options.color) image->color.clear();
+  if (!options.depth) image->depth.clear();
+  if (!options.ids) image->ids.clear();
 
   State& s = *state_;
   // Other renderers of this thread may have made their contexts current in between.
@@ -63,8 +64,12 @@ void Renderer::Render(const scene::VisualModel& model, const scene::VisualState&
   if (eye_options.color || options.depth || options.ids) {
     const internal::Framebuffer& picture =
         s.eye_pass.Draw(visible, view, eye_options, &s.meshes, &s.framebuffers);
-    if (eye_options.color) s.read_back.ReadColor(picture, image);
-    if (options.ids) s.read_back.ReadIds(picture, image);
+    if (options.ids && !internal::EyePass::HasIdsOfTheirOwn(picture)) {
+      s.read_back.ReadColorAndIds(picture, eye_options.color, image);
+    } else {
+      if (eye_options.color) s.read_back.ReadColor(picture, image);
+      if (options.ids) s.read_back.ReadIds(picture, image);
+    }
     if (options.depth) {
       s.read_back.ReadDepth(picture, view.intrinsics.near, view.intrinsics.far, image);
     }

@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "camera/internal_pieces.h"
+#include "math/angles.h"
 
 namespace smile::camera::internal {
 namespace {
@@ -53,6 +55,36 @@ TEST(VisiblePieces, GiveNearSpheresMoreFacets) {
 TEST(VisiblePieces, SurviveNumbersThatAreNone) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_LE(NumVisible(scene::Sphere{0.1}, {nan, nan, nan}), 1u);
+}
+
+/// True if a block may show in the picture of kView.
+bool MayShowBlock(const Vector3& size, const RigidTransform& X_WF) {
+  const auto pieces = PlacePieces(ModelOf(scene::Block{size}), {.poses = {{}, X_WF}}, {});
+  const Eigen::AlignedBox3f unit_box(Eigen::Vector3f::Constant(-0.5f),
+                                     Eigen::Vector3f::Constant(0.5f));
+  return MayShow(unit_box, pieces.at(0).instance, ClipFromWorld(kView));
+}
+
+TEST(MayShow, LeavesOutALongBlockBesideThePicture) {
+  const Vector3 size(0.1, 4, 0.1);
+  const double edge = std::tan(std::numbers::pi / 6) * 640 / 480;  // of the picture, 1 m away
+  // Along the line of sight, so that a sphere around it contains all that is near.
+  EXPECT_TRUE(MayShowBlock(size, RigidTransform(Vector3(3 * edge, 1, 0))));
+  EXPECT_FALSE(MayShowBlock(size, RigidTransform(Vector3(3.1 * edge, 1, 0))));
+  EXPECT_FALSE(MayShowBlock(size, RigidTransform(Vector3(-3.1 * edge, 1, 0))));
+  EXPECT_FALSE(MayShowBlock(size, RigidTransform(Vector3(0, 1, 2))));
+  EXPECT_FALSE(MayShowBlock(size, RigidTransform(Vector3(0, 1, -2))));
+  EXPECT_FALSE(MayShowBlock(size, RigidTransform(Vector3(0, -3, 0))));
+}
+
+TEST(MayShow, FollowsTheTurnOfABlock) {
+  const Vector3 size(4, 0.1, 0.1), p_WF(2, 1, 0);
+  EXPECT_TRUE(MayShowBlock(size, RigidTransform(p_WF)));
+  EXPECT_FALSE(MayShowBlock(size, RigidTransform(RotationFromFixedAxes({0, 90, 0}), p_WF)));
+}
+
+TEST(MayShow, KeepsWhatSurroundsTheCamera) {
+  EXPECT_TRUE(MayShowBlock({20, 20, 20}, RigidTransform()));
 }
 
 TEST(ClipFromWorld, PutsThePictureCornersIntoTheCornersOfClipSpace) {

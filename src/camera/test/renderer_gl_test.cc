@@ -258,6 +258,66 @@ TEST_F(RendererTest, ChannelsThatWereNotRequestedAreEmpty) {
   EXPECT_EQ(image.ids, Render(TableScene(), HeadView(20, 20)).ids);
 }
 
+TEST_F(RendererTest, EachOfManyIdsIsExact) {
+  constexpr int kColumns = 20, kRows = 15, kPixels = 8;  // of a cell
+  SmallScene scene;
+  for (int k = 0; k < kColumns * kRows; ++k) {
+    scene.Add(scene::Block{{0.9, 0.9, 0.9}}, kWhite, Vector3(k % kColumns, k / kColumns, 0));
+  }
+  // From far away, so that a cell is as large as any other in the picture.
+  CameraView view{.intrinsics = {.width_px = kColumns * kPixels,
+                                 .height_px = kRows * kPixels,
+                                 .fx = 1000 * kPixels,
+                                 .fy = 1000 * kPixels,
+                                 .cx = kPixels / 2.0,
+                                 .cy = kPixels / 2.0,
+                                 .near = 900,
+                                 .far = 1100},
+                  .X_WC = RigidTransform(RotationFromFixedAxes({0, 0, 0}), {0, 0, -1000})};
+  const auto expect_exact = [&](const Image& image) {
+    for (int k = 0; k < kColumns * kRows; ++k) {
+      EXPECT_EQ(
+          IdAt(image, k % kColumns * kPixels + kPixels / 2, k / kColumns * kPixels + kPixels / 2),
+          scene.model.visuals[k].object_id);
+    }
+  };
+  for (const std::uint32_t max_id : {255u, 256u, 300u, 0xffffffffu}) {
+    for (int k = 0; k < kColumns * kRows; ++k) {
+      scene.model.visuals[k].object_id = std::min<std::uint32_t>(k + 1, max_id);
+    }
+    scene.model.visuals.back().object_id = max_id;
+    expect_exact(Render(scene, view, kAllChannels));
+    expect_exact(Render(scene, view, {.color = false, .ids = true}));
+  }
+}
+
+TEST_F(RendererTest, LargeIdsChangeNeitherColorNorDepth) {
+  SmallScene scene = TableScene();
+  const Image image = Render(scene, HeadView(320, 240));
+  for (scene::Visual& visual : scene.model.visuals) visual.object_id += 1000;
+  const Image same = Render(scene, HeadView(320, 240));
+  EXPECT_TRUE(same.color == image.color);
+  EXPECT_TRUE(same.depth == image.depth);
+  for (std::size_t k = 0; k < image.ids.size(); ++k) {
+    EXPECT_EQ(same.ids[k], image.ids[k] == 0 ? 0 : image.ids[k] + 1000);
+  }
+}
+
+TEST_F(RendererTest, AnImageMayHoldAnEarlierPicture) {
+  const SmallScene scene = TableScene();
+  Renderer renderer;
+  Image image;
+  for (const RenderOptions& options :
+       {kAllChannels, RenderOptions{.depth = true}, RenderOptions{.color = false, .ids = true},
+        kPresented, kAllChannels}) {
+    for (const int width : {320, 200, 200}) {
+      const CameraView view = HeadView(width, 150);
+      renderer.Render(scene.model, scene.state, view, options, &image);
+      EXPECT_TRUE(image == Render(scene, view, options));
+    }
+  }
+}
+
 TEST_F(RendererTest, ExcludedFramesAreNotSeen) {
   const SmallScene scene = TableScene();
   RenderOptions options = kAllChannels;

@@ -67,9 +67,11 @@ replay() {
 fuzz() {
   local subject=$1 corpus="$scratch/corpus/$1" seeds="$scratch/seeds/$1" log="$scratch/$1.log" new="$scratch/new/$1"
   local found="tests/fuzz/found/$1" options=() files=() runs covered
-  mkdir -p "$corpus" "$seeds" "$new" "$found"
+  mkdir -p "$corpus" "$seeds" "$new"
   seeds_of "$subject" "$seeds"
-  mapfile -t files < <(find "$seeds" "tests/fuzz/corpus/$subject" "$found" -type f | sort)
+  local folders=("$seeds" "tests/fuzz/corpus/$subject")
+  if [[ -d $found ]]; then folders+=("$found"); fi
+  mapfile -t files < <(find "${folders[@]}" -type f | sort)
   replay "$subject" "$corpus" "${files[@]}"
   if [[ -f tests/fuzz/$subject.dict ]]; then options+=(-dict="tests/fuzz/$subject.dict"); fi
   if ! "build/asan/bin/smile_${subject}_fuzzer" "${limits[@]}" "${options[@]}" -max_len=65536 \
@@ -77,7 +79,8 @@ fuzz() {
       "$corpus" >"$log" 2>&1; then
     fail "$log"
     # A process that the importer of DAE files gives up leaves inputs too; it is no finding.
-    cp "$new"/* "$found/" || true
+    mkdir -p "$found"
+    cp "$new"/* "$found/" || rmdir --ignore-fail-on-non-empty "$found"
     say "finding: kept in $found"
   fi
   # Children of the importer that die print their own numbers first.

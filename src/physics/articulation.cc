@@ -1,15 +1,13 @@
 #include "physics/articulation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "base/state_hash.h"
 #include "math/principal_inertia.h"
+#include "mechanics/link_trees.h"
 #include "physics/internal_articulation_links.h"
 #include "physics/internal_collision_object.h"
 
@@ -19,13 +17,6 @@
 
 namespace smile::physics {
 namespace {
-
-/// A joint below this speed and this close to its reference is at rest [rad/s or m/s; rad or m].
-constexpr double kRest = 1e-7;
-
-/// Fraction of the error of a coupling that is corrected in each physics step. It may be more than
-/// that of motors, since nothing that gives way is behind it.
-constexpr double kCouplingGain = 0.5;
 
 /// Returns a rotation as Bullet's quaternion.
 btQuaternion QuaternionOf(const Matrix3& R) {
@@ -39,11 +30,8 @@ btQuaternion QuaternionOf(const Matrix3& R) {
 /// Builds the multibodies in four steps: trees, links with joints, then colliders, then motors.
 Articulation::Articulation(ArticulationId id, std::shared_ptr<const scene::ArticulationSpec> spec,
                            const MotorConfig& config)
-    : id_(id), spec_(std::move(spec)), config_(config), links_(std::make_unique<Links>()) {
+    : id_(id), spec_(std::move(spec)), motors_(spec_, config), links_(std::make_unique<Links>()) {
   const int count = num_joints();
-  velocity_targets_.assign(count, 0.0);
-  position_references_.assign(count, 0.0);
-  is_overloaded_.assign(count, false);
   links_->links.resize(count);
   MakeTrees();
   for (int i = 0; i < count; ++i) AddBulletLink(i);
@@ -62,30 +50,12 @@ Articulation::Articulation(ArticulationId id, std::shared_ptr<const scene::Artic
   SetPositions(joints, std::vector<double>(count, 0.0));
 }
 
-/// Makes a multibody for each link at the base, and assigns the links to them. Links at the base
-/// that a coupling connects share one, since a row of Bullet's solver couples joints of one.
+/// Makes the multibodies, and assigns the links to them. Links at the base that a coupling connects
+/// share one, since a row of Bullet's solver couples joints of one.
 void Articulation::MakeTrees() {
-  // The link at the base that carries each link; then, of those that are coupled, the first one.
-  std::vector<int> root_of(num_joints());
-  for (int i = 0; i < num_joints(); ++i) {
-    const int parent = spec_->links[i].parent;
-    root_of[i] = parent < 0 ? i : root_of[parent];
-  }
-  for (int i = 0; i < num_joints(); ++i) {
-    if (!spec_->links[i].mimic) continue;
-    const int own = root_of[i], other = root_of[spec_->links[i].mimic->leader];
-    std::ranges::replace(root_of, std::max(own, other), std::min(own, other));
-  }
-  std::vector<int> sizes;
-  std::vector<int> tree_of(num_joints());
-  for (int i = 0; i < num_joints(); ++i) {
-    const bool is_first = root_of[i] == i;
-    tree_of[i] = is_first ? static_cast<int>(sizes.size()) : tree_of[root_of[i]];
-    if (is_first) sizes.push_back(0);
-    links_->links[i].index = sizes[tree_of[i]]++;
-  }
+  const auto [places, tree_sizes] = mechanics::TreesOf(spec_->links);
   // The base needs one in any case.
-  if (sizes.empty()) sizes.push_back(0);
+  const std::vector<int> sizes = tree_sizes.empty() ? std::vector<int>{0} : tree_sizes;
   for (const int size : sizes) {
     // The base is fixed, so its mass and inertia have no effect.
     auto tree = std::make_unique<btMultiBody>(size, /*mass=*/1.0, btVector3(1, 1, 1),
@@ -100,7 +70,10 @@ void Articulation::MakeTrees() {
     tree->setUserIndex(static_cast<int>(id_.value));
     links_->trees.push_back(std::move(tree));
   }
-  for (int i = 0; i < num_joints(); ++i) links_->links[i].tree = links_->trees[tree_of[i]].get();
+  for (int i = 0; i < num_joints(); ++i) {
+    links_->links[i].tree = links_->trees[places[i].tree].get();
+    links_->links[i].index = places[i].index;
+  }
 }
 
 /// Adds a link to its multibody. Bullet wants each link in the frame of its center of mass and
@@ -195,75 +168,19 @@ std::vector<RigidTransform> Articulation::link_poses() const {
   return scene::LinkPoses(spec_->links, spec_->X_WBase, positions());
 }
 
-void Articulation::CheckJoint(int joint) const {
-  if (joint < 0 || joint >= num_joints()) {
-    throw std::invalid_argument("joint is " + std::to_string(joint) + ", expected 0 to " +
-                                std::to_string(num_joints() - 1));
-  }
-}
-
-double Articulation::MaxLead(int joint) const {
-  return spec_->links[joint].joint_type == scene::JointType::kRevolute ? config_.max_lead_angle
-                                                                       : config_.max_lead_length;
-}
-
 void Articulation::SetVelocityTarget(int joint, double velocity) {
-  CheckJoint(joint);
-  const scene::LinkSpec& link = spec_->links[joint];
-  if (!std::isfinite(velocity)) {
-    throw std::invalid_argument(link.joint_name + ": velocity is not finite");
-  }
-  if (link.mimic) {
-    throw std::invalid_argument(link.joint_name + ": it mimics " +
-                                spec_->links[link.mimic->leader].joint_name +
-                                ", expected a joint with a motor");
-  }
-  const double target = std::clamp(velocity, -link.max_velocity, link.max_velocity);
-  // A lead above half its bound means that the joint is blocked; ordinary lag is smaller.
-  const double lead = position_references_[joint] - links_->links[joint].position();
-  const bool is_blocked = std::abs(lead) > MaxLead(joint) / 2;
-  // Drops the lead when a blocked joint is commanded to stop or reverse: it would continue to push
-  // until the reference had come back.
-  if (is_blocked && target != velocity_targets_[joint] && lead * target <= 0) HoldStill(joint);
-  velocity_targets_[joint] = target;
+  motors_.SetVelocityTarget(joint, velocity, positions());
 }
 
-void Articulation::HoldStill(int joint) {
-  CheckJoint(joint);
-  velocity_targets_[joint] = 0;
-  position_references_[joint] = links_->links[joint].position();
-}
+void Articulation::HoldStill(int joint) { motors_.HoldStill(joint, positions()); }
 
-/// Moves references along with the joints: otherwise motors would pull them back.
 void Articulation::SetPositions(std::span<const int> joints, std::span<const double> positions) {
-  if (positions.size() != joints.size()) {
-    throw std::invalid_argument("positions are " + std::to_string(positions.size()) +
-                                ", expected one for each of " + std::to_string(joints.size()) +
-                                " joints");
-  }
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    CheckJoint(joints[i]);
-    const scene::LinkSpec& link = spec_->links[joints[i]];
-    if (!std::isfinite(positions[i])) {
-      throw std::invalid_argument(link.joint_name + ": position is not finite");
-    }
-    PutJoint(joints[i], std::clamp(positions[i], link.lower, link.upper));
-  }
   std::vector<double> q = this->positions();
-  scene::FollowLeaders(spec_->links, q);
-  for (int i = 0; i < num_joints(); ++i) {
-    const auto& mimic = spec_->links[i].mimic;
-    const bool is_moved = mimic && std::ranges::count(joints, mimic->leader) > 0;
-    if (is_moved || (mimic && std::ranges::count(joints, i) > 0)) PutJoint(i, q[i]);
+  for (const int joint : motors_.Place(joints, positions, q)) {
+    links_->links[joint].SetPosition(q[joint]);
+    links_->links[joint].SetVelocity(0);
   }
   UpdateLinkTransforms();
-}
-
-/// Puts a joint at a position, at rest.
-void Articulation::PutJoint(int joint, double q) {
-  position_references_[joint] = q;
-  links_->links[joint].SetPosition(q);
-  links_->links[joint].SetVelocity(0);
 }
 
 void Articulation::UpdateLinkTransforms() {
@@ -283,22 +200,13 @@ void Articulation::UpdateLinkTransforms() {
   }
 }
 
-bool Articulation::is_at_rest() const {
-  for (int i = 0; i < num_joints(); ++i) {
-    if (velocity_targets_[i] != 0 || std::abs(links_->links[i].velocity()) > kRest ||
-        std::abs(links_->links[i].position() - position_references_[i]) > kRest) {
-      return false;
-    }
-  }
-  return true;
-}
+bool Articulation::is_at_rest() const { return motors_.is_at_rest(positions(), velocities()); }
 
 void Articulation::Save(ByteWriter* out) const {
   for (int i = 0; i < num_joints(); ++i) {
     out->Put(static_cast<double>(links_->links[i].position()));
     out->Put(static_cast<double>(links_->links[i].velocity()));
-    out->Put(velocity_targets_[i]);
-    out->Put(position_references_[i]);
+    motors_.Save(i, out);
   }
   for (int i = -1; i < num_joints(); ++i) {
     // -1 is the base, which may have no collider.
@@ -307,11 +215,18 @@ void Articulation::Save(ByteWriter* out) const {
 }
 
 void Articulation::Restore(ByteReader* in) {
+  // Computing where the links are takes far longer than seeing that the robot stands still.
+  ByteWriter present;
+  Save(&present);
+  ByteReader ahead = *in;
+  if (std::ranges::equal(ahead.GetBytes(present.size()), present.bytes())) {
+    *in = ahead;
+    return;
+  }
   for (int i = 0; i < num_joints(); ++i) {
     links_->links[i].SetPosition(in->Get<double>());
     links_->links[i].SetVelocity(in->Get<double>());
-    velocity_targets_[i] = in->Get<double>();
-    position_references_[i] = in->Get<double>();
+    motors_.Restore(i, in);
   }
   UpdateLinkTransforms();
   for (int i = -1; i < num_joints(); ++i) {
@@ -320,11 +235,9 @@ void Articulation::Restore(ByteReader* in) {
 }
 
 void Articulation::AddTo(StateHash* hash) const {
-  // Overloads are not hashed: each step sets them before it uses them.
   hash->Add(positions());
   hash->Add(velocities());
-  hash->Add(velocity_targets_);
-  hash->Add(position_references_);
+  motors_.AddTo(hash);
 }
 
 void Articulation::BeforeStep(double step_seconds, double gravity) {
@@ -337,26 +250,16 @@ void Articulation::BeforeStep(double step_seconds, double gravity) {
 
 void Articulation::AfterStep() {
   if (!spec_->is_kinematic) return;
-  for (int i = 0; i < num_joints(); ++i) links_->links[i].SetPosition(position_references_[i]);
+  const std::span<const double> q = motors_.position_references();
+  for (int i = 0; i < num_joints(); ++i) links_->links[i].SetPosition(q[i]);
   UpdateLinkTransforms();
 }
 
-/// Marks all joints from the link to the base: each of them bears its weight.
-void Articulation::NoteOverload(int link) {
-  for (int i = link; i >= 0; i = spec_->links[i].parent) is_overloaded_[i] = true;
-}
-
 void Articulation::DriveKinematicLinks(double step_seconds) {
+  const std::vector<double> q = positions();
+  motors_.AdvanceKinematic(q, step_seconds);
   for (int i = 0; i < num_joints(); ++i) {
-    const scene::LinkSpec& link = spec_->links[i];
-    const double q = links_->links[i].position();
-    position_references_[i] =
-        std::clamp(q + velocity_targets_[i] * step_seconds, link.lower, link.upper);
-  }
-  scene::FollowLeaders(spec_->links, position_references_);
-  for (int i = 0; i < num_joints(); ++i) {
-    const double q = links_->links[i].position();
-    links_->links[i].SetVelocity((position_references_[i] - q) / step_seconds);
+    links_->links[i].SetVelocity((motors_.position_references()[i] - q[i]) / step_seconds);
   }
   // Velocities for Bullet: contacts see links that move, although the links are placed by
   // AfterStep().
@@ -378,52 +281,17 @@ void Articulation::DriveKinematicLinks(double step_seconds) {
 }
 
 std::vector<RigidTransform> Articulation::next_link_poses() const {
-  return scene::LinkPoses(spec_->links, spec_->X_WBase, position_references_);
+  return scene::LinkPoses(spec_->links, spec_->X_WBase, motors_.position_references());
 }
 
 void Articulation::DriveMotors(double step_seconds, double gravity) {
+  const std::vector<mechanics::DriveTarget> targets = motors_.Drive(positions(), step_seconds);
   for (int i = 0; i < num_joints(); ++i) {
-    const scene::LinkSpec& link = spec_->links[i];
     const Links::Link& own = links_->links[i];
-    link.mimic ? DriveCoupling(i, step_seconds) : DriveMotor(i, step_seconds);
+    own.drive->SetTarget(targets[i].velocity, targets[i].max_impulse);
     // Gravity compensation.
-    own.tree->addLinkForce(own.index, btVector3(0, 0, gravity * link.mass));
+    own.tree->addLinkForce(own.index, btVector3(0, 0, gravity * spec_->links[i].mass));
   }
-  // Noted again before each step, as long as a weld bears too much.
-  is_overloaded_.assign(is_overloaded_.size(), false);
-}
-
-void Articulation::DriveMotor(int joint, double step_seconds) {
-  const scene::LinkSpec& link = spec_->links[joint];
-  const Links::Link& own = links_->links[joint];
-  const double q = own.position();
-  const double max_lead = MaxLead(joint);
-  // The reference advances with the commanded speed, but leads the joint by a bounded amount only,
-  // and stays within the limits.
-  const double wanted = position_references_[joint] + velocity_targets_[joint] * step_seconds;
-  const double reference =
-      std::clamp(std::clamp(wanted, q - max_lead, q + max_lead), link.lower, link.upper);
-  // At a limit or when blocked, the reference stops, and so does the commanded speed.
-  const double speed = reference == wanted
-                           ? velocity_targets_[joint]
-                           : (reference - position_references_[joint]) / step_seconds;
-  position_references_[joint] = reference;
-
-  // Velocity feedforward plus proportional correction; the solver provides the force, up to the
-  // effort.
-  const double return_speed = config_.position_gain * (reference - q) / step_seconds;
-  const double effort = link.max_effort * (is_overloaded_[joint] ? 1.0 : config_.effort_scale);
-  own.drive->SetTarget(speed + return_speed, effort * step_seconds);
-}
-
-/// A coupling keeps the ratio of velocities, and corrects what remains of errors of position.
-void Articulation::DriveCoupling(int joint, double step_seconds) {
-  const scene::Mimic& mimic = *spec_->links[joint].mimic;
-  const Links::Link& own = links_->links[joint];
-  const double q = own.position();
-  const double reference = mimic.multiplier * links_->links[mimic.leader].position() + mimic.offset;
-  position_references_[joint] = reference;
-  own.drive->SetTarget(kCouplingGain * (reference - q) / step_seconds, 0);
 }
 
 }  // namespace smile::physics

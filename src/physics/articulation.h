@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "mechanics/joint_motors.h"
 #include "physics/definitions.h"
 #include "scene/articulation_spec.h"
 
@@ -39,7 +40,7 @@ class Articulation {
 
   std::vector<double> positions() const;   ///< q, one per joint [rad or m]
   std::vector<double> velocities() const;  ///< v, one per joint [rad/s or m/s]
-  std::span<const double> velocity_targets() const { return velocity_targets_; }
+  std::span<const double> velocity_targets() const { return motors_.velocity_targets(); }
   std::vector<RigidTransform> link_poses() const;  ///< X_WL, one per link
 
   /// Moves a joint, and those that mimic it, at this speed until the next command [rad/s or m/s].
@@ -47,8 +48,7 @@ class Articulation {
   /// blocked and is commanded to stop or to reverse, it does so at once: the lead of its reference
   /// is dropped.
   /// @throws std::invalid_argument if there is no such joint, it mimics another one, or the
-  /// velocity
-  ///         is not finite.
+  ///         velocity is not finite.
   void SetVelocityTarget(int joint, double velocity);
   /// Stops a joint at its present position and drops the lead of its reference.
   void HoldStill(int joint);
@@ -70,9 +70,6 @@ class Articulation {
   friend class HeldBodies;
   friend class World;
   friend class WorldObjects;
-  void CheckJoint(int joint) const;
-  void PutJoint(int joint, double q);
-  double MaxLead(int joint) const;
   void MakeTrees();
   void AddBulletLink(int link);
   void MakeColliders();
@@ -84,11 +81,9 @@ class Articulation {
   void BeforeStep(double step_seconds, double gravity);
   /// Reports an overload on this link: in the next step, the motors that bear it have only the
   /// listed effort.
-  void NoteOverload(int link);
+  void NoteOverload(int link) { motors_.NoteOverload(link); }
   /// Advances the references and commands the motors.
   void DriveMotors(double step_seconds, double gravity);
-  void DriveMotor(int joint, double step_seconds);
-  void DriveCoupling(int joint, double step_seconds);
   /// Sets the velocities of kinematic links, and the references to the joint positions after the
   /// step.
   void DriveKinematicLinks(double step_seconds);
@@ -102,10 +97,7 @@ class Articulation {
 
   ArticulationId id_;
   std::shared_ptr<const scene::ArticulationSpec> spec_;
-  MotorConfig config_;
-  std::vector<double> velocity_targets_;
-  std::vector<double> position_references_;
-  std::vector<bool> is_overloaded_;  ///< for one step
+  mechanics::JointMotors motors_;
   std::unique_ptr<Links> links_;
 };
 

@@ -93,18 +93,19 @@ void Body::Dynamics::SetPose(const RigidTransform& X_WB) {
 }
 
 void Body::Dynamics::ReturnToWorld() {
-  if (dormant_islands_ != nullptr) dormant_islands_->Return(bullet_);
+  if (dormant_islands_ == nullptr) return;
+  btRigidBody* const self = &bullet_;
+  dormant_islands_->Return({&self, 1});
 }
 
 const std::shared_ptr<const std::vector<std::byte>>& Body::Dynamics::known_state() const {
   static const std::shared_ptr<const std::vector<std::byte>> none;
-  const std::optional<int> period = dormant_islands_->PeriodOf(bullet_);
-  return period && period == known_period_ ? known_state_ : none;
+  return known_period_ == dormant_islands_->PeriodOf(bullet_) ? known_state_ : none;
 }
 
 void Body::Dynamics::KeepState(std::shared_ptr<const std::vector<std::byte>> state) {
   known_period_ = dormant_islands_->PeriodOf(bullet_);
-  known_state_ = known_period_ ? std::move(state) : nullptr;
+  known_state_ = std::move(state);
 }
 
 void Body::Dynamics::Save(ByteWriter* out) const {

@@ -45,7 +45,7 @@ class Body::Dynamics {
 
   /// Returns the state that was kept, while it is still the body's state; otherwise null.
   const std::shared_ptr<const std::vector<std::byte>>& known_state() const;
-  /// Keeps the present state, with the body's contacts, if it sleeps without a chance of change.
+  /// Keeps the present state, with the body's contacts, until something happens to the body.
   void KeepState(std::shared_ptr<const std::vector<std::byte>> state);
   void Save(ByteWriter* out) const;
   void Restore(ByteReader* in);
@@ -68,7 +68,7 @@ class Body::Dynamics {
   bool is_kinematic_ = false;
   double load_mass_ = 0, load_moment_ = 0;  ///< set in each step
   DormantIslands* dormant_islands_ = nullptr;
-  std::optional<int> known_period_;  ///< of known_state_; see DormantIslands::PeriodOf()
+  std::int64_t known_period_ = 0;  ///< of known_state_; see DormantIslands::PeriodOf()
   std::shared_ptr<const std::vector<std::byte>> known_state_;
 };
 

@@ -76,20 +76,31 @@ btScalar GapBetween(const PosedPart& a, const PosedPart& b) {
   return gap.length();
 }
 
-/// Returns the distance of two parts [m]; 0 if they overlap.
+/// Returns the point of a part that lies farthest along `direction`, in the world.
+btVector3 Farthest(const btConvexShape& part, const btTransform& X_WP, const btVector3& direction) {
+  return X_WP * part.localGetSupportingVertex(direction * X_WP.getBasis());
+}
+
+/// Returns a lower bound of the distance of two parts, as near to it as can be found [m]; 0 if they
+/// overlap.
 btScalar DistanceBetween(const btCollisionShape& a, const btTransform& X_WA,
                          const btCollisionShape& b, const btTransform& X_WB) {
-  btVoronoiSimplexSolver simplex;
   // MakeCollisionShape() makes convex parts only.
-  btGjkPairDetector detector(static_cast<const btConvexShape*>(&a),
-                             static_cast<const btConvexShape*>(&b), &simplex,
-                             /*penetrationDepthSolver=*/nullptr);
+  const auto& part_a = static_cast<const btConvexShape&>(a);
+  const auto& part_b = static_cast<const btConvexShape&>(b);
+  btVoronoiSimplexSolver simplex;
+  btGjkPairDetector detector(&part_a, &part_b, &simplex, /*penetrationDepthSolver=*/nullptr);
   btGjkPairDetector::ClosestPointInput input;
   input.m_transformA = X_WA;
   input.m_transformB = X_WB;
   btPointCollector closest;
   detector.getClosestPoints(input, closest, /*debugDraw=*/nullptr);
-  return closest.m_hasResult ? std::max(closest.m_distance, btScalar(0)) : 0;
+  if (!closest.m_hasResult) return 0;
+  // The detector rounds the edges of boxes, which collide as if sharp. What lies between the parts
+  // along the direction that it found bounds their distance, sharp or not.
+  const btVector3& from_b_to_a = closest.m_normalOnBInWorld;
+  const btVector3 gap = Farthest(part_a, X_WA, -from_b_to_a) - Farthest(part_b, X_WB, from_b_to_a);
+  return std::max(gap.dot(from_b_to_a), btScalar(0));
 }
 
 }  // namespace
@@ -181,7 +192,6 @@ bool CompoundPairAlgorithm::AreClear(const btTransform& X_AB, const btCollisionS
 /// Measures the clearance of objects without contact.
 void CompoundPairAlgorithm::MeasureClearance(const Parts& a, const Parts& b,
                                              const btTransform& X_AB) {
-  clearance_ = nullptr;
   for (const auto& [numbers, pair] : pairs_) {
     if (pair.manifold != nullptr && pair.manifold->getNumContacts() > 0) return;
   }
@@ -211,6 +221,7 @@ void CompoundPairAlgorithm::processCollision(const btCollisionObjectWrapper* a,
   const btTransform X_AB = a->getWorldTransform().inverseTimes(b->getWorldTransform());
   const bool all = AllPartPairsScope::is_active();
   if (!all && AreClear(X_AB, *b->getCollisionShape())) return;
+  clearance_ = nullptr;
   PosedPart single_a, single_b;
   const Parts parts_a = {a, PartsOf(a, &single_a)}, parts_b = {b, PartsOf(b, &single_b)};
   UpdatePairs(parts_a, parts_b);

@@ -3,13 +3,12 @@
 
 #include "physics/internal_joint_action.h"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
-#include <utility>
 #include <vector>
 
+#include "mechanics/carried_load.h"
 #include "mechanics/joint_graph.h"
+#include "mechanics/slider_damping.h"
 #include "physics/internal_body_dynamics.h"
 
 namespace smile::physics {
@@ -17,34 +16,10 @@ namespace {
 
 using mechanics::JointGroups;
 
-JointGroups GroupsOf(const WorldObjects& objects, const JointSet& joints, bool only_fixed) {
+JointGroups RigidGroupsOf(const WorldObjects& objects, const JointSet& joints) {
   std::vector<JointGroups::Member> members;
   for (const auto& body : objects.bodies()) members.push_back({body->id(), body->is_static()});
-  return {members, joints.joints(), only_fixed};
-}
-
-/// Returns the moment of inertia [kg m2] that another body adds to a carried one, as if the two
-/// were one rigid body: an upper bound for all axes (parallel axis theorem).
-double MomentAbout(const Body& carried, const Body& other) {
-  const Vector3 arm = other.pose_in_world() * other.spec().mass.center -
-                      carried.pose_in_world() * carried.spec().mass.center;
-  // The moment about any axis is at most half the trace: the largest principal moment is at most
-  // the sum of the other two.
-  return other.spec().mass.inertia.trace() / 2 + other.spec().mass.mass * arm.squaredNorm();
-}
-
-/// Returns the fraction of the speed that a soft slider keeps in this step: in the outer part of
-/// its range the speed towards the limit falls in proportion to the remaining displacement
-/// (implicit Euler).
-double SoftFractionKept(const SliderJointSpec& slider, double offset, double speed,
-                        double seconds) {
-  const double middle = (slider.lower + slider.upper) / 2;
-  const double half = (slider.upper - slider.lower) / 2;
-  const double from_middle = std::abs(offset - middle);
-  const double approach = offset > middle ? speed : -speed;
-  const double remaining = half - from_middle;
-  if (from_middle <= slider.softness * half || remaining <= 0 || approach <= 0) return 1;
-  return 1 / (1 + approach * seconds / remaining);
+  return {members, joints.joints(), /*only_fixed=*/true};
 }
 
 /// Returns the inverse mass [1/kg] of each group as loaded now; 0 for an anchored group.
@@ -63,25 +38,19 @@ std::vector<double> InverseMassesOf(const JointGroups& rigid, const WorldObjects
 /// Loads each carried body with all bodies of its group, whatever joints lie between them.
 void LoadByJoints(const WorldObjects& objects, const JointSet& joints) {
   const auto& bodies = objects.bodies();
-  const JointGroups groups = GroupsOf(objects, joints, /*only_fixed=*/false);
-  std::vector<std::vector<std::size_t>> carried_in(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (bodies[i]->is_carried()) carried_in[groups.group_of(bodies[i]->id())].push_back(i);
+  std::vector<mechanics::LoadMember> members;
+  for (const auto& one : bodies) {
+    const scene::MassProperties& mass = one->spec().mass;
+    members.push_back({one->id(), one->is_static(), one->is_carried(), &mass,
+                       one->pose_in_world() * mass.center});
   }
-  std::vector<std::pair<double, double>> loads(bodies.size());  // mass, moment
+  const auto loads = mechanics::CarriedLoads(members, joints.joints());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    Body& one = *bodies[i];
-    if (one.is_static()) continue;
-    for (std::size_t carried : carried_in[groups.group_of(one.id())]) {
-      // What hangs on a carried body must follow it, even if it is asleep.
-      one.WakeUp();
-      if (carried == i) continue;
-      loads[carried].first += one.spec().mass.mass;
-      loads[carried].second += MomentAbout(*bodies[carried], one);
-    }
+    // What hangs on a carried body must follow it, even if it is asleep.
+    if (loads[i].is_with_carried) bodies[i]->WakeUp();
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (!bodies[i]->is_static()) bodies[i]->dynamics().Load(loads[i].first, loads[i].second);
+    if (!bodies[i]->is_static()) bodies[i]->dynamics().Load(loads[i].mass, loads[i].moment);
   }
 }
 
@@ -109,11 +78,11 @@ void DampSliders(const WorldObjects& objects, const JointSet& joints, double ste
     if (slider->damping >= 1 && !is_carried) continue;
     const double speed = constraint.sliding_speed();
     if (speed == 0) continue;
-    double kept = SoftFractionKept(*slider, constraint.offset(), speed, step_seconds);
-    if (!is_carried) kept *= std::pow(1 - slider->damping, step_seconds);
+    const double kept =
+        mechanics::FractionKept(*slider, constraint.offset(), speed, is_carried, step_seconds);
     if (kept == 1) continue;
     if (!rigid) {
-      rigid = GroupsOf(objects, joints, /*only_fixed=*/true);
+      rigid = RigidGroupsOf(objects, joints);
       inverse_masses = InverseMassesOf(*rigid, objects);
     }
     // Equal and opposite impulses change the sliding speed by impulse (1/m_A + 1/m_B), where the

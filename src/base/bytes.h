@@ -27,7 +27,7 @@ class ByteWriter {
     if (bytes.empty()) return;
     // Room for many values at once: a saved state is written eight bytes at a time.
     if (size_ + bytes.size() > room_.size()) {
-      room_.resize(std::max(size_ + bytes.size(), 2 * room_.size()));
+      room_.resize(std::max({size_ + bytes.size(), 2 * room_.size(), kLeastRoom}));
     }
     std::memcpy(room_.data() + size_, bytes.data(), bytes.size());
     size_ += bytes.size();
@@ -47,6 +47,8 @@ class ByteWriter {
   }
 
  private:
+  static constexpr std::size_t kLeastRoom = 512;
+
   std::vector<std::byte> room_;
   std::size_t size_ = 0;  ///< number of bytes written; the rest of the room is for more
 };

@@ -64,46 +64,20 @@ void DemandOfSnapshot(bool holds, const char* complaint) {
   if (!holds) throw std::invalid_argument("snapshot: " + std::string(complaint));
 }
 
-template <class Record, class Id>
-const Record& Find(const std::vector<Record>& records, Id id, const char* complaint) {
+template <class Records, class Id>
+const auto& Find(const Records& records, Id id, const char* complaint) {
   const auto found = std::lower_bound(records.begin(), records.end(), id,
-                                      [](const Record& record, Id key) { return record.id < key; });
+                                      [](const auto& record, Id key) { return record.id < key; });
   DemandOfSnapshot(found != records.end() && found->id == id, complaint);
   return *found;
 }
 
-template <class Record>
 /// Returns true if ids are strictly ascending, so also unique.
-bool IsAscending(const std::vector<Record>& records) {
-  return std::adjacent_find(records.begin(), records.end(), [](const Record& a, const Record& b) {
+template <class Records>
+bool IsAscending(const Records& records) {
+  return std::adjacent_find(records.begin(), records.end(), [](const auto& a, const auto& b) {
            return !(a.id < b.id);
          }) == records.end();
-}
-
-/// Checks the tree and the numbers of an articulation from a snapshot.
-void CheckArticulation(const scene::ArticulationSpec& spec) {
-  const int count = static_cast<int>(spec.links.size());
-  // A parent comes before its children, so link trees have no cycles.
-  bool is_sound = IsFinite(spec.X_WBase);
-  for (int i = 0; i < count; ++i) {
-    const scene::LinkSpec& link = spec.links[i];
-    // Mass and friction are tested by comparisons that are false for NaN.
-    is_sound = is_sound && link.parent >= -1 && link.parent < i && IsFinite(link.X_PJ) &&
-               link.axis.allFinite() && link.p_LLcm.allFinite() && link.inertia.allFinite() &&
-               std::isfinite(link.mass) && link.mass > 0 && std::isfinite(link.friction) &&
-               link.friction >= 0;
-    if (!link.mimic) continue;
-    const scene::Mimic& mimic = *link.mimic;
-    // A leader that follows no joint itself: there are no chains and no loops.
-    is_sound = is_sound && mimic.leader >= 0 && mimic.leader < count && mimic.leader != i &&
-               !spec.links[mimic.leader].mimic && std::isfinite(mimic.multiplier) &&
-               mimic.multiplier != 0 && std::isfinite(mimic.offset);
-  }
-  for (const auto& [a, b] : spec.never_collide) {
-    // -1 is the base.
-    is_sound = is_sound && a >= -1 && b >= -1 && a < count && b < count;
-  }
-  DemandOfSnapshot(is_sound, "the links of a robot are inconsistent");
 }
 
 /// Checks that no two objects share an id. Bodies and links share one counter.
@@ -152,6 +126,31 @@ void CheckBody(const BodySpec& spec) {
   }
 }
 
+void CheckArticulation(const scene::ArticulationSpec& spec) {
+  const int count = static_cast<int>(spec.links.size());
+  // A parent comes before its children, so link trees have no cycles.
+  bool is_sound = IsFinite(spec.X_WBase);
+  for (int i = 0; i < count; ++i) {
+    const scene::LinkSpec& link = spec.links[i];
+    // Mass and friction are tested by comparisons that are false for NaN.
+    is_sound = is_sound && link.parent >= -1 && link.parent < i && IsFinite(link.X_PJ) &&
+               link.axis.allFinite() && link.p_LLcm.allFinite() && link.inertia.allFinite() &&
+               std::isfinite(link.mass) && link.mass > 0 && std::isfinite(link.friction) &&
+               link.friction >= 0;
+    if (!link.mimic) continue;
+    const scene::Mimic& mimic = *link.mimic;
+    // A leader that follows no joint itself: there are no chains and no loops.
+    is_sound = is_sound && mimic.leader >= 0 && mimic.leader < count && mimic.leader != i &&
+               !spec.links[mimic.leader].mimic && std::isfinite(mimic.multiplier) &&
+               mimic.multiplier != 0 && std::isfinite(mimic.offset);
+  }
+  for (const auto& [a, b] : spec.never_collide) {
+    // -1 is the base.
+    is_sound = is_sound && a >= -1 && b >= -1 && a < count && b < count;
+  }
+  DemandOfSnapshot(is_sound, "the links of a robot are inconsistent");
+}
+
 void CheckJoint(const JointSpec& spec, const std::function<bool(BodyId)>& is_static,
                 const std::function<int(ArticulationId)>& num_links) {
   std::visit([](const auto& joint) { CheckNumbers(joint); }, spec);
@@ -181,9 +180,7 @@ void CheckSnapshot(const Snapshot& snapshot) {
   // Ids are sound from here on, so bodies and articulations can be looked up.
   for (const auto& [id, spec, state] : snapshot.bodies) {
     DemandOfSnapshot(spec != nullptr && state != nullptr, "a body is missing");
-    CheckBody(*spec);
   }
-  for (const auto& [id, spec] : snapshot.articulations) CheckArticulation(*spec);
   for (const Joint& joint : snapshot.joints) {
     CheckJoint(
         joint.spec, [&find_body](BodyId id) { return find_body(id)->mass.mass == 0; },

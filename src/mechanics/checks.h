@@ -14,6 +14,11 @@ namespace smile::mechanics {
 /// @throws std::invalid_argument if a number is not finite or out of range.
 void CheckBody(const BodySpec& spec);
 
+/// Checks the tree and the numbers of an articulation that comes from a snapshot.
+/// @throws std::invalid_argument if a link has no sound parent or leader, or a number is not
+/// finite.
+void CheckArticulation(const scene::ArticulationSpec& spec);
+
 /// Checks a joint: numbers, existing bodies and links. The two functions throw, each in its own
 /// way, if their argument does not exist.
 /// @throws std::invalid_argument if the joint is not possible.
@@ -21,7 +26,8 @@ void CheckJoint(const JointSpec& spec, const std::function<bool(BodyId)>& is_sta
                 const std::function<int(ArticulationId)>& num_links);
 
 /// Checks that ids are in order and used once, and that joints refer to existing bodies and links.
-/// Does not read states.
+/// Does not read states, nor the definitions of bodies and articulations, which most of the time a
+/// world has already.
 /// @throws std::invalid_argument if not.
 void CheckSnapshot(const Snapshot& snapshot);
 

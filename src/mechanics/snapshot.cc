@@ -113,6 +113,15 @@ void Walk(Archive& archive, Snapshot::BodyEntry& entry) {
   Walk(archive, entry.spec);
   WalkState(archive, entry.state);
 }
+void WalkBodies(Writer& writer, const SharedList<Snapshot::BodyEntry>& bodies) {
+  std::vector<Snapshot::BodyEntry> all(bodies.begin(), bodies.end());
+  WalkEach(writer, all);
+}
+void WalkBodies(Reader& reader, SharedList<Snapshot::BodyEntry>& bodies) {
+  std::vector<Snapshot::BodyEntry> all;
+  WalkEach(reader, all);
+  bodies = SharedList(std::move(all));
+}
 template <class Archive>
 void Walk(Archive& archive, Snapshot::ArticulationEntry& entry) {
   archive(entry.id.value);
@@ -123,7 +132,7 @@ template <class Archive>
 void Walk(Archive& archive, Snapshot& snapshot) {
   archive(snapshot.next_id);
   archive(snapshot.next_joint_id);
-  WalkEach(archive, snapshot.bodies);
+  WalkBodies(archive, snapshot.bodies);
   WalkEach(archive, snapshot.articulations);
   WalkEach(archive, snapshot.joints);
   WalkEach(archive, snapshot.passing);

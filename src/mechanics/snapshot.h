@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "base/shared_list.h"
 #include "mechanics/body_spec.h"
 #include "mechanics/joint.h"
 #include "scene/articulation_spec.h"
@@ -18,8 +19,8 @@ namespace smile::mechanics {
 /// States are numbers field by field (no padding): per body and link the poses, velocities, sleep
 /// state and bounds; per articulation q, v, references and targets; all joints and contact points
 /// with the impulses they start from. Definitions of bodies are kept by reference to their
-/// unchanging specs. The states of bodies that sleep are kept by reference, too: snapshots between
-/// which nothing happened to a body share its state.
+/// unchanging specs. The states of bodies are kept by reference, too: snapshots between which
+/// nothing happened to a body share its state, and most of their lists of bodies.
 struct Snapshot {
   struct BodyEntry {
     BodyId id;
@@ -35,7 +36,7 @@ struct Snapshot {
 
   std::uint32_t next_id = 1;
   std::uint32_t next_joint_id = 1;
-  std::vector<BodyEntry> bodies;
+  SharedList<BodyEntry> bodies;
   std::vector<ArticulationEntry> articulations;
   std::vector<Joint> joints;
   /// Pairs that pass through each other, and close fits; see

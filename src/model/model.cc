@@ -4,6 +4,7 @@
 
 #include "model/model.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/demand.h"
@@ -187,23 +188,32 @@ std::vector<int> Model::VariantsOf(ObjectIndex object,
 scene::VisualState Model::VisualStateOf(const SceneState& state, std::span<const double> q,
                                         robot::FaceExpression face_expression) const {
   scene::VisualState visual;
-  // The order of poses and variants is that of frames and choices; see visual_model().
-  visual.poses.reserve(static_cast<std::size_t>(visual_model_.num_frames));
-  visual.variants.reserve(static_cast<std::size_t>(visual_model_.num_choices));
+  visual.poses.resize(static_cast<std::size_t>(visual_model_.num_frames));
+  visual.variants.resize(static_cast<std::size_t>(visual_model_.num_choices));
   for (ObjectIndex object : objects()) {
-    const std::optional<RigidTransform>& X_WB = state.X_WB[object];
-    // A missing object still has a frame; all of its visuals are hidden.
-    visual.poses.push_back(X_WB.value_or(RigidTransform()));
-    visual.variants.push_back(X_WB ? 0 : kHidden);
-    for (int variant : VariantsOf(object, state.controls))
-      visual.variants.push_back(X_WB ? variant : kHidden);
+    WriteObject(object, state.X_WB[object], state.controls, &visual);
   }
-  if (robot() != nullptr) {
-    const auto robot_poses = robot::FramePosesOf(*robot(), X_WBase_, q);
-    visual.poses.insert(visual.poses.end(), robot_poses.begin(), robot_poses.end());
-    visual.variants.push_back(robot::VariantOf(face_expression));
-  }
+  if (robot() != nullptr) WriteRobot(q, face_expression, &visual);
   return visual;
+}
+
+void Model::WriteObject(ObjectIndex object, const std::optional<RigidTransform>& X_WB,
+                        std::span<const ControlState> controls, scene::VisualState* visual) const {
+  // A missing object still has a frame; all of its visuals are hidden.
+  visual->poses[frame_of(object)] = X_WB.value_or(RigidTransform());
+  visual->variants[presence_of(object)] = X_WB ? 0 : kHidden;
+  for (ControlIndex control : controls_of(object)) {
+    visual->variants[choice_of(control)] =
+        X_WB ? VariantOf(controls_[control], controls[control]) : kHidden;
+  }
+}
+
+void Model::WriteRobot(std::span<const double> q, robot::FaceExpression face_expression,
+                       scene::VisualState* visual) const {
+  std::ranges::copy(robot::FramePosesOf(*robot(), X_WBase_, q),
+                    visual->poses.begin() + static_cast<std::ptrdiff_t>(*robot_frames().begin()));
+  // Its choice is the last one.
+  visual->variants.back() = robot::VariantOf(face_expression);
 }
 
 }  // namespace smile::model

@@ -118,6 +118,12 @@ class Model {
   /// @param q  of the robot's joints [rad or m]; empty without one.
   scene::VisualState VisualStateOf(const SceneState& state, std::span<const double> q,
                                    robot::FaceExpression face_expression) const;
+  /// Write one object, or the robot, which the model must have, into a visual state of this model.
+  /// @param X_WB  nullopt if the object is destroyed.
+  void WriteObject(ObjectIndex object, const std::optional<RigidTransform>& X_WB,
+                   std::span<const ControlState> controls, scene::VisualState* visual) const;
+  void WriteRobot(std::span<const double> q, robot::FaceExpression face_expression,
+                  scene::VisualState* visual) const;
 
  private:
   template <class I>

@@ -4,6 +4,7 @@
 #include "mechanics/contact.h"
 #include "mechanics/ids.h"
 #include "mechanics/joint.h"
+#include "mechanics/moment.h"
 #include "mechanics/snapshot.h"
 #include "mechanics/world_config.h"
 
@@ -19,6 +20,7 @@ using mechanics::Joint;
 using mechanics::JointId;
 using mechanics::JointSpec;
 using mechanics::LinkContact;
+using mechanics::Moment;
 using mechanics::MotorConfig;
 using mechanics::Overlaps;
 using mechanics::Push;

@@ -92,6 +92,10 @@ void CollisionExemptions::Save(Snapshot* snapshot) const {
   snapshot->close_fits = close_fits_.sorted();
 }
 
+bool CollisionExemptions::AreThoseOf(const Snapshot& snapshot) const {
+  return ignored_.sorted() == snapshot.passing && close_fits_.sorted() == snapshot.close_fits;
+}
+
 void CollisionExemptions::Restore(const Snapshot& snapshot) {
   for (const auto& [a, b] : snapshot.passing) IgnoreUntilSeparated(a, b);
   close_fits_ = mechanics::BodyPairs(snapshot.close_fits);

@@ -21,6 +21,8 @@ class CollisionExemptions {
   void Update();
 
   void Save(Snapshot* snapshot) const;
+  /// Returns true if these are the exemptions of the snapshot.
+  bool AreThoseOf(const Snapshot& snapshot) const;
   /// Adopts the exemptions of a snapshot of the same objects. Call EndAll() before.
   void Restore(const Snapshot& snapshot);
   void AddTo(StateHash* hash) const;

@@ -1,7 +1,6 @@
 #include "physics/internal_contact_cache.h"
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
 
 #include "physics/internal_compound_pairs.h"
@@ -44,11 +43,12 @@ ManifoldKey KeyOfManifold(const btPersistentManifold* manifold) {
   return {OrderOf(manifold->getBody0()), OrderOf(manifold->getBody1()), PartPairOf(manifold)};
 }
 
-void ReadContacts(ByteReader* in, std::vector<SavedManifold>* contacts) {
+void ReadContacts(int owner, ByteReader* in, std::vector<SavedManifold>* contacts) {
   const auto num_manifolds = in->Get<std::uint32_t>();
   // Counts are checked before they are used.
   for (std::uint32_t i = 0; i < num_manifolds && in->ok(); ++i) {
     SavedManifold& manifold = contacts->emplace_back();
+    manifold.owner = owner;
     std::get<0>(manifold.key) = in->Get<int>();
     std::get<1>(manifold.key) = in->Get<int>();
     std::get<2>(manifold.key) = in->Get<int>();
@@ -69,45 +69,57 @@ void ReadContacts(ByteReader* in, std::vector<SavedManifold>* contacts) {
 
 namespace {
 
-/// Removes all pairs, and with them their contacts and algorithms.
-void DropAllPairs(ExactWorld& world, StatelessBroadphase& broadphase) {
-  auto* cache = broadphase.getOverlappingPairCache();
-  auto& pairs = cache->getOverlappingPairArray();
-  while (pairs.size() > 0) {
-    cache->removeOverlappingPair(pairs[0].m_pProxy0, pairs[0].m_pProxy1, world.getDispatcher());
-  }
-}
+/// Contact manifolds of two objects, those that have a pair and those that it still needs.
+class PairManifolds {
+ public:
+  PairManifolds(btCollisionObject& a, btCollisionObject& b, ExactWorld& world,
+                StatelessBroadphase& broadphase)
+      : a_(a), b_(b), world_(world), broadphase_(broadphase) {}
 
-/// Makes the manifolds of the saved pairs by colliding them once.
-void MakeManifolds(ExactWorld& world, StatelessBroadphase& broadphase,
-                   const std::vector<SavedManifold>& saved) {
-  std::map<int, btBroadphaseProxy*> proxies;
-  auto& objects = world.getCollisionObjectArray();
-  for (int i = 0; i < objects.size(); ++i) {
-    proxies[OrderOf(objects[i])] = objects[i]->getBroadphaseHandle();
-  }
-  auto* cache = broadphase.getOverlappingPairCache();
-  for (const SavedManifold& manifold : saved) {
-    const auto a = proxies.find(std::get<0>(manifold.key));
-    const auto b = proxies.find(std::get<1>(manifold.key));
-    if (a == proxies.end() || b == proxies.end()) {
-      throw std::invalid_argument("snapshot: a contact belongs to an unknown object");
+  /// Returns the manifold with this key; null if there is none.
+  btPersistentManifold* Find(const ManifoldKey& key) const {
+    const btBroadphasePair* pair = broadphase_.getOverlappingPairCache()->findPair(
+        a_.getBroadphaseHandle(), b_.getBroadphaseHandle());
+    if (pair == nullptr || pair->m_algorithm == nullptr) return nullptr;
+    btManifoldArray manifolds;
+    pair->m_algorithm->getAllContactManifolds(manifolds);
+    for (btPersistentManifold* manifold : All(manifolds)) {
+      if (KeyOfManifold(manifold) == key) return manifold;
     }
-    cache->addOverlappingPair(a->second, b->second);
+    return nullptr;
   }
-  // Bullet does not collide two sleeping objects: keep all awake meanwhile.
-  std::vector<int> activation;
-  for (int i = 0; i < objects.size(); ++i) {
-    activation.push_back(objects[i]->getActivationState());
-    objects[i]->forceActivationState(ACTIVE_TAG);
-  }
-  {
+
+  /// Makes the manifolds of all their parts by colliding the two, asleep or not. Does nothing if
+  /// they never collide.
+  void Make() {
+    if (!a_.checkCollideWith(&b_) || !b_.checkCollideWith(&a_)) return;
+    btBroadphasePair* pair = broadphase_.getOverlappingPairCache()->addOverlappingPair(
+        a_.getBroadphaseHandle(), b_.getBroadphaseHandle());
+    if (pair == nullptr) return;
+    // Bullet makes no manifold for two that sleep.
+    const int activation = a_.getActivationState();
+    a_.forceActivationState(ACTIVE_TAG);
+    const btCollisionObjectWrapper first = Wrap(*ObjectOf(pair->m_pProxy0)),
+                                   second = Wrap(*ObjectOf(pair->m_pProxy1));
+    if (pair->m_algorithm == nullptr) {
+      pair->m_algorithm = world_.getDispatcher()->findAlgorithm(&first, &second, nullptr,
+                                                                BT_CONTACT_POINT_ALGORITHMS);
+    }
+    btManifoldResult result(&first, &second);
     const CompoundPairAlgorithm::AllPartPairsScope all_part_pairs_scope;
-    world.getDispatcher()->dispatchAllCollisionPairs(cache, world.getDispatchInfo(),
-                                                     world.getDispatcher());
+    pair->m_algorithm->processCollision(&first, &second, world_.getDispatchInfo(), &result);
+    a_.forceActivationState(activation);
   }
-  for (int i = 0; i < objects.size(); ++i) objects[i]->forceActivationState(activation[i]);
-}
+
+ private:
+  static btCollisionObjectWrapper Wrap(const btCollisionObject& object) {
+    return {nullptr, object.getCollisionShape(), &object, object.getWorldTransform(), -1, -1};
+  }
+
+  btCollisionObject &a_, &b_;
+  ExactWorld& world_;
+  StatelessBroadphase& broadphase_;
+};
 
 }  // namespace
 
@@ -125,30 +137,34 @@ void SaveContacts(std::span<const OwnedManifold> touching, ByteWriter* out) {
   }
 }
 
-void RestoreContacts(ExactWorld& world, StatelessBroadphase& broadphase,
-                     std::vector<SavedManifold> saved) {
-  // Pairs arise in this order.
-  std::ranges::sort(saved, {}, &SavedManifold::key);
-  DropAllPairs(world, broadphase);
-  MakeManifolds(world, broadphase, saved);
-
-  std::map<ManifoldKey, btPersistentManifold*> manifolds;
-  btDispatcher* dispatcher = world.getDispatcher();
-  for (int i = 0; i < dispatcher->getNumManifolds(); ++i) {
-    btPersistentManifold* manifold = dispatcher->getManifoldByIndexInternal(i);
-    manifolds[KeyOfManifold(manifold)] = manifold;
-    // Those that the collision made and the snapshot does not have stay empty.
-    manifold->clearManifold();
-  }
+void RestoreContacts(std::span<const SavedManifold> saved, const ContactOwners& owners,
+                     ExactWorld& world, StatelessBroadphase& broadphase) {
+  std::vector<btPersistentManifold*> restored;
   for (const SavedManifold& from : saved) {
-    const auto to = manifolds.find(from.key);
-    if (to == manifolds.end()) {
+    btCollisionObject* a = owners.object_of(std::get<0>(from.key));
+    btCollisionObject* b = owners.object_of(std::get<1>(from.key));
+    if (a == nullptr || b == nullptr) {
+      throw std::invalid_argument("snapshot: a contact belongs to an unknown object");
+    }
+    if (owners.owner_of(a, b) != from.owner) {
+      throw std::invalid_argument("snapshot: a contact is listed with another object");
+    }
+    PairManifolds manifolds(*a, *b, world, broadphase);
+    if (manifolds.Find(from.key) == nullptr) manifolds.Make();
+    restored.push_back(manifolds.Find(from.key));
+    if (restored.back() == nullptr) {
       throw std::invalid_argument("snapshot: a contact fits no pair of shapes in this world");
     }
-    // Overwrite the points of the collision above: only the saved ones have the right impulses and
-    // ages.
-    to->second->setNumContacts(from.count);
-    for (int k = 0; k < from.count; ++k) to->second->getContactPoint(k) = from.points[k];
+  }
+  // Those that the snapshot does not have, or that arose just now, become empty. The next step
+  // finds nothing in them, as if they were new.
+  for (btPersistentManifold* manifold : world.manifolds()) {
+    const int owner = owners.owner_of(manifold->getBody0(), manifold->getBody1());
+    if (owners.is_replaced(owner)) manifold->clearManifold();
+  }
+  for (std::size_t i = 0; i < saved.size(); ++i) {
+    restored[i]->setNumContacts(saved[i].count);
+    for (int k = 0; k < saved[i].count; ++k) restored[i]->getContactPoint(k) = saved[i].points[k];
   }
 }
 

@@ -64,18 +64,13 @@ DormantIslands::DormantIslands(ExactWorld& world, Dispatcher& dispatcher,
 bool DormantIslands::AllSleep() {
   if (all_sleep_) return true;
   all_sleep_ = std::ranges::none_of(All(world_.getNonStaticRigidBodies()), &btRigidBody::isActive);
-  if (all_sleep_) rest_ = next_key_++;
   return all_sleep_;
 }
 
 std::uint64_t DormantIslands::HashOfBodies() {
   if (AllSleep() && hash_of_bodies_) return *hash_of_bodies_;
   std::uint64_t sum = hash_;
-  for (const btRigidBody* body : All(world_.getNonStaticRigidBodies())) sum += HashOf(*body);
-  for (const btCollisionObject* object : All(world_.getCollisionObjectArray())) {
-    const btRigidBody* body = btRigidBody::upcast(object);
-    if (body != nullptr && body->isStaticObject()) sum += HashOf(*body);
-  }
+  ForEachPresent([&sum](const btRigidBody& body) { sum += HashOf(body); });
   if (all_sleep_) hash_of_bodies_ = sum;
   return sum;
 }
@@ -83,6 +78,7 @@ std::uint64_t DormantIslands::HashOfBodies() {
 void DormantIslands::NoteChange() {
   all_sleep_ = false;
   hash_of_bodies_.reset();
+  --period_in_world_;
 }
 
 void DormantIslands::LeaveOut() {
@@ -199,13 +195,20 @@ void DormantIslands::ReturnReached() {
   world_.SortObjects();
 }
 
-void DormantIslands::Return(const btRigidBody& body) {
+void DormantIslands::Return(std::span<btRigidBody* const> bodies) {
   // Any of them may have had contact with a static body, or have it now.
-  if (body.isStaticObject()) return ReturnAll();
+  if (std::ranges::any_of(bodies, &btRigidBody::isStaticObject)) ReturnAll();
   NoteChange();
-  if (!IsLeftOut(&body)) return;
-  Put(islands_.find(KeyOf(body)));
-  world_.SortObjects();
+  bool is_sorted = true;
+  for (btRigidBody* body : bodies) {
+    // What it becomes has not been asleep for any step that was counted.
+    SetStepsAsleep(0, body);
+    if (!IsLeftOut(body)) continue;
+    // With the island this body and others of the list are in the world.
+    Put(islands_.find(KeyOf(*body)));
+    is_sorted = false;
+  }
+  if (!is_sorted) world_.SortObjects();
 }
 
 void DormantIslands::ReturnAll() {
@@ -237,9 +240,8 @@ void DormantIslands::Put(Islands::iterator place) {
   islands_.erase(place);
 }
 
-std::optional<int> DormantIslands::PeriodOf(const btRigidBody& body) {
-  if (IsLeftOut(&body)) return KeyOf(body);
-  return AllSleep() ? std::optional(rest_) : std::nullopt;
+std::int64_t DormantIslands::PeriodOf(const btRigidBody& body) const {
+  return IsLeftOut(&body) ? KeyOf(body) : period_in_world_;
 }
 
 std::vector<btPersistentManifold*> DormantIslands::AllManifolds() const {

@@ -5,14 +5,15 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "physics/definitions.h"
 #include "physics/internal_bullet.h"
+#include "physics/internal_exact_world.h"
 
 namespace smile::physics {
 
-class Dispatcher;
-class ExactWorld;
 class StatelessBroadphase;
 
 /// Islands that are left out of Bullet's world while they sleep and nothing comes near, so that a
@@ -39,18 +40,25 @@ class DormantIslands {
   /// Call when all bounding boxes are known: returns the islands that the box of an object in the
   /// world overlaps, unless the two never collide.
   void ReturnReached();
-  /// Returns the island of a body that is about to change, or all islands for a static body;
-  /// nothing changes if it is in the world.
-  void Return(const btRigidBody& body);
+  /// Returns the islands of bodies that are about to change, or all islands if one is static. Those
+  /// that are in the world stay there.
+  void Return(std::span<btRigidBody* const> bodies);
   /// Returns all islands, for changes of what there is or of what may collide.
   void ReturnAll();
 
   /// Returns all contact manifolds, those in the world first, in its order.
   std::vector<btPersistentManifold*> AllManifolds() const;
   /// Returns the number of a period in which the state of a body and its contacts are the same: as
-  /// long as it is left out, or as all sleep. No other period has the same number. Returns nothing
-  /// if the next step may change the body.
-  std::optional<int> PeriodOf(const btRigidBody& body);
+  /// long as its island is left out, or, if it is in the world (a negative number), as nothing
+  /// happens there. No other period has the same number.
+  std::int64_t PeriodOf(const btRigidBody& body) const;
+
+  /// Returns the present moment, for ForEachChangedSince().
+  Moment now() const { return {.period = period_in_world_, .next_island = next_key_}; }
+  /// Calls visit(const btRigidBody&) for each body whose state may have changed since a moment.
+  /// Takes a time that does not depend on the others.
+  template <class Visit>
+  void ForEachChangedSince(const Moment& moment, Visit visit) const;
 
  private:
   struct Island {
@@ -61,6 +69,8 @@ class DormantIslands {
   };
   using Islands = std::map<int, Island>;
 
+  template <class Visit>
+  void ForEachPresent(Visit visit) const;
   void NoteChange();
   bool CountStepsAsleep();
   Islands FindIslandsToLeave() const;
@@ -75,9 +85,30 @@ class DormantIslands {
   std::uint64_t hash_ = 0;  ///< sum of the hashes of the bodies that are left out
   /// What is known while all sleep, until something happens.
   bool all_sleep_ = false;
-  int rest_ = 0;  ///< number of the period, see PeriodOf()
   std::optional<std::uint64_t> hash_of_bodies_;
+  std::int64_t period_in_world_ = -1;  ///< falls with each change; see PeriodOf()
   btDbvt boxes_;  ///< of all bodies that are left out, to find those that an object reaches
 };
+
+/// Calls visit(const btRigidBody&) for each body in the world, and for links of kinematic robots
+/// that never move.
+template <class Visit>
+void DormantIslands::ForEachPresent(Visit visit) const {
+  for (const btRigidBody* body : All(world_.getNonStaticRigidBodies())) visit(*body);
+  for (const btCollisionObject* object : All(world_.getCollisionObjectArray())) {
+    const btRigidBody* body = btRigidBody::upcast(object);
+    if (body != nullptr && body->isStaticObject()) visit(*body);
+  }
+}
+
+template <class Visit>
+void DormantIslands::ForEachChangedSince(const Moment& moment, Visit visit) const {
+  // Nothing has happened to a body, nor was an island left out or returned.
+  if (moment.period == period_in_world_) return;
+  ForEachPresent(visit);
+  for (auto island = islands_.lower_bound(moment.next_island); island != islands_.end(); ++island) {
+    for (const btRigidBody* body : island->second.bodies) visit(*body);
+  }
+}
 
 }  // namespace smile::physics

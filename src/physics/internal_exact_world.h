@@ -55,6 +55,7 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   /// after the usual addition at the end.
   void SortObjects();
   void SortManifolds();
+  std::span<btPersistentManifold*> manifolds();
   /// Leaves out the objects for which `is_taken` is true, without the traces of a removal.
   template <class Predicate>
   void TakeObjects(Predicate is_taken);
@@ -93,7 +94,6 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   void calculateSimulationIslands() override;
 
  private:
-  std::span<btPersistentManifold*> manifolds();
   void NumberObjects();
   void UniteTrees(btUnionFind* islands);
   void NoteRotations();

@@ -144,7 +144,9 @@ void JointSet::Save(Snapshot* snapshot, ByteWriter* state) const {
 }
 
 void JointSet::Restore(const Snapshot& snapshot) {
-  for (const Joint& joint : snapshot.joints) Insert(joint);
+  if (!AreThoseOf(snapshot)) {
+    for (const Joint& joint : snapshot.joints) Insert(joint);
+  }
   next_id_ = snapshot.next_joint_id;
 }
 

@@ -41,7 +41,10 @@ class JointSet {
 
   /// Adds the joints to the snapshot, and their states to `state`.
   void Save(Snapshot* snapshot, ByteWriter* state) const;
-  /// Makes the joints of a snapshot of the same objects. Call RemoveAll() before.
+  /// Returns true if the joints are those of the snapshot, apart from their states.
+  bool AreThoseOf(const Snapshot& snapshot) const { return joints_ == snapshot.joints; }
+  /// Makes the joints of a snapshot of the same objects. Call RemoveAll() before, unless they are
+  /// its joints already.
   void Restore(const Snapshot& snapshot);
   void RestoreState(ByteReader* in);
   void AddTo(StateHash* hash) const;

@@ -1,6 +1,8 @@
 #include "physics/internal_world_objects.h"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -42,6 +44,15 @@ template <class Thing, class Record>
 bool Is(const Thing& thing, const Record& record) {
   return thing.id() == record.id &&
          (&thing.spec() == record.spec.get() || thing.spec() == *record.spec);
+}
+
+/// Returns the state of a body with the contacts that are saved with it.
+std::shared_ptr<const std::vector<std::byte>> StateOf(const Body& body,
+                                                      std::span<const OwnedManifold> contacts) {
+  ByteWriter bytes;
+  body.dynamics().Save(&bytes);
+  SaveContacts(contacts, &bytes);
+  return std::make_shared<const std::vector<std::byte>>(bytes.Take());
 }
 
 }  // namespace
@@ -101,6 +112,7 @@ ArticulationId WorldObjects::AddArticulation(const scene::ArticulationSpec& spec
 
 void WorldObjects::Insert(std::unique_ptr<Body> fresh) {
   Body& body = InsertById(bodies_, std::move(fresh));
+  entries_ = {};
   btRigidBody& bullet = body.dynamics().bullet();
   body.dynamics().set_dormant_islands(&engine_.dormant_islands);
   bullet.setSleepingThresholds(config_.sleep_linear_speed, config_.sleep_angular_speed);
@@ -141,10 +153,12 @@ void WorldObjects::RemoveBody(BodyId id) {
 }
 
 void WorldObjects::Erase(const Body& gone) {
+  entries_ = {};
   const auto found = FindById(bodies_, gone.id());
   engine_.world.removeRigidBody(&(*found)->dynamics().bullet());
   engine_.world.SortObjects();
   bodies_.erase(found);
+  ++num_removals_;
 }
 
 void WorldObjects::ChangeForm(BodyId id, const std::vector<scene::Solid>& solids,
@@ -189,6 +203,18 @@ void WorldObjects::WakeNear(const Body& body) {
   }
 }
 
+std::vector<std::size_t> WorldObjects::NumbersChangedSince(const Moment& moment) const {
+  std::vector<std::size_t> numbers;
+  engine_.dormant_islands.ForEachChangedSince(moment, [&](const btRigidBody& bullet) {
+    const auto found = FindById(bodies_, IdOf(&bullet));
+    // Others are links.
+    if (found != bodies_.end())
+      numbers.push_back(static_cast<std::size_t>(found - bodies_.begin()));
+  });
+  std::ranges::sort(numbers);
+  return numbers;
+}
+
 bool WorldObjects::is_at_rest() const {
   return engine_.dormant_islands.AllSleep() &&
          std::all_of(articulations_.begin(), articulations_.end(),
@@ -199,24 +225,42 @@ void WorldObjects::WakeAll() {
   for (const auto& body : bodies_) body->WakeUp();
 }
 
-/// Returns the manifolds of the bodies whose states are not known, sorted by owner, which is the
-/// last of its bodies that can move, and then by key. Those of links only come first, with owner 0.
-std::vector<OwnedManifold> WorldObjects::ManifoldsToSave() const {
-  const bool are_sleepers_known = std::ranges::all_of(bodies_, [this](const auto& body) {
-    const Body::Dynamics& dynamics = body->dynamics();
-    return !engine_.dormant_islands.PeriodOf(dynamics.bullet()) || dynamics.known_state();
+/// Returns the body or link of an order; null if there is none.
+btCollisionObject* WorldObjects::FindObject(int order) const {
+  if (Body* body = Find(BodyId{static_cast<std::uint32_t>(order)})) {
+    return &body->dynamics().bullet();
+  }
+  for (const auto& articulation : articulations_) {
+    // -1 is the base.
+    const std::int64_t link = std::int64_t{order} - articulation->id().value - 1;
+    if (link < -1 || link >= articulation->num_joints()) continue;
+    return articulation->links().collider(static_cast<int>(link));
+  }
+  return nullptr;
+}
+
+/// Returns the order of the object with which contacts of two objects are saved: the last that is a
+/// body and can move. Contacts of links only are saved with no body, order 0.
+int WorldObjects::OwnerOf(const btCollisionObject* a, const btCollisionObject* b) const {
+  int owner = 0;
+  for (const auto* object : {a, b}) {
+    const bool is_link = !articulations_.empty() && Find(IdOf(object)) == nullptr;
+    if (!is_link && !object->isStaticObject()) owner = std::max(owner, OrderOf(object));
+  }
+  return owner;
+}
+
+/// Returns the manifolds of links only, and those of at least the given bodies, sorted by owner and
+/// then by key.
+std::vector<OwnedManifold> WorldObjects::ManifoldsOf(std::span<const std::size_t> bodies) const {
+  const bool are_in_world = std::ranges::all_of(bodies, [this](std::size_t i) {
+    return engine_.dormant_islands.PeriodOf(bodies_[i]->dynamics().bullet()) < 0;
   });
   std::vector<OwnedManifold> touching;
-  for (btPersistentManifold* manifold : are_sleepers_known
-                                            ? engine_.dispatcher.Manifolds()
-                                            : engine_.dormant_islands.AllManifolds()) {
+  for (btPersistentManifold* manifold :
+       are_in_world ? engine_.dispatcher.Manifolds() : engine_.dormant_islands.AllManifolds()) {
     if (manifold->getNumContacts() == 0) continue;
-    int owner = 0;
-    for (const auto* object : {manifold->getBody0(), manifold->getBody1()}) {
-      const bool is_link = articulations_.size() > 0 && Find(IdOf(object)) == nullptr;
-      if (!is_link && !object->isStaticObject()) owner = std::max(owner, OrderOf(object));
-    }
-    touching.push_back({owner, manifold});
+    touching.push_back({OwnerOf(manifold->getBody0(), manifold->getBody1()), manifold});
   }
   // The bytes must not depend on the order in which contacts arose.
   std::ranges::sort(touching, {}, [](const OwnedManifold& owned) {
@@ -225,44 +269,97 @@ std::vector<OwnedManifold> WorldObjects::ManifoldsToSave() const {
   return touching;
 }
 
-void WorldObjects::Save(Snapshot* snapshot, ByteWriter* state) const {
-  const std::vector<OwnedManifold> manifolds = ManifoldsToSave();
-  const auto save_contacts = [&manifolds](int owner, ByteWriter* out) {
+void WorldObjects::Save(Snapshot* snapshot, ByteWriter* state) {
+  std::vector<std::size_t> changed, unknown;
+  if (entries_.size() == bodies_.size()) {
+    changed = NumbersChangedSince(entries_moment_);
+  } else {
+    entries_ = SharedList(std::vector<Snapshot::BodyEntry>(bodies_.size()));
+    changed.resize(bodies_.size());
+    std::iota(changed.begin(), changed.end(), 0);
+  }
+  std::ranges::copy_if(changed, std::back_inserter(unknown), [this](std::size_t i) {
+    return bodies_[i]->dynamics().known_state() == nullptr;
+  });
+  const std::vector<OwnedManifold> manifolds = ManifoldsOf(unknown);
+  const auto contacts_of = [&manifolds](int owner) -> std::span<const OwnedManifold> {
     const auto first = std::ranges::lower_bound(manifolds, owner, {}, &OwnedManifold::owner);
     const auto end = std::ranges::upper_bound(manifolds, owner, {}, &OwnedManifold::owner);
-    SaveContacts({first, end}, out);
+    return {first, end};
   };
-  snapshot->next_id = next_id_;
-  snapshot->bodies.reserve(bodies_.size());
-  for (const auto& body : bodies_) {
-    auto own = body->dynamics().known_state();
-    if (own == nullptr) {
-      ByteWriter bytes;
-      body->dynamics().Save(&bytes);
-      save_contacts(static_cast<int>(body->id().value), &bytes);
-      own = std::make_shared<const std::vector<std::byte>>(bytes.Take());
-      body->dynamics().KeepState(own);
-    }
-    snapshot->bodies.push_back({body->id(), body->shared_spec(), std::move(own)});
+  for (std::size_t i : unknown) {
+    Body& body = *bodies_[i];
+    body.dynamics().KeepState(StateOf(body, contacts_of(static_cast<int>(body.id().value))));
   }
+  std::vector<std::pair<std::size_t, Snapshot::BodyEntry>> entries;
+  for (std::size_t i : changed) {
+    const Body& body = *bodies_[i];
+    entries.emplace_back(
+        i, Snapshot::BodyEntry{body.id(), body.shared_spec(), body.dynamics().known_state()});
+  }
+  entries_.Set(std::move(entries));
+  entries_moment_ = engine_.dormant_islands.now();
+
+  snapshot->next_id = next_id_;
+  snapshot->bodies = entries_;
   for (const auto& articulation : articulations_) {
     snapshot->articulations.push_back({articulation->id(), articulation->shared_spec()});
     articulation->Save(state);
   }
-  save_contacts(/*owner=*/0, state);
+  SaveContacts(contacts_of(/*owner=*/0), state);
 }
 
 void WorldObjects::RestoreState(const Snapshot& snapshot, ByteReader* in) {
+  const std::vector<std::size_t> replaced = NumbersOfBodiesToRestore(snapshot);
+  std::vector<btRigidBody*> changing;
+  for (std::size_t i : replaced) changing.push_back(&bodies_[i]->dynamics().bullet());
+  if (!changing.empty()) engine_.dormant_islands.Return(changing);
+
   std::vector<SavedManifold> contacts;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+  for (std::size_t i : replaced) {
     ByteReader own(*snapshot.bodies[i].state);
     bodies_[i]->dynamics().Restore(&own);
-    ReadContacts(&own, &contacts);
+    ReadContacts(static_cast<int>(bodies_[i]->id().value), &own, &contacts);
     if (own.remaining() > 0) throw std::invalid_argument("snapshot: a body's state is too long");
   }
   for (const auto& articulation : articulations_) articulation->Restore(in);
-  ReadContacts(in, &contacts);
-  RestoreContacts(engine_.world, engine_.broadphase, std::move(contacts));
+  ReadContacts(/*owner=*/0, in, &contacts);
+  const ContactOwners owners = {
+      .object_of = [this](int order) { return FindObject(order); },
+      .owner_of = [this](const auto* a, const auto* b) { return OwnerOf(a, b); },
+      .is_replaced =
+          [this, &replaced](int owner) {
+            return owner == 0 ||
+                   std::ranges::binary_search(replaced, owner, {}, [this](std::size_t i) {
+                     return static_cast<int>(bodies_[i]->id().value);
+                   });
+          }};
+  RestoreContacts(contacts, owners, engine_.world, engine_.broadphase);
+  // The next save and the next way back to this snapshot take these states as they are.
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    Body::Dynamics& dynamics = bodies_[i]->dynamics();
+    if (dynamics.known_state() != snapshot.bodies[i].state) {
+      dynamics.KeepState(snapshot.bodies[i].state);
+    }
+  }
+  entries_ = snapshot.bodies;
+  entries_moment_ = engine_.dormant_islands.now();
+}
+
+/// Returns the places of the bodies that are not in the snapshot's state, as far as that is known
+/// without reading it.
+std::vector<std::size_t> WorldObjects::NumbersOfBodiesToRestore(const Snapshot& snapshot) const {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const auto& saved = snapshot.bodies[i].state;
+    const Body::Dynamics& dynamics = bodies_[i]->dynamics();
+    if (dynamics.known_state() == saved) continue;
+    // What never moves is in the world, where something happens in each step. It has no contacts of
+    // its own.
+    if (bodies_[i]->is_static() && *StateOf(*bodies_[i], {}) == *saved) continue;
+    numbers.push_back(i);
+  }
+  return numbers;
 }
 
 void WorldObjects::AddTo(StateHash* hash) const {
@@ -286,6 +383,7 @@ WorldObjects::Replacement WorldObjects::ReplacementFor(const Snapshot& snapshot)
   for (std::size_t i = 0; i < std::max(articulations_.size(), snapshot.articulations.size()); ++i) {
     if (i >= articulations_.size()) {
       const auto& record = snapshot.articulations[i];
+      mechanics::CheckArticulation(*record.spec);
       result.fresh_articulations.push_back(
           std::make_unique<Articulation>(record.id, record.spec, config_.motor));
     } else if (i >= snapshot.articulations.size() ||
@@ -300,6 +398,7 @@ WorldObjects::Replacement WorldObjects::ReplacementFor(const Snapshot& snapshot)
     const bool is_there = old != bodies_.end() && (*old)->id() == record.id;
     if (is_there && Is(**old++, record)) continue;
     if (is_there) result.gone.push_back(record.id);
+    CheckBody(*record.spec);
     result.fresh_bodies.push_back(std::make_unique<Body>(record.id, record.spec));
   }
   // Bodies behind the snapshot's last one were added later.

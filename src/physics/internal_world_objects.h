@@ -57,13 +57,20 @@ class WorldObjects {
     }
   }
 
+  /// Returns the places of the bodies that may have changed since a moment, in ascending order.
+  std::vector<std::size_t> NumbersChangedSince(const Moment& moment) const;
+
+  /// Returns the number of bodies that were removed so far, also in order to be replaced.
+  int num_removals() const { return num_removals_; }
+
   bool is_at_rest() const;
   void WakeAll();
 
   /// Adds the objects with their contacts to the snapshot: the bodies' states to their entries, and
   /// all others to `state`.
-  void Save(Snapshot* snapshot, ByteWriter* state) const;
+  void Save(Snapshot* snapshot, ByteWriter* state);
   /// Restores the states of all objects, which are those of the snapshot, and their contacts.
+  /// Bodies that are in the snapshot's state stay as they are, left out or not.
   /// @throws std::invalid_argument if the states do not fit.
   void RestoreState(const Snapshot& snapshot, ByteReader* in);
   void AddTo(StateHash* hash) const;
@@ -74,14 +81,22 @@ class WorldObjects {
     std::vector<std::unique_ptr<Body>> fresh_bodies;
     std::vector<BodyId> gone;  ///< replaced or removed, by id
     std::uint32_t next_id = 1;
+
+    bool is_empty() const {
+      return fresh_articulations.empty() && fresh_bodies.empty() && gone.empty();
+    }
   };
   /// Computes the changes without applying them.
-  /// @throws std::invalid_argument if the snapshot lacks an articulation of this world.
+  /// @throws std::invalid_argument if the snapshot lacks an articulation of this world, or contains
+  ///         a definition that is not possible.
   Replacement ReplacementFor(const Snapshot& snapshot) const;
   void Apply(Replacement replacement);
 
  private:
-  std::vector<OwnedManifold> ManifoldsToSave() const;
+  btCollisionObject* FindObject(int order) const;
+  int OwnerOf(const btCollisionObject* a, const btCollisionObject* b) const;
+  std::vector<OwnedManifold> ManifoldsOf(std::span<const std::size_t> bodies) const;
+  std::vector<std::size_t> NumbersOfBodiesToRestore(const Snapshot& snapshot) const;
   void Insert(std::unique_ptr<Body> body);
   void Insert(std::unique_ptr<Articulation> articulation);
   void Erase(const Body& body);
@@ -91,8 +106,12 @@ class WorldObjects {
   const WorldConfig& config_;
   Engine& engine_;
   std::uint32_t next_id_ = 1;  ///< bodies and links share one counter: it orders everything
+  int num_removals_ = 0;       ///< not part of the state
   std::vector<std::unique_ptr<Articulation>> articulations_;
   std::vector<std::unique_ptr<Body>> bodies_;
+  /// Entries of the bodies in the last snapshot, and when that was; none after a body came or went.
+  SharedList<Snapshot::BodyEntry> entries_;
+  Moment entries_moment_;
 };
 
 }  // namespace smile::physics

@@ -123,6 +123,24 @@ std::vector<BodyId> World::awake_bodies() const {
   return awake;
 }
 
+Moment World::now() const {
+  Moment now = engine_->dormant_islands.now();
+  now.num_removals = objects_->num_removals();
+  return now;
+}
+
+std::vector<BodyId> World::BodiesChangedSince(const Moment& moment) const {
+  std::vector<BodyId> changed;
+  for (std::size_t i : objects_->NumbersChangedSince(moment)) {
+    changed.push_back(objects_->bodies()[i]->id());
+  }
+  return changed;
+}
+
+bool World::HasRemovedSince(const Moment& moment) const {
+  return moment.num_removals != objects_->num_removals();
+}
+
 bool World::is_at_rest() const { return objects_->is_at_rest(); }
 void World::WakeAll() { Changing(objects_).WakeAll(); }
 
@@ -181,10 +199,13 @@ Snapshot World::Save() const {
 void World::Restore(const Snapshot& snapshot) {
   CheckSnapshot(snapshot);
   WorldObjects::Replacement replacement = objects_->ReplacementFor(snapshot);
-  // From here on nothing fails until states are read. Joints are made again from their specs; their
-  // states are read below.
-  Changing(joints_).RemoveAll();
-  exemptions_->EndAll();
+  // From here on nothing fails until states are read.
+  if (!replacement.is_empty() || !joints_->AreThoseOf(snapshot) ||
+      !exemptions_->AreThoseOf(snapshot)) {
+    // Joints refer to bodies: all are made again from their specs; their states are read below.
+    Changing(joints_).RemoveAll();
+    exemptions_->EndAll();
+  }
   objects_->Apply(std::move(replacement));
   joints_->Restore(snapshot);
   exemptions_->Restore(snapshot);

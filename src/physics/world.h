@@ -92,6 +92,14 @@ class World {
 
   /// Returns the bodies that are awake, by id. Takes a time that does not depend on the others.
   std::vector<BodyId> awake_bodies() const;
+  /// Returns the present moment, for BodiesChangedSince() and HasRemovedSince().
+  Moment now() const;
+  /// Returns the bodies that may have changed since a moment, by id; those that were added since
+  /// are among them, and those that were removed are not. Takes a time that does not depend on the
+  /// others, apart from the static ones.
+  std::vector<BodyId> BodiesChangedSince(const Moment& moment) const;
+  /// Returns true if bodies were removed since a moment, even if they have returned.
+  bool HasRemovedSince(const Moment& moment) const;
   /// Returns true if all bodies sleep and no articulation moves: a step would change nothing.
   bool is_at_rest() const;
 

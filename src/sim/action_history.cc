@@ -15,11 +15,12 @@ namespace {
 /// Returns the approximate size of a state [bytes], without what it shares with the state before
 /// it (or null): models, definitions, and the states of bodies to which nothing happened.
 std::size_t SizeOf(const SimulationState& state, const SimulationState* before) {
-  using Entry = physics::Snapshot::BodyEntry;
-  const std::vector<Entry>& bodies = state.physics.bodies;
-  std::size_t size = sizeof state + state.physics.state.size() + sizeof(Entry) * bodies.size() +
-                     sizeof(world::ObjectState) * state.tabletop.objects.size() +
-                     sizeof(physics::BodyId) * state.tabletop.bodies.size();
+  const auto& bodies = state.physics.bodies;
+  const std::size_t num_entries =
+      before == nullptr ? bodies.size() : bodies.NumBeside(before->physics.bodies);
+  std::size_t size = sizeof state + state.physics.state.size() +
+                     sizeof(physics::Snapshot::BodyEntry) * num_entries +
+                     sizeof(world::ObjectState) * state.tabletop.objects.size();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     // Bodies rarely come or go: those at the same place are the same.
     const bool is_shared = before != nullptr && i < before->physics.bodies.size() &&

@@ -51,8 +51,8 @@ struct Action {
 ///                     ^ cursor           Undo() takes back a2, Redo() does a3 again
 ///
 /// A command after an undo discards the undone actions. Each action keeps the state before it:
-/// about 100 bytes per object, and 2 kB more for each object to which something happened since the
-/// last action. Beyond half a gigabyte the oldest states are discarded, so Undo() no longer reaches
+/// a few bytes per object, and 2 kB more for each object to which something happened since the last
+/// action. Beyond half a gigabyte the oldest states are discarded, so Undo() no longer reaches
 /// them; the actions themselves stay.
 ///
 /// There is no other copy of the history: listeners keep only values per ActionId and are notified

@@ -203,17 +203,9 @@ bool RunningModel::is_still() const {
 std::optional<model::Support> RunningModel::SupportOf(model::ObjectIndex index) const {
   std::vector<std::optional<RigidTransform>> X_WBs;
   for (const world::Object& object : tabletop_.objects()) {
-    X_WBs.push_back(tabletop_.IsPresent(object)
-                        ? std::optional(physics_.body(object.body).pose_in_world())
-                        : std::nullopt);
+    X_WBs.push_back(tabletop_.PoseOf(object));
   }
   return model::SupportOf(model_->scene(), X_WBs, index);
-}
-
-scene::VisualState RunningModel::visual_state() const {
-  return model_->VisualStateOf(tabletop_.scene_state(),
-                               robot_ ? robot_->body().positions() : std::vector<double>(),
-                               robot_ ? robot_->face_expression() : robot::FaceExpression::kIdle);
 }
 
 std::uint64_t RunningModel::state_hash() const {

@@ -12,6 +12,7 @@
 #include "sim/command.h"
 #include "sim/simulated_robot.h"
 #include "sim/simulation_state.h"
+#include "sim/visual_state_cache.h"
 #include "world/tabletop.h"
 
 namespace smile::sim {
@@ -59,7 +60,7 @@ class RunningModel {
   /// See Simulation.
   bool is_still() const;
   std::optional<model::Support> SupportOf(model::ObjectIndex object) const;
-  scene::VisualState visual_state() const;
+  const scene::VisualState& visual_state() const { return visual_state_.Update(); }
 
   std::uint64_t state_hash() const;
   SimulationState Save() const;
@@ -95,6 +96,7 @@ class RunningModel {
   std::optional<SimulatedRobot> robot_;
   std::uint64_t tick_ = 0;
   world::ToolUse last_use_;  ///< a report, not state
+  mutable VisualStateCache visual_state_{this};
 };
 
 }  // namespace smile::sim

@@ -123,8 +123,10 @@ class Simulation {
   /// Returns what the tools that hands and grippers hold would do if they were used now.
   std::vector<world::ToolUse> PossibleUses() const { return running_->PossibleUses(); }
 
-  /// Returns the present state for the model's visual model.
-  scene::VisualState visual_state() const { return running_->visual_state(); }
+  /// Returns the present state for the model's visual model. Only what may have changed since the
+  /// last call is computed. The reference is valid until the next change of the simulation; copy
+  /// the state to keep it.
+  const scene::VisualState& visual_state() const { return running_->visual_state(); }
 
   /// Adds a listener. Listeners are notified in the order in which they were added, until they are
   /// removed.

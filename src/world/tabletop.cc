@@ -20,7 +20,7 @@ constexpr double kLinkAngularDamping = 0.9;
 /// Returns the objects of a model.
 /// @param bodies  of the first objects; the others have none yet.
 std::vector<Object> ObjectsOf(const model::Model& model,
-                              const std::vector<physics::BodyId>& bodies = {}) {
+                              const SharedList<physics::BodyId>& bodies = {}) {
   std::vector<Object> objects;
   objects.reserve(model.objects().size());
   for (model::ObjectIndex object : model.objects()) {
@@ -60,7 +60,7 @@ void Tabletop::Grow(std::shared_ptr<const model::Model> model) {
                       .num_sliders = before.sliders.size(),
                       .num_chains = before.chains.size(),
                       .num_guests = model_->guests().size()};
-  objects_ = ObjectsOf(*model, state().bodies);
+  objects_ = ObjectsOf(*model, bodies_);
   object_states_.resize(objects_.size());
   // The states of existing objects stay; those of new ones are initial.
   controls_.Grow(*model);
@@ -75,6 +75,9 @@ void Tabletop::AddBeyond(const Extent& extent) {
   const scene::SceneSpec& scene = model_->scene();
   // Bodies before the joints between them; initial bonds last, since they move bodies.
   for (std::size_t i = extent.num_objects; i < objects_.size(); ++i) AddBody(&objects_[i]);
+  std::vector<physics::BodyId> bodies(objects_.size());
+  std::ranges::transform(objects_, bodies.begin(), &Object::body);
+  bodies_ = SharedList(std::move(bodies));
   for (std::size_t i = extent.num_sliders; i < scene.sliders.size(); ++i) {
     AddSliderJoint(scene.sliders[i], objects_, world_);
   }
@@ -231,29 +234,30 @@ model::SceneState Tabletop::scene_state() const {
   model::SceneState state{.X_WB = {},
                           .controls = controls_.states(),
                           .hosts = {bonds_.states().begin(), bonds_.states().end()}};
-  for (const Object& object : objects_) {
-    state.X_WB.push_back(IsPresent(object)
-                             ? std::optional(world_->body(object.body).pose_in_world())
-                             : std::nullopt);
-  }
+  state.X_WB.reserve(objects_.size());
+  for (const Object& object : objects_) state.X_WB.push_back(PoseOf(object));
   return state;
 }
 
+std::optional<RigidTransform> Tabletop::PoseOf(const Object& object) const {
+  if (!IsPresent(object)) return std::nullopt;
+  return world_->body(object.body).pose_in_world();
+}
+
 TabletopState Tabletop::state() const {
-  TabletopState state{.controls = controls_.states(),
-                      .bonds = bonds_.states(),
-                      .presses = presses_.states(),
-                      .tools = tools_.state(),
-                      .objects = object_states_,
-                      .bodies = {}};
-  for (const Object& object : objects_) state.bodies.push_back(object.body);
-  return state;
+  return {.controls = controls_.states(),
+          .bonds = bonds_.states(),
+          .presses = presses_.states(),
+          .tools = tools_.state(),
+          .objects = object_states_,
+          .bodies = bodies_};
 }
 
 void Tabletop::Restore(const TabletopState& state, std::shared_ptr<const model::Model> model) {
   // Another model has other specs and may have more objects.
   if (model != model_) objects_ = ObjectsOf(*model, state.bodies);
-  for (Object& object : objects_) object.body = state.bodies[object.index];
+  bodies_ = state.bodies;
+  for (Object& object : objects_) object.body = bodies_[object.index];
   object_states_ = state.objects;
   controls_.Restore(state.controls, *model);
   bonds_.Restore(state.bonds, *model);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/shared_list.h"
 #include "base/state_hash.h"
 #include "model/model.h"
 #include "physics/world.h"
@@ -25,8 +26,8 @@ struct TabletopState {
   std::vector<BondState> bonds;        ///< by model::HostIndex
   std::vector<PressState> presses;     ///< by model::ControlIndex
   ToolsState tools;
-  std::vector<ObjectState> objects;     ///< in scene order
-  std::vector<physics::BodyId> bodies;  ///< of the objects, including destroyed ones
+  std::vector<ObjectState> objects;    ///< in scene order
+  SharedList<physics::BodyId> bodies;  ///< of the objects, including destroyed ones
 
   bool operator==(const TabletopState&) const = default;
 };
@@ -111,6 +112,8 @@ class Tabletop {
 
   /// Returns the visible state.
   model::SceneState scene_state() const;
+  /// Returns X_WB of an object; nullopt if it is destroyed.
+  std::optional<RigidTransform> PoseOf(const Object& object) const;
 
  private:
   /// Part of the model that is already in the world.
@@ -133,6 +136,7 @@ class Tabletop {
   std::shared_ptr<const model::Model> model_;
   physics::BodyId floor_;
   std::vector<Object> objects_;
+  SharedList<physics::BodyId> bodies_;  ///< of the objects, as each state contains them
   Controls controls_;
   std::vector<ObjectState> object_states_;  ///< one per object
   Presses presses_;

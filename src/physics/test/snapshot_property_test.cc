@@ -119,11 +119,12 @@ TEST_P(SnapshotProperty, ContinuesExactlyInAnotherProcess) {
     const std::uint64_t hash = RunOn(world, builder_.robot_, pile_[1], pile_[0]);
     _exit(write(result[1], &hash, sizeof hash) == sizeof hash ? 0 : 1);
   }
+  // A child that ends without a result ends the wait for it.
+  close(result[1]);
   std::uint64_t hash = 0;
   EXPECT_EQ(read(result[0], &hash, sizeof hash), static_cast<ssize_t>(sizeof hash));
   waitpid(child, nullptr, 0);
   close(result[0]);
-  close(result[1]);
   std::filesystem::remove(file);
   EXPECT_EQ(hash, hash_);
 }
@@ -360,6 +361,11 @@ TEST(StateHash, DependsOnTheStateOfAWeld) {
   EXPECT_NE(hash_of(0.3, {1}), hash_of(0.3, {1, 2}));
 }
 
+/// Replaces the entry of a body.
+void SetBody(Snapshot* snapshot, std::size_t index, const Snapshot::BodyEntry& entry) {
+  snapshot->bodies.Set({{index, entry}});
+}
+
 TEST(Snapshot, RefusesWhatContradictsItselfAndLeavesTheWorldAsItWas) {
   PhysicsWorldBuilder builder;
   builder.AddTable();
@@ -375,10 +381,20 @@ TEST(Snapshot, RefusesWhatContradictsItselfAndLeavesTheWorldAsItWas) {
   const std::vector<std::byte> before = Serialize(world.Save());
   const double nan = std::nan("");
   const std::vector<std::function<void(Snapshot*)>> spoilers = {
-      [](Snapshot* s) { std::swap(s->bodies[0], s->bodies[1]); },
-      [](Snapshot* s) { s->bodies[1].id = s->bodies[0].id; },
-      [](Snapshot* s) { s->bodies.back().id = BodyId{s->articulations[0].id.value + 2}; },
-      [](Snapshot* s) { s->bodies[1].spec = nullptr; },
+      [](Snapshot* s) {
+        s->bodies.Set({{0, s->bodies[1]}, {1, s->bodies[0]}});
+      },
+      [](Snapshot* s) {
+        SetBody(s, 1, {s->bodies[0].id, s->bodies[1].spec, s->bodies[1].state});
+      },
+      [](Snapshot* s) {
+        const BodyId of_a_link{s->articulations[0].id.value + 2};
+        SetBody(s, s->bodies.size() - 1,
+                {of_a_link, s->bodies.back().spec, s->bodies.back().state});
+      },
+      [](Snapshot* s) {
+        SetBody(s, 1, {s->bodies[1].id, nullptr, s->bodies[1].state});
+      },
       [](Snapshot* s) { s->next_id = 3; },
       [](Snapshot* s) { s->next_joint_id = 1; },
       [](Snapshot* s) { s->articulations.clear(); },
@@ -424,6 +440,22 @@ TEST(Snapshot, RefusesBytesThatAreNotAWholeSnapshot) {
         << size;
   }
   EXPECT_EQ(Serialize(mechanics::ParseSnapshot(whole)), whole);
+}
+
+TEST(Snapshot, AContactThatIsListedWithAnotherBodyIsRefusedAndTheWorldGoesBackToAGoodState) {
+  PhysicsWorldBuilder builder;
+  builder.AddTable();
+  const std::vector<BodyId> stack = builder.AddStack({0, 0, 0}, 2);
+  builder.StepSeconds(0.1);
+  World& world = builder.world_;
+  const Snapshot good = world.Save();
+  Snapshot bad = good;
+  // The upper body owns its contact with the lower one.
+  SetBody(&bad, 1, {stack[0], good.bodies[1].spec, good.bodies[2].state});
+  builder.StepSeconds(0.1);
+  EXPECT_THROW(world.Restore(bad), std::invalid_argument);
+  world.Restore(good);
+  EXPECT_EQ(Serialize(world.Save()), Serialize(good));
 }
 
 }  // namespace

@@ -144,11 +144,15 @@ TEST(ActionHistory, DropsTheOldestStatesButNoAction) {
   EXPECT_TRUE(history.can_undo());
 }
 
+SharedList<physics::Snapshot::BodyEntry> ListOf(physics::Snapshot::BodyEntry entry) {
+  return SharedList(std::vector{std::move(entry)});
+}
+
 TEST(ActionHistory, CountsWhatStatesShareOnce) {
   const auto body = std::make_shared<const std::vector<std::byte>>(1 << 20);
   const auto state = [&body](std::uint64_t tick) {
     SimulationState saved{.tick = tick};
-    saved.physics.bodies.push_back({physics::BodyId{1}, nullptr, body});
+    saved.physics.bodies = ListOf({physics::BodyId{1}, nullptr, body});
     return saved;
   };
   ActionHistory history(std::size_t{3} << 19);  // one body and a half
@@ -164,7 +168,7 @@ TEST(ActionHistory, AStateThatRemainsHasWhatItSharedWithDiscardedOnes) {
   const auto second = std::make_shared<const std::vector<std::byte>>(1 << 20);
   const auto state = [](const auto& body) {
     SimulationState saved;
-    saved.physics.bodies.push_back({physics::BodyId{1}, nullptr, body});
+    saved.physics.bodies = ListOf({physics::BodyId{1}, nullptr, body});
     return saved;
   };
   ActionHistory history(std::size_t{3} << 19);

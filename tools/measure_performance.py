@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 """Measures what docs/performance.md says, and writes it there with its plots.
 
-    tools/measure_performance.py [--rounds N] [--filter REGEX] [--peers | --no-peers]
+    tools/measure_performance.py [--rounds N] [--filter REGEX] [--peers | --no-peers | --pictures]
     tools/measure_performance.py --page     only writes the page again, from the kept numbers
     tools/measure_performance.py --check    fails if page and plots are not those of the kept numbers
 
-Needs ./run once. A round runs `smile bench`, then each scene of the comparison in each simulator, one
-after the other; of N rounds (3) the shortest time is kept in docs/performance.json. --filter measures
-only some benchmarks, --peers only the comparison, --no-peers all but the comparison; the other numbers
-stay. The first comparison installs MuJoCo and PyBullet into build/peers.
+Needs ./run once. A round runs `smile bench`, then each scene and each view of the comparison in each
+simulator, one after the other; of N rounds (3) the shortest time is kept in docs/performance.json.
+--filter measures only some benchmarks, --peers only the comparison, --pictures only its views,
+--no-peers all but the comparison; the other numbers stay. The first comparison installs MuJoCo and
+PyBullet into build/peers.
 """
 
 import argparse
@@ -17,16 +18,18 @@ import os
 import pathlib
 import subprocess
 import sys
+import tempfile
 
 from performance import page, scenes
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PROGRAM = os.environ.get("SMILE_PROGRAM", str(ROOT / "build/release/bin/smile"))
+PROGRAM = os.path.abspath(os.environ.get("SMILE_PROGRAM", ROOT / "build/release/bin/smile"))
 DATA = ROOT / "docs/performance.json"
 PAGE = ROOT / "docs/performance.md"
 PLOTS = ROOT / "docs/images/performance"
 PEERS = ROOT / "build/peers"
 PACKAGES = ("mujoco", "pybullet")
+READER = "pillow"  # of our pictures, for the comparison
 US = {"ns": 1e-3, "us": 1.0, "ms": 1e3, "s": 1e6}
 SETTLE, MINUTE = 3, 60  # [s]
 
@@ -40,6 +43,13 @@ OURS = {
     "UM with a moving robot": ("UM and a moving robot without grippers, a minute/iterations:1", MINUTE),
     "UM asleep": ("UM asleep, a minute/iterations:1", MINUTE),
 }
+# What draws views: its name on the page, and in performance/peer_view.py.
+RENDERERS = {"MuJoCo": "mujoco", "MuJoCo, its Renderer": "mujoco renderer", "PyBullet, TinyRenderer": "pybullet",
+             "PyBullet, OpenGL": "pybullet egl"}
+# The views: our benchmark, and the options of `smile render`.
+VIEWS = {"UM": ("eye, UM", ["--no-robot"]), "UM with robot": ("eye, UM with robot without grippers", ["--gripper", "none"])}
+SIZES = ((200, 150), (640, 480), (1280, 800))
+VIEW_SECONDS = 0.5
 
 
 def say(words):
@@ -61,12 +71,17 @@ def machine():
             "system": value("/etc/os-release", "=", "PRETTY_NAME")}
 
 
+def rows_of(pattern):
+    """What matching benchmarks report."""
+    printed = subprocess.run([PROGRAM, "bench", "--json", "--filter", pattern], check=True, stdout=subprocess.PIPE).stdout
+    return json.loads(printed)["benchmarks"]
+
+
 def bench(pattern):
     """The times [us] and counters of matching benchmarks, by name."""
-    printed = subprocess.run([PROGRAM, "bench", "--json", "--filter", pattern], check=True, stdout=subprocess.PIPE).stdout
     known = {"name", "run_name", "run_type", "time_unit", "label", "aggregate_name"}
     rows = {}
-    for row in json.loads(printed)["benchmarks"]:
+    for row in rows_of(pattern):
         if row.get("error_occurred"):
             say(f"{row['name']}: {row['error_message']}")
             continue
@@ -89,9 +104,10 @@ def install_peers():
     """The Python of the environment with the other simulators."""
     python = PEERS / "bin/python"
     if not python.exists():
-        say("installing " + " and ".join(PACKAGES))
+        say("installing " + ", ".join(PACKAGES))
         subprocess.run([sys.executable, "-m", "venv", PEERS], check=True)
-    subprocess.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *PACKAGES], check=True)
+    subprocess.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *PACKAGES, READER],
+                   check=True)
     return python
 
 
@@ -102,9 +118,14 @@ def versions(python):
 
 
 def run_peer(python, problem):
-    done = subprocess.run([python, ROOT / "tools/performance/peer.py"], input=json.dumps(problem), capture_output=True, text=True)
+    return printed_numbers([python, ROOT / "tools/performance/peer.py"], problem)
+
+
+def printed_numbers(command, problem):
+    """The result of a program that solves a problem from stdin; its directory is that of this one."""
+    done = subprocess.run(command, input=json.dumps(problem), capture_output=True, text=True, cwd=ROOT / "tools")
     if done.returncode != 0:
-        sys.exit(f"{problem['simulator']} failed:\n{done.stderr}")
+        sys.exit(f"{json.dumps(problem)[:200]} failed:\n{done.stderr}")
     return {name: rounded(value) for name, value in json.loads(done.stdout.splitlines()[-1]).items()}
 
 
@@ -131,19 +152,54 @@ def compare_scenes(python, kept):
             keep_shorter(of, {simulator: result}, "cpu_ms_per_s")
 
 
+def our_view(name, size, kept):
+    """Our picture: its times, and what draws it."""
+    (row,) = rows_of(f"^{VIEWS[name][0]}/{size[0]}/{size[1]}/process_time$")
+    kept["device"] = row["label"]
+    return {f"{key}_ms": rounded(row[f"{time}_time"] * US[row["time_unit"]] / 1000) for key, time in (("cpu", "cpu"), ("wall", "real"))}
+
+
+def keep_shortest(kept, new):
+    """Keeps the shortest times; all else is equal in each round."""
+    for key, value in new.items():
+        kept[key] = min(value, kept.get(key, value))
+
+
+def compare_views(python, kept):
+    """One round of the comparison of pictures: all renderers of each view, one after the other."""
+    for name, (_, render_options) in VIEWS.items():
+        for size in SIZES:
+            title = f"{name}, {size[0]}x{size[1]}"
+            say(title)
+            of = kept.setdefault("views", {}).setdefault(title, {})
+            with tempfile.TemporaryDirectory() as folder:
+                picture = os.path.join(folder, "view.png")
+                subprocess.run([PROGRAM, "render", ROOT / "scenes/um.xml", "--camera", "eye", "--size", f"{size[0]}x{size[1]}",
+                                "--channels", "rgb,depth,id", "--out", picture, *render_options], check=True, capture_output=True)
+                keep_shortest(of.setdefault("SMILE", {}), our_view(name, size, kept))
+                for other, renderer in RENDERERS.items():
+                    problem = {"renderer": renderer, "view": name, "size": size, "seconds": VIEW_SECONDS, "program": PROGRAM,
+                               "picture": picture}
+                    keep_shortest(of.setdefault(other, {}), printed_numbers([python, "-m", "performance.peer_view"], problem))
+
+
 def measure(data, options):
-    benchmarks, kept_scenes = {}, {}
+    benchmarks, kept_scenes, kept_views = {}, {}, {}
     python = None if options.no_peers else install_peers()
     for i in range(options.rounds):
         say(f"round {i + 1} of {options.rounds}")
-        if not options.peers:
+        if not options.peers and not options.pictures:
             keep_shorter(benchmarks, bench(options.filter), "us")
-        if python:
+        if python and not options.pictures:
             compare_scenes(python, kept_scenes)
+        if python:
+            compare_views(python, kept_views)
     data["machine"] = machine()
     data.setdefault("benchmarks", {}).update(benchmarks)
-    if python:
+    if kept_scenes:
         data["peers"] = {"versions": versions(python), "scenes": kept_scenes}
+    if kept_views:
+        data["pictures"] = {"versions": versions(python), **kept_views}
 
 
 def text_of(data):
@@ -157,7 +213,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--filter", default=".")
-    for option in ("peers", "no-peers", "page", "check"):
+    for option in ("peers", "no-peers", "pictures", "page", "check"):
         parser.add_argument("--" + option, action="store_true")
     options = parser.parse_args()
     data = json.loads(DATA.read_text()) if DATA.exists() else {}

@@ -40,18 +40,11 @@ std::unique_ptr<sim::Simulation> Rested(const benchmark::State& state) {
   return simulation;
 }
 
-/// Carries the first cube to and fro above the others, after it was lifted for a second.
-void CarryOn(sim::Simulation* simulation, std::uint64_t since) {
-  const std::uint64_t ticks = simulation->tick() - since;
-  if (ticks % sim::kTicksPerSecond != 0) return;
+/// Returns a hand that carries the first cube above the others.
+Carrying CarryingOneOf(sim::Simulation* simulation) {
   Vector3 p_WH = simulation->scene().objects.front().pose_in_world().translation();
-  if (ticks == 0) {
-    simulation->Apply(sim::Grasp{.object = "cube0"});
-  } else {
-    p_WH.x() += ticks / sim::kTicksPerSecond % 2 == 0 ? 0.0 : 0.4;
-  }
   p_WH.z() = 0.4;
-  simulation->Apply(sim::MoveTo{.p_WH = p_WH, .speed = 0.4});
+  return {simulation, "cube0", p_WH};
 }
 
 /// What a program asks after each tick.
@@ -61,19 +54,13 @@ enum class Questions { kNone, kHash, kRestAndView };
 /// recording, or with the questions of a view.
 void CarryOne(benchmark::State& state, Questions questions) {
   const auto simulation = Rested(state);
-  const std::uint64_t since = simulation->tick();
-  // First those that it disturbed come to rest again.
-  for (int i = 0; i < 5 * sim::kTicksPerSecond; ++i) {
-    CarryOn(simulation.get(), since);
-    simulation->Tick();
-  }
+  Carrying carrying = CarryingOneOf(simulation.get());
   for (auto _ : state) {
-    CarryOn(simulation.get(), since);
-    simulation->Tick();
+    carrying.Tick();
     if (questions == Questions::kHash) benchmark::DoNotOptimize(simulation->state_hash());
     if (questions == Questions::kRestAndView) {
       benchmark::DoNotOptimize(simulation->is_still());
-      benchmark::DoNotOptimize(simulation->visual_state());
+      benchmark::DoNotOptimize(simulation->visual_state().poses.data());
     }
   }
   state.counters["awake"] = static_cast<double>(simulation->physics().awake_bodies().size());
@@ -96,18 +83,19 @@ void IsStill(benchmark::State& state) {
 
 void VisualState(benchmark::State& state) {
   const auto simulation = Rested(state);
-  for (auto _ : state) benchmark::DoNotOptimize(simulation->visual_state());
+  for (auto _ : state) benchmark::DoNotOptimize(simulation->visual_state().poses.data());
 }
 
 void Save(benchmark::State& state) {
   const auto simulation = Rested(state);
-  for (auto _ : state) benchmark::DoNotOptimize(simulation->Save());
+  Carrying carrying = CarryingOneOf(simulation.get());
+  SaveAfterTicks(state, &carrying, simulation.get());
 }
 
 void Restore(benchmark::State& state) {
   const auto simulation = Rested(state);
-  const sim::SimulationState saved = simulation->Save();
-  for (auto _ : state) simulation->Restore(saved);
+  Carrying carrying = CarryingOneOf(simulation.get());
+  RestoreOverTicks(state, &carrying, simulation.get());
 }
 
 /// Measures a physics step of stacks that never sleep.
@@ -140,8 +128,12 @@ void RegisterGrowthBenchmarks() {
   RegisterBenchmark("growth: hash, all asleep", &Hash)->Apply(cubes);
   RegisterBenchmark("growth: rest test, all asleep", &IsStill)->Apply(cubes);
   RegisterBenchmark("growth: view, all asleep", &VisualState)->Apply(cubes);
-  RegisterBenchmark("growth: save, all asleep", &Save)->Apply(cubes);
-  RegisterBenchmark("growth: restore, all asleep", &Restore)->Apply(cubes);
+  RegisterBenchmark("growth: save after a tick, one cube carried", &Save)
+      ->Apply(cubes)
+      ->UseManualTime();
+  RegisterBenchmark("growth: restore over a tick, one cube carried", &Restore)
+      ->Apply(cubes)
+      ->UseManualTime();
   RegisterBenchmark("growth: single cubes awake, per step", &StacksAwake, 1)->Apply(cubes);
   RegisterBenchmark("growth: stacks of five awake, per step", &StacksAwake, 5)->Apply(cubes);
 }

@@ -1,5 +1,6 @@
 #include "app/bench_scenes.h"
 
+#include <chrono>
 #include <cmath>
 #include <string>
 
@@ -30,6 +31,14 @@ scene::SceneSpec Grid(int num_objects, int objects_a_stack, double spacing, doub
   return scene;
 }
 
+/// Length of the way of a hand that carries [m].
+constexpr double kCarryingDistance = 0.4;
+
+void SetTimeSince(std::chrono::steady_clock::time_point start, benchmark::State* state) {
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  state->SetIterationTime(passed.count());
+}
+
 }  // namespace
 
 scene::SceneSpec UmScene() { return scene_xml::LoadScene(DataFile("scenes/um.xml")); }
@@ -46,6 +55,42 @@ void Swing(sim::Simulation* simulation) {
   const bool is_forth = simulation->tick() / kSwingTicks % 2 == 0;
   const std::vector<double> velocities(7, is_forth ? speed : -speed);
   simulation->Apply(sim::JointVelocities{.arms = {{"left", velocities}, {"right", velocities}}});
+}
+
+Carrying::Carrying(sim::Simulation* simulation, const std::string& object, const Vector3& p_WFrom)
+    : simulation_(simulation), p_WFrom_(p_WFrom) {
+  simulation_->Apply(sim::Grasp{.object = object});
+  for (int i = 0; i < 5 * sim::kTicksPerSecond; ++i) Tick();
+}
+
+void Carrying::Tick() {
+  if (num_ticks_ % sim::kTicksPerSecond == 0) {
+    const bool is_back = num_ticks_ / sim::kTicksPerSecond % 2 == 0;
+    simulation_->Apply(sim::MoveTo{
+        .p_WH = p_WFrom_ + Vector3(is_back ? 0 : kCarryingDistance, 0, 0), .speed = 0.4});
+  }
+  ++num_ticks_;
+  simulation_->Tick();
+}
+
+void SaveAfterTicks(benchmark::State& state, Carrying* carrying, sim::Simulation* simulation) {
+  for (auto _ : state) {
+    carrying->Tick();
+    const auto start = std::chrono::steady_clock::now();
+    const sim::SimulationState saved = simulation->Save();
+    SetTimeSince(start, &state);
+  }
+}
+
+void RestoreOverTicks(benchmark::State& state, Carrying* carrying, sim::Simulation* simulation) {
+  for (auto _ : state) {
+    const sim::SimulationState saved = simulation->Save();
+    simulation->Tick();
+    const auto start = std::chrono::steady_clock::now();
+    simulation->Restore(saved);
+    SetTimeSince(start, &state);
+    carrying->Tick();
+  }
 }
 
 scene::SceneSpec Stacks(int num_cubes, int cubes_a_stack, double edge, double gap) {

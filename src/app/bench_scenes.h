@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include <memory>
+#include <string>
 
 #include "app/options.h"
 #include "physics/world.h"
@@ -25,6 +26,26 @@ inline constexpr double kSwingAngle = 0.15;
 /// Swings both arms of the robot to and fro. Call before each tick; begins at a multiple of
 /// 2 * kSwingTicks.
 void Swing(sim::Simulation* simulation);
+
+/// A hand that carries an object of a simulation at rest to and fro above the others.
+class Carrying {
+ public:
+  /// Takes the object, and carries it until those that it disturbed have come to rest again.
+  /// @param p_WFrom  one end of the way of the hand [m]; the other is 0.4 m from it along the x
+  /// axis.
+  Carrying(sim::Simulation* simulation, const std::string& object, const Vector3& p_WFrom);
+  void Tick();
+
+ private:
+  sim::Simulation* simulation_;
+  Vector3 p_WFrom_;
+  std::uint64_t num_ticks_ = 0;
+};
+
+/// Measures a save after each tick, for UseManualTime().
+void SaveAfterTicks(benchmark::State& state, Carrying* carrying, sim::Simulation* simulation);
+/// Measures the way back over a tick, for UseManualTime().
+void RestoreOverTicks(benchmark::State& state, Carrying* carrying, sim::Simulation* simulation);
 
 /// Returns stacks of cubes on a square grid that the table just holds.
 /// @param edge  of each cube [m]

@@ -65,23 +65,29 @@ void TwelveBlocksAndARestingRobot(benchmark::State& state) {
   ReportRealTime(state, 1.0 / sim::kTicksPerSecond);
 }
 
+/// Carries a block of the scene `um` in front of the robot.
+Carrying CarryingBlue(sim::Simulation* simulation) {
+  return {simulation, "Blue1", Vector3(-0.2, -0.1, 0.3)};
+}
+
 /// Measures the copy of a state; reports the bytes of its physics.
 void SnapshotSave(benchmark::State& state) {
   const auto simulation = MakeUm({});
-  for (auto _ : state) benchmark::DoNotOptimize(simulation->Save());
+  Carrying carrying = CarryingBlue(simulation.get());
+  SaveAfterTicks(state, &carrying, simulation.get());
   state.counters["bytes"] =
       static_cast<double>(mechanics::Serialize(simulation->Save().physics).size());
 }
 
 void SnapshotRestore(benchmark::State& state) {
   const auto simulation = MakeUm({});
-  const sim::SimulationState saved = simulation->Save();
-  for (auto _ : state) simulation->Restore(saved);
+  Carrying carrying = CarryingBlue(simulation.get());
+  RestoreOverTicks(state, &carrying, simulation.get());
 }
 
-/// Measures color, depth and ids in one pass.
-void EyePicture(benchmark::State& state, bool with_robot) {
-  const auto simulation = MakeUm({.no_robot = !with_robot});
+/// Measures color, depth and ids of the view of the eye.
+void EyePicture(benchmark::State& state, const RobotOptions& robot) {
+  const auto simulation = MakeUm(robot);
   const sim::ViewSample sample =
       sim::ViewSampleOf(*simulation, {.width_px = static_cast<int>(state.range(0)),
                                       .height_px = static_cast<int>(state.range(1))});
@@ -168,15 +174,23 @@ void RegisterAll() {
   }
   RegisterBenchmark("12 blocks and a resting robot, per tick", &TwelveBlocksAndARestingRobot)
       ->Unit(kMicrosecond);
-  RegisterBenchmark("snapshot save, UM with robot", &SnapshotSave)->Unit(kMicrosecond);
-  RegisterBenchmark("snapshot restore, UM with robot", &SnapshotRestore)->Unit(kMicrosecond);
-  for (const bool with_robot : {false, true}) {
-    RegisterBenchmark(with_robot ? "eye, UM with robot" : "eye, UM", &EyePicture, with_robot)
+  RegisterBenchmark("save after a tick, UM with robot, one block carried", &SnapshotSave)
+      ->UseManualTime()
+      ->Unit(kMicrosecond);
+  RegisterBenchmark("restore over a tick, UM with robot, one block carried", &SnapshotRestore)
+      ->UseManualTime()
+      ->Unit(kMicrosecond);
+  const auto pictures = [](const char* name, const RobotOptions& robot) {
+    RegisterBenchmark(name, &EyePicture, robot)
         ->Args({200, 150})
         ->Args({640, 480})
+        ->Args({1280, 800})
         ->MeasureProcessCPUTime()
         ->Unit(kMillisecond);
-  }
+  };
+  pictures("eye, UM", {.no_robot = true});
+  pictures("eye, UM with robot", {});
+  pictures("eye, UM with robot without grippers", {.gripper = "none"});
   RegisterPhysicsBenchmarks();
   RegisterGrowthBenchmarks();
   RegisterParallelBenchmarks();

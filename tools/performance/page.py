@@ -16,8 +16,8 @@ STATES = {
     "growth: hash, all asleep": "hash",
     "growth: rest test, all asleep": "rest test",
     "growth: view, all asleep": "view",
-    "growth: save, all asleep": "save",
-    "growth: restore, all asleep": "restore",
+    "growth: save after a tick, one cube carried": "save after a tick, one carried",
+    "growth: restore over a tick, one cube carried": "restore over a tick, one carried",
 }
 AWAKE = {
     "growth: single cubes awake, per step": "step, all awake, single",
@@ -26,7 +26,7 @@ AWAKE = {
 STEP_US = 1e6 / 480
 PLOTS = {
     "tick.svg": ("A tick of 1/60 s", TICKS, None),
-    "state.svg": ("Questions and copies, all at rest", STATES, None),
+    "state.svg": ("Questions and copies", STATES, None),
     "awake.svg": ("A physics step, nothing sleeps", AWAKE, ("real time", STEP_US)),
 }
 WORK = {
@@ -38,18 +38,21 @@ WORK = {
     "awake: 20 rings, per step": "20 rings of 32 segments, awake, physics step",
     "moving hand, per tick": "`um`, hand carries a block, tick",
     "moving hand, recorded, per tick": "the same, recorded",
-    "snapshot save, UM with robot": "save, `um` with robot",
-    "snapshot restore, UM with robot": "restore, `um` with robot",
+    "save after a tick, UM with robot, one block carried/manual_time": "save after a tick, `um` with robot, a block carried",
+    "restore over a tick, UM with robot, one block carried/manual_time": "restore over a tick, the same",
     "undo among 50 blocks, recorded/manual_time": "undo among 50 blocks, recorded",
     "eye, UM/200/150/process_time": "picture 200x150, color, depth and ids",
     "eye, UM/640/480/process_time": "picture 640x480",
+    "eye, UM/1280/800/process_time": "picture 1280x800",
     "eye, UM with robot/200/150/process_time": "picture 200x150 with robot",
     "eye, UM with robot/640/480/process_time": "picture 640x480 with robot",
+    "eye, UM with robot/1280/800/process_time": "picture 1280x800 with robot",
     "brain round trip, C++/1/1/real_time": "round trip to a brain in C++",
     "brain round trip, Python/1/1/real_time": "round trip to a brain in Python",
     "brain round trip, Octave/1/1/real_time": "round trip to a brain in Octave",
 }
 PARALLEL = "parallel: two on two threads, "
+OUR_PICTURES = "SMILE"
 OURS, WITH_DEFAULTS = "SMILE, 480 Hz", ("MuJoCo, 500 Hz", "PyBullet, 240 Hz")
 
 
@@ -68,13 +71,14 @@ def table(head, rows):
 
 
 def of_size(data, name, size):
-    return data["benchmarks"].get(f"{name}/cubes:{size}/gap_mm:30")
+    of = f"{name}/cubes:{size}/gap_mm:30"
+    return data["benchmarks"].get(of) or data["benchmarks"].get(of + "/manual_time")
 
 
 def machine(data):
     of = data["machine"]
     return (f"Measured on {of['processor']} ({of['cores']} cores of a virtual machine that other programs used, too), with "
-            f"{of['compiler']} on {of['system']}:\nCPU time, for undo and round trips wall-clock time; the shortest of several rounds.")
+            f"{of['compiler']} on {of['system']}:\nCPU time, for undo, saves, restores and round trips wall-clock time; the shortest of several rounds.")
 
 
 def growth(data):
@@ -112,6 +116,30 @@ def peers(data):
     return table(["", *scenes], cells + ratios)
 
 
+def pictures(data):
+    views = data["pictures"]["views"]
+    names = list(next(iter(views.values())))
+    others = [name for name in names if name != OUR_PICTURES]
+    cells = [[name, *(f"{number(of[name]['cpu_ms'])} ({number(of[name]['wall_ms'])})" for of in views.values())] for name in names]
+    ratios = [f"{of[OUR_PICTURES]['cpu_ms'] / min(of[name]['cpu_ms'] for name in others):.2g}" for of in views.values()]
+    return table(["", *views], [*cells, ["SMILE / the fastest other, by CPU time", *ratios]])
+
+
+def likeness(data):
+    """How alike the pictures are in which the others and SMILE show the same."""
+    lines = []
+    for name in next(iter(data["pictures"]["views"].values())):
+        rows = [of[name] for of in data["pictures"]["views"].values()]
+        if name != OUR_PICTURES:
+            lines.append([name, f"{100 * min(row['same_ids'] for row in rows):.2f} %",
+                          f"{max(row['depth_error_mm'] for row in rows):.2g} mm"])
+    return table(["beside SMILE's pictures", "pixels with the same object, at least", "difference of depths, median, at most"], lines)
+
+
+def drawn_by(data):
+    return f"OpenGL is drawn on the processor, by {data['pictures']['device']}, for SMILE and for the others."
+
+
 def versions(data):
     of = data["peers"]["versions"]
     return (f"MuJoCo {of['mujoco']} (Apache-2.0) and PyBullet {of['pybullet']} (zlib) from the Python package index; they are run as tools, "
@@ -130,6 +158,6 @@ def plots(data):
 
 def filled(text, data):
     """The page with its measured parts made again: they lie between `<!-- measured: NAME -->` and `<!-- -->`."""
-    parts = {function.__name__: function for function in (machine, growth, work, parallel, peers, versions)}
+    parts = {function.__name__: function for function in (machine, growth, work, parallel, peers, pictures, likeness, drawn_by, versions)}
     return re.sub(r"(?<=<!-- measured: )(\w+)( -->\n).*?(?=<!-- -->)",
                   lambda part: f"{part[1]}{part[2]}\n{parts[part[1]](data)}\n\n", text, flags=re.DOTALL)

@@ -9,7 +9,11 @@ import xml.etree.ElementTree as ET
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 METERS_PER_UNIT = 0.1
+# Of the colors that SMILE names, those of the scene.
+COLORS = {"blue": [0, 0, 1], "brown": [65 / 255, 40 / 255, 25 / 255], "cyan": [0, 1, 1], "green": [0, 1, 0], "magenta": [1, 0, 1],
+          "orange": [251 / 255, 130 / 255, 0], "red": [1, 0, 0], "yellow": [1, 1, 0]}
 ROBOT_GAP = ROBOT_HEIGHT = 0.2  # from the table's near edge, and above its top [m]
+TABLE = {"position": [0, 0, -0.2], "size": [2.0, 1.2, 0.4]}
 
 
 def um(program):
@@ -21,7 +25,7 @@ def um(program):
         location = [float(number) for number in re.findall(r"[-\d.e]+", block.get("location"))]
         blocks.append({"position": [METERS_PER_UNIT * x for x in location],
                        "size": [METERS_PER_UNIT * float(block.get(axis + "span")) for axis in "xyz"],
-                       "mass": float(block.get("mass"))})
+                       "mass": float(block.get("mass")), "color": COLORS[block.get("color")]})
     return blocks
 
 
@@ -62,13 +66,12 @@ def in_robot_frame(box, table_depth):
 def problems(program):
     """The scenes by name, without simulator and durations."""
     blocks = um(program)
-    table = {"position": [0, 0, -0.2], "size": [2.0, 1.2, 0.4]}
-    depth = table["size"][1]
+    depth = TABLE["size"][1]
     plain = {"table": None, "robot": None}
     return {
         "UM": {"blocks": blocks, **plain},
         "10 stacks of 5": {"blocks": stacks(50, 5), **plain},
         "5 stacks of 10": {"blocks": stacks(50, 10), **plain},
         "UM with a moving robot": {"blocks": [in_robot_frame(block, depth) for block in blocks],
-                                   "table": in_robot_frame(table, depth), "robot": robot()},
+                                   "table": in_robot_frame(TABLE, depth), "robot": robot()},
     }

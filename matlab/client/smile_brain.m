@@ -141,7 +141,7 @@ function answer_steps(link, message, sequence, sensor, callback, image_seconds, 
         answer = evalin('base', '{motor, aux}', '{motor, struct()}');  % aux may have been cleared
         motor = answer{1};
         if isfield(motor, 'arms'), motor = smile_pack_arms(motor, arms); end
-        has = isfield(answer{2}, {'exit', 'drawMarkers', 'imageSeconds'});
+        has = isfield(answer{2}, {'exit', 'drawMarkers', 'imageSeconds', 'claim'});
         if has(2) || had_markers
           [is_new, markers] = new_markers(answer{2});
           had_markers = has(2);
@@ -152,7 +152,10 @@ function answer_steps(link, message, sequence, sensor, callback, image_seconds, 
           motor.imageSeconds = image_seconds;
         end
         type = message.motor;
-        if has(1) && is_exit_requested(answer{2}), type = message.final_motor; end
+        if has(1) && is_exit_requested(answer{2})
+          type = message.final_motor;
+          if has(4), motor.claim = answer{2}.claim; end
+        end
         link('send', type, sequence, motor);
       catch err
         report = describe(err, callback, answer);

@@ -31,7 +31,7 @@ try:
 except ImportError as error:
     sys.exit(str(error))
 
-from smile.brain_values import Motor, aux_of, sensor_of, wish_of, wishes_of
+from smile.brain_values import Motor, aux_of, sensor_of, text_of, wish_of, wishes_of
 
 NO_MARKERS = np.zeros((0, 3))
 
@@ -91,6 +91,8 @@ class Program:
         self.module.step(sensor_of(values, self.arms), self.motor, self.aux)
         is_last = "exit" in self.aux and bool(np.any(self.aux.exit))
         values = self.motor.values() | self.new_markers() | self.new_image_seconds()
+        if is_last and "claim" in self.aux:
+            values["claim"] = text_of("aux.claim", self.aux.claim)
         return FINAL_MOTOR if is_last else MOTOR, values
 
     def new_markers(self):

@@ -384,6 +384,12 @@ def wish_of(aux, name):
     return array
 
 
+def text_of(name, text):
+    if not isinstance(text, str):
+        raise TypeError(f"{name} is {text!r:.80}, expected a text")
+    return text
+
+
 def in_one_line(name, words):
     words = [words] if isinstance(words, str) else words
     if not isinstance(words, (list, tuple)) or not all(isinstance(word, str) for word in words):

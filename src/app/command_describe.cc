@@ -6,6 +6,7 @@
 #include "app/exit_code.h"
 #include "app/open_recording.h"
 #include "base/wording.h"
+#include "task/demonstrated_structure.h"
 #include "task/structure_json.h"
 
 namespace smile::app {

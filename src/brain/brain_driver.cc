@@ -412,6 +412,7 @@ void BrainDriver::MakeStep(const StepReply& reply, sim::Simulation* simulation) 
   frame_.reset();
   chunk_.reset();
   status_ = BrainStatus::kExited;
+  claim_ = reply.claim;
   StopRobot(simulation);
   Show(robot::FaceExpression::kDone, simulation);
 }

@@ -72,6 +72,8 @@ class BrainDriver {
   BrainStatus status() const { return status_; }
   /// Returns the reason of a failure; nullopt without one.
   const std::optional<BrainError>& error() const { return error_; }
+  /// Returns what it claimed when it ended; nullopt if it claimed nothing, or has not ended.
+  const std::optional<Claim>& claim() const { return claim_; }
   /// Returns how long it has watched the demonstration [ticks].
   std::uint64_t watched_ticks() const { return watched_ticks_; }
 
@@ -107,6 +109,7 @@ class BrainDriver {
   BrainDriverOptions options_;
   BrainStatus status_ = BrainStatus::kStarting;
   std::optional<BrainError> error_;
+  std::optional<Claim> claim_;
   PictureWishes wishes_;
   std::uint64_t begin_tick_ = 0;  ///< at the end of init
   std::uint64_t watched_ticks_ = 0;

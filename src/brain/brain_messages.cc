@@ -430,6 +430,30 @@ PictureWishes ReadPictureWishes(const Message& message, const Aux& aux, MatrixRe
   return wishes;
 }
 
+/// Reads `done` or `gave up`, with an optional reason after a colon.
+std::optional<Claim> ReadClaim(const NamedArray& array, MatrixReader& reader) {
+  constexpr std::array<std::string_view, 2> kWords{"done", "gave up"};
+  const std::optional<std::string> text = array.Text();
+  if (!text) {
+    reader.Fail(array.name + " is no text, expected " + OneOf(kWords));
+    return std::nullopt;
+  }
+  const std::string printable = PrintableText(*text, kMaxErrorLetters);
+  const std::size_t colon = printable.find(':');
+  const std::string word = printable.substr(0, colon);
+  if (std::ranges::find(kWords, word) == kWords.end()) {
+    reader.Fail(array.name + " is " + Quoted(printable.substr(0, 100)) + ", expected " +
+                OneOf(kWords) + ", optionally followed by a colon and a reason");
+    return std::nullopt;
+  }
+  Claim claim{.is_done = word == kWords[0], .reason = {}};
+  if (colon != std::string::npos) {
+    const std::size_t begin = printable.find_first_not_of(' ', colon + 1);
+    if (begin != std::string::npos) claim.reason = printable.substr(begin);
+  }
+  return claim;
+}
+
 Points ReadMarkers(const NamedArray& markers, MatrixReader& reader) {
   // `[]` has no columns; it stands for no markers.
   if (markers.data.empty() && markers.dims.back() != 3) return Points(0, 3);
@@ -527,6 +551,8 @@ std::variant<StepReply, WireError> DecodeStepReply(const Message& message,
       reply.draw_markers = ReadMarkers(field, aux_reader);
     } else if (field.name == "imageSeconds") {
       reply.image_seconds = ReadImageSeconds(field, aux_reader);
+    } else if (field.name == "claim" && reply.exit) {
+      reply.claim = ReadClaim(field, aux_reader);
     } else {
       motor.Take(field);
     }

@@ -152,6 +152,14 @@ struct InitReply {
   bool watch = false;  ///< request to watch the demonstration first
 };
 
+/// Claim of a brain about its own run. Results compare it with what is true.
+struct Claim {
+  bool is_done = false;  ///< it did its task; otherwise it gave up
+  std::string reason;    ///< in its own words; may be empty
+
+  bool operator==(const Claim&) const = default;
+};
+
 /// Answer of the callback.
 struct StepReply {
   /// Action chunk: commands of successive ticks, at least one. The last one remains in effect.
@@ -160,6 +168,7 @@ struct StepReply {
   std::optional<Points> draw_markers;   ///< other points to show to people from now on [units]
   std::optional<double> image_seconds;  ///< another time between pictures from now on
   bool exit = false;                    ///< the program set aux.exit: this was its last step
+  std::optional<Claim> claim;           ///< with the last step only
 };
 
 /// Reason for which a program was stopped.

@@ -128,6 +128,7 @@ class ProtocolSession {
     }
     if (motor_.head_velocity) writer.AddScalar("headVelocity", *motor_.head_velocity);
     if (motor_.ticks) writer.AddScalar("ticks", *motor_.ticks);
+    if (aux_.exit && aux_.claim) writer.AddText("claim", *aux_.claim);
     AddNewImageSeconds(&writer);
     AddNewMarkers(&writer);
     return writer.Finish();

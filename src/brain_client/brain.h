@@ -34,6 +34,9 @@ struct Aux : Fields {
   bool watch = false;                                ///< in Init(): watch the demonstration first
   std::optional<Eigen::MatrixX3d> draw_markers;      ///< at any time: points to show [units]
   bool exit = false;                                 ///< ends the brain after the step that sets it
+  /// With `exit`: what it claims about its run, `done` or `gave up`, optionally followed by a colon
+  /// and a reason.
+  std::optional<std::string> claim;
 };
 
 /// State of an arm.

@@ -20,4 +20,9 @@ brain::BrainDriverOptions DriverOptionsFor(const std::filesystem::path& brain,
   return options;
 }
 
+Json ClaimJson(const std::optional<brain::Claim>& claim) {
+  if (!claim) return nullptr;
+  return {{"done", claim->is_done}, {"reason", claim->reason}};
+}
+
 }  // namespace smile::experiment

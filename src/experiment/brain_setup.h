@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
+#include "base/json.h"
 #include "brain/brain_driver.h"
 
 namespace smile::experiment {
@@ -17,5 +19,8 @@ inline constexpr double kMaxImitationSeconds = 600;
 brain::BrainDriverOptions DriverOptionsFor(const std::filesystem::path& brain,
                                            const std::filesystem::path& demonstration,
                                            sim::Eye* eye);
+
+/// Returns `claim` of a result: {done, reason}; null without one.
+Json ClaimJson(const std::optional<brain::Claim>& claim);
 
 }  // namespace smile::experiment

@@ -18,6 +18,7 @@ ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
                              .is_attached = plan.is_attached,
                              .demonstration = plan.demonstration,
                              .max_seconds = plan.max_seconds,
+                             .seconds_after_brain = task::kRestSeconds,
                              .record = plan.record,
                              .recording = {.title = plan.task + ", imitated"},
                              .has_pictures = plan.has_pictures,
@@ -29,13 +30,14 @@ ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
   // Scored from the recording, so that anyone can repeat the score. The recording is also what
   // people check a score against; state that only lived in memory would escape them.
   const task::Episode outcome = task::EpisodeOf(recording::OpenRecording(plan.record));
-  Json result = task::ResultOf(imitation_task, outcome,
-                               // Watching takes as long as the demonstration; what counts is the
-                               // time of acting.
-                               {.seconds = run.seconds - run.watched_seconds,
-                                .watched_seconds = run.watched_seconds,
-                                .realtime_factor = run.realtime_factor,
-                                .brain = BrainJson(run)});
+  Json result =
+      task::ResultOf(imitation_task, outcome,
+                     // Watching takes as long as the demonstration, and the rest
+                     // belongs to the score; what counts is the time of acting.
+                     {.seconds = run.seconds - run.watched_seconds - run.seconds_after_brain,
+                      .watched_seconds = run.watched_seconds,
+                      .realtime_factor = run.realtime_factor,
+                      .brain = BrainJson(run)});
   const bool has_succeeded = result["success"].get<bool>();
   return {
       .json = std::move(result), .has_succeeded = has_succeeded, .brain_error = run.brain_error};

@@ -33,12 +33,12 @@ struct ImitationPlan {
 
 struct ImitationResult {
   Json json;                   ///< `result.json`, see docs/results.md
-  bool has_succeeded = false;  ///< the structure is built, and the brain did not fail
+  bool has_succeeded = false;  ///< see task::IsSuccess()
   std::optional<brain::BrainError> brain_error;
 };
 
-/// Runs an imitation and scores it against the demonstration. A cancelled run is scored up to that
-/// point.
+/// Runs an imitation, and scores it against the demonstration task::kRestSeconds after the end of
+/// the brain. A cancelled run is scored up to that point.
 /// @throws InputError if demonstration, scene and brain do not fit together.
 ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks = {});
 

@@ -24,9 +24,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Time from the end of a brain to the end of its run, so that films show its last face.
-constexpr int kFarewellTicks = sim::kTicksPerSecond / 4;
-
 /// Returns the directory in which the run records; empty if it does not record from the start.
 std::filesystem::path RecordingOf(const RunPlan& plan) {
   return plan.continuation ? plan.continuation->recording : plan.record;
@@ -181,6 +178,11 @@ class LiveRun {
     if (controller_ && controller_->failure()) throw std::runtime_error(*controller_->failure());
   }
 
+  void BeginFarewell() {
+    farewell_ticks_ = std::lround(plan_.seconds_after_brain * sim::kTicksPerSecond);
+    brain_end_tick_ = simulation_.tick();
+  }
+
   bool is_brain_running() const {
     return driver_ && driver_->status() == brain::BrainStatus::kRunning;
   }
@@ -195,12 +197,14 @@ class LiveRun {
     if (!plan_.seconds && driver_) limit += driver_->watched_ticks();
     // By the simulation's clock: after an undo in the script, the run lasts longer in wall-clock
     // time but ends at the same simulated time.
-    if (simulation_.tick() >= first_tick_ + limit) return true;
+    const bool is_at_limit = simulation_.tick() >= first_tick_ + limit;
+    // A brain that ended in time has ended in time, so what it did is observed to the end.
+    if (is_at_limit && (plan_.seconds || farewell_ticks_ == 0)) return true;
     // Script before brain, in every tick, so that runs are deterministic.
     if (player_) AdvanceScript();
     if (is_brain_running()) {
       DriveBrain();
-      if (!is_brain_running()) farewell_ticks_ = kFarewellTicks;
+      if (!is_brain_running()) BeginFarewell();
     }
     // The script continues during these ticks, but the brain has ended.
     if (farewell_ticks_ > 0) {
@@ -228,7 +232,11 @@ class LiveRun {
     if (driver_) {
       result.brain_status = driver_->status();
       result.brain_error = driver_->error();
+      result.brain_claim = driver_->claim();
       result.watched_seconds = sim::SecondsOf(driver_->watched_ticks());
+      if (brain_end_tick_) {
+        result.seconds_after_brain = sim::SecondsOf(simulation_.tick() - *brain_end_tick_);
+      }
     }
     if (controller_) result.recordings = controller_->directories();
     return result;
@@ -240,7 +248,8 @@ class LiveRun {
   std::optional<recorder::RecordingController> controller_;
   sim::Simulation simulation_;
   std::uint64_t first_tick_ = 0;
-  int farewell_ticks_ = 0;  ///< remaining after the end of the brain
+  std::optional<std::uint64_t> brain_end_tick_;
+  std::int64_t farewell_ticks_ = 0;  ///< remaining after the end of the brain
   std::string label_ = plan_.label;
   std::optional<task::EpisodeObserver> episode_;  ///< if there is a goal
   double passed_ = 0;  ///< simulated since then, also what was undone [s]
@@ -256,7 +265,8 @@ class LiveRun {
 
 Json BrainJson(const RunResult& result) {
   return {{"status", result.brain_status ? ToString(*result.brain_status) : "none"},
-          {"message", result.brain_error ? ToString(*result.brain_error) : ""}};
+          {"message", result.brain_error ? ToString(*result.brain_error) : ""},
+          {"claim", ClaimJson(result.brain_claim)}};
 }
 
 Json ToJson(const RunResult& result) {

@@ -30,6 +30,9 @@ struct RunPlan {
   std::optional<double> seconds;        ///< exact length [s]; nullopt: until script and brain end
   /// Limit of runs that end by themselves, from the end of watching [s].
   double max_seconds = 86400;
+  /// From the end of the brain to the end of the run [s]; by default as long as films show its last
+  /// face.
+  double seconds_after_brain = 0.25;
   std::filesystem::path record;  ///< new directory of the recording; empty for none
   std::filesystem::path recordings = "recordings";  ///< root of recordings that the script starts
   /// Continues a recording from this point instead of starting one. The plan has the recording's
@@ -61,13 +64,15 @@ struct RunResult {
   std::uint64_t late_ticks = 0;  ///< of a paced run: ticks that were done after they were due
   double worst_delay = 0;        ///< the longest of these delays [s]
   std::optional<brain::BrainStatus> brain_status;  ///< nullopt without a brain
-  double watched_seconds = 0;  ///< of `seconds`, in which the brain watched the demonstration
+  double watched_seconds = 0;      ///< of `seconds`, in which the brain watched the demonstration
+  double seconds_after_brain = 0;  ///< of `seconds`, after its end
   std::optional<brain::BrainError> brain_error;
+  std::optional<brain::Claim> brain_claim;
   std::vector<std::filesystem::path> recordings;  ///< started or continued, in order
   Json objects, controls, robot;                  ///< see world_description.h
 };
 
-/// `brain` of a result: {status, message}.
+/// `brain` of a result: {status, message, claim}.
 Json BrainJson(const RunResult& result);
 
 /// The format of `run --json`, see docs/commands.md.

@@ -64,6 +64,21 @@ bool StandsOn(const Placed& upper, const Placed& lower) {
   return false;
 }
 
+/// Returns true if pieces of two objects are within a distance [m].
+bool AreNear(const Placed& a, const Placed& b, double distance) {
+  if (!a.bounds.Meets(b.bounds, distance)) return false;
+  for (const Piece& one : a.pieces) {
+    for (const Piece& other : b.pieces) {
+      // An overlap below 0 is a gap.
+      if (one.bounds.Meets(other.bounds, distance) &&
+          OverlapOf(one.outline, other.outline) > -distance) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// Returns true if a box is beside a point, on this side along this axis, at its height.
 bool IsBeside(const scene::Bounds& piece, const Vector3& p, int axis, bool is_above) {
   // The other horizontal axis.
@@ -177,6 +192,19 @@ std::vector<Relation> RelationsOf(const scene::SceneSpec& scene,
     }
   }
   return relations;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> NearPairsOf(
+    const std::vector<scene::ObjectSpec>& objects, double distance) {
+  std::vector<Placed> all;
+  for (const scene::ObjectSpec& object : objects) all.push_back(PlacedOf(object));
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t k = i + 1; k < all.size(); ++k) {
+      if (AreNear(all[i], all[k], distance)) pairs.emplace_back(i, k);
+    }
+  }
+  return pairs;
 }
 
 std::optional<Support> SupportOf(const scene::SceneSpec& scene,

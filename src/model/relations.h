@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/indices.h"
@@ -34,6 +35,12 @@ struct Relation {
 /// @param objects  the objects that are present.
 std::vector<Relation> RelationsOf(const scene::SceneSpec& scene,
                                   const std::vector<scene::ObjectSpec>& objects);
+
+/// Returns the pairs of objects whose surfaces are within a distance of each other [m], as indices,
+/// the lower one first; in ascending order. Distances are those of bounding boxes in height, and of
+/// outlines from above.
+std::vector<std::pair<std::size_t, std::size_t>> NearPairsOf(
+    const std::vector<scene::ObjectSpec>& objects, double distance);
 
 /// Support of an object if it were released.
 struct Support {

@@ -53,6 +53,7 @@ JsonShape BrainNowShape() {
       {{"name", TextShape()},
        {"status", JsonShape::Word({"none", "starting", "running", "exited", "failed", "stopped"})},
        {"message", TextShape()},
+       {"claim", ObjectShape({{"done", FlagShape()}, {"reason", TextShape()}}).OrNull()},
        {"file", TextShape()},
        {"line", NumberShape()}});
 }

@@ -33,6 +33,13 @@ std::optional<double> NumberIn(const JsonNode& node, const std::string& name) {
   return node.Member(name).Number(0, kMostNumber);
 }
 
+/// Returns the gain of a result; nullopt in results of older versions, and where there was nothing
+/// to gain.
+std::optional<double> GainIn(const JsonNode& result) {
+  if (!result.Has("gain") || result.Member("gain").IsNull()) return std::nullopt;
+  return result.Member("gain").Number(-kMostNumber, 1);
+}
+
 /// Returns an optional count of a result.
 std::optional<std::uint64_t> CountIn(const JsonNode& node, const std::string& name) {
   if (!node.Has(name)) return std::nullopt;
@@ -66,6 +73,8 @@ EvaluatedRun RunIn(const JsonNode& result, std::uint64_t seed) {
                    .has_succeeded = task::ReadSuccess(result),
                    // Required in all versions; the fields below may be missing.
                    .score = result.Member("score").Number(0, 1),
+                   .gain = GainIn(result),
+                   .claim = task::ReadClaim(result),
                    .error_mm = NumberIn(result, "mean_error_mm"),
                    .error_degrees = NumberIn(result, "mean_error_degrees"),
                    .seconds = NumberIn(result, "seconds"),
@@ -137,15 +146,25 @@ Json SummaryJson(const Summary& summary) {
           {"error_degrees", MeanJson(summary.error_degrees)},
           {"seconds_p50", OrNull(summary.seconds_p50)},
           {"seconds_p95", OrNull(summary.seconds_p95)},
+          {"gain", OrNull(summary.mean_gain)},
+          {"right_claims", summary.right_claims},
+          {"wrong_claims", summary.wrong_claims},
           {"grasps", OrNull(summary.grasps)},
           {"retries", OrNull(summary.retries)},
           {"causes", causes}};
+}
+
+Json ClaimJson(const std::optional<task::ClaimEnd>& claim) {
+  if (!claim) return nullptr;
+  return {{"done", claim->is_done}, {"right", claim->is_right}, {"reason", claim->reason}};
 }
 
 Json RunJson(const EvaluatedRun& run) {
   return {{"seed", run.seed},
           {"success", run.has_succeeded},
           {"score", run.score},
+          {"gain", OrNull(run.gain)},
+          {"claim", ClaimJson(run.claim)},
           {"error_mm", OrNull(run.error_mm)},
           {"error_degrees", OrNull(run.error_degrees)},
           {"seconds", OrNull(run.seconds)},
@@ -241,9 +260,12 @@ EvaluatedRun ReadRun(const std::filesystem::path& result_json, std::uint64_t see
 
 Summary SummaryOf(const EvaluatedBrain& brain) {
   Summary summary{.runs = brain.runs.size()};
+  std::vector<double> gains;
   for (const EvaluatedRun& run : brain.runs) {
     if (run.has_succeeded) ++summary.successes;
     if (run.failure_reason) ++summary.num_failures[run.failure_reason->code];
+    if (run.claim) ++(run.claim->is_right ? summary.right_claims : summary.wrong_claims);
+    if (run.gain) gains.push_back(*run.gain);
     AddCount(run.grasps, &summary.grasps);
     AddCount(run.retries, &summary.retries);
   }
@@ -254,7 +276,14 @@ Summary SummaryOf(const EvaluatedBrain& brain) {
   const std::vector<double> seconds = OfSuccesses(brain.runs, &EvaluatedRun::seconds);
   summary.seconds_p50 = Quantile(seconds, 0.5);
   summary.seconds_p95 = Quantile(seconds, 0.95);
+  if (const std::optional<Mean> gain = MeanOf(gains)) summary.mean_gain = gain->value;
   return summary;
+}
+
+std::string RightClaimsText(const Summary& summary) {
+  const std::size_t count = summary.right_claims + summary.wrong_claims;
+  if (count == 0) return "–";
+  return std::to_string(summary.right_claims) + " of " + std::to_string(count);
 }
 
 BrainComparison Compare(const EvaluatedBrain& first, const EvaluatedBrain& second) {
@@ -322,7 +351,8 @@ Json ToJson(const Evaluation& evaluation) {
 
 std::string ToText(const Evaluation& evaluation) {
   std::vector<std::vector<std::string>> rows{{"", "success", "", "95 %", "error mm (95 %)",
-                                              "error deg (95 %)", "s p50", "s p95", "retries"}};
+                                              "error deg (95 %)", "s p50", "s p95", "retries",
+                                              "gain", "right claims"}};
   std::string failures, comparisons;
   for (const EvaluatedBrain& brain : evaluation.brains) {
     const Summary summary = SummaryOf(brain);
@@ -331,7 +361,7 @@ std::string ToText(const Evaluation& evaluation) {
                     Percent(summary.success_rate()), PercentRange(summary.success_interval),
                     WithInterval(summary.error_mm, 2), WithInterval(summary.error_degrees, 2),
                     Fixed(summary.seconds_p50, 1), Fixed(summary.seconds_p95, 1),
-                    Count(summary.retries)});
+                    Count(summary.retries), Fixed(summary.mean_gain, 2), RightClaimsText(summary)});
     if (!summary.num_failures.empty())
       failures += name + " failed: " + FailureCountsText(summary) + "\n";
   }

@@ -11,6 +11,7 @@
 #include "base/json.h"
 #include "report/statistics.h"
 #include "task/failure_reason.h"
+#include "task/imitation_result.h"
 
 namespace smile::report {
 
@@ -18,7 +19,9 @@ namespace smile::report {
 struct EvaluatedRun {
   std::uint64_t seed = 0;  ///< of the layout
   bool has_succeeded = false;
-  double score = 0;  ///< fraction of the structure, 0 to 1
+  double score = 0;                     ///< fraction of the structure, 0 to 1
+  std::optional<double> gain;           ///< of the score over that at the start; may be below 0
+  std::optional<task::ClaimEnd> claim;  ///< of the brain about its run
   // Only if the run reported them:
   std::optional<double> error_mm, error_degrees;  ///< mean over the structure
   std::optional<double> seconds;                  ///< simulated
@@ -58,6 +61,8 @@ struct Summary {
   Interval success_interval;  ///< of the success rate
   std::optional<Mean> error_mm, error_degrees;
   std::optional<double> seconds_p50, seconds_p95;
+  std::optional<double> mean_gain;                  ///< over all runs that have one
+  std::size_t right_claims = 0, wrong_claims = 0;   ///< see task::ClaimEnd
   std::optional<std::uint64_t> grasps, retries;     ///< sums over all runs that have them
   std::map<std::string, std::size_t> num_failures;  ///< by FailureReason::code
 
@@ -65,6 +70,9 @@ struct Summary {
 };
 /// @param brain  with at least one run.
 Summary SummaryOf(const EvaluatedBrain& brain);
+
+/// Returns the right ones among the claims of a brain, as `9 of 10`; `–` without any.
+std::string RightClaimsText(const Summary& summary);
 
 /// Comparison of two brains, seed by seed. Differences are first minus second, where both
 /// rebuilt.

@@ -83,7 +83,8 @@ Markup SummaryTable(const Evaluation& evaluation) {
   const Markup head = Row({Head("Brain"), NumberHead("Successes"), NumberHead("Rate (95 %)"),
                            NumberHead("Error, mm (95 %)"), NumberHead("Error, ° (95 %)"),
                            NumberHead("Seconds, median"), NumberHead("Seconds, 95th percentile"),
-                           NumberHead("Grasps"), NumberHead("Retries")});
+                           NumberHead("Grasps"), NumberHead("Retries"), NumberHead("Mean gain"),
+                           NumberHead("Right claims")});
   Markup rows;
   for (std::size_t i = 0; i < evaluation.brains.size(); ++i) {
     const Summary summary = SummaryOf(evaluation.brains[i]);
@@ -95,11 +96,14 @@ Markup SummaryTable(const Evaluation& evaluation) {
              NumberCell(WithInterval(summary.error_mm, 2)),
              NumberCell(WithInterval(summary.error_degrees, 2)),
              NumberCell(Fixed(summary.seconds_p50, 1)), NumberCell(Fixed(summary.seconds_p95, 1)),
-             NumberCell(Count(summary.grasps)), NumberCell(Count(summary.retries))});
+             NumberCell(Count(summary.grasps)), NumberCell(Count(summary.retries)),
+             NumberCell(Fixed(summary.mean_gain, 2)), NumberCell(RightClaimsText(summary))});
   }
   return Table(
-      "Errors and times include successful runs only; grasps and retries include all runs.", head,
-      rows);
+      "Errors and times include successful runs only; grasps, retries, gains and claims include "
+      "all "
+      "runs. Gain is the part of the task that a run did: 0 for doing nothing.",
+      head, rows);
 }
 
 /// Returns the rates of success as bars with their intervals.

@@ -52,8 +52,16 @@ ImitatingState::ImitatingState(task::ImitationTask imitation_task, LiveWorld* wo
       recording_(world->recording_directory()),
       start_tick_(world->simulation().tick()) {}
 
+bool ImitatingState::is_over() const {
+  if (!end_) return !brain().is_running();
+  // A program that failed has not finished the task, so nothing needs to stand.
+  return end_->brain["status"] != "exited" ||
+         sim::SecondsOf(world().simulation().tick() - end_->tick) >= task::kRestSeconds;
+}
+
 bool ImitatingState::Tick(bool is_paused) {
   if (!LiveState::Tick(is_paused)) return false;
+  if (!brain().is_running() && !end_) end_ = {world().simulation().tick(), brain().Describe()};
   // The time of watching the demonstration does not count.
   const double limit = experiment::kMaxImitationSeconds + sim::SecondsOf(brain().watched_ticks());
   const double seconds = sim::SecondsOf(world().simulation().tick() - start_tick_);
@@ -67,14 +75,14 @@ std::optional<Json> ImitatingState::End(double measured_speed) {
   const bool is_recorded = world().is_recording() && world().recording_directory() == recording_;
   if (is_recorded) (void)world().Apply(sim::FinishRecording{});
   const double watched = sim::SecondsOf(brain().watched_ticks());
+  const std::uint64_t end_tick = end_ ? end_->tick : world().simulation().tick();
   // The same result as that of `smile imitate`: the time of watching is listed separately, and the
   // achieved speed shows whether the machine kept up.
-  Json result = task::ResultOf(
-      task_, observer_.episode(),
-      {.seconds = sim::SecondsOf(world().simulation().tick() - start_tick_) - watched,
-       .watched_seconds = watched,
-       .realtime_factor = measured_speed,
-       .brain = brain().Describe()});
+  Json result = task::ResultOf(task_, observer_.episode(),
+                               {.seconds = sim::SecondsOf(end_tick - start_tick_) - watched,
+                                .watched_seconds = watched,
+                                .realtime_factor = measured_speed,
+                                .brain = end_ ? end_->brain : brain().Describe()});
   return Json{{"t", "score"}, {"result", std::move(result)}};
 }
 

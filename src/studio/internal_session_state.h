@@ -113,7 +113,9 @@ class ImitatingState : public LiveState {
   ImitatingState(task::ImitationTask imitation_task, LiveWorld* world, LiveBrain* brain);
 
   bool Tick(bool is_paused) override;
-  bool is_over() const override { return !brain().is_running(); }
+  /// True once what the brain built has stood for task::kRestSeconds, or at once if it did not end
+  /// by itself.
+  bool is_over() const override;
   /// Finishes the recording, if it is still in progress; returns the score.
   std::optional<Json> End(double measured_speed) override;
 
@@ -122,6 +124,12 @@ class ImitatingState : public LiveState {
   task::EpisodeObserver observer_;
   std::filesystem::path recording_;  ///< its directory
   std::uint64_t start_tick_ = 0;
+  /// End of the brain. Another one may be started while what it built rests.
+  struct BrainEnd {
+    std::uint64_t tick = 0;
+    Json brain;
+  };
+  std::optional<BrainEnd> end_;
 };
 
 /// Clear-table animation, in a copy of the world.

@@ -88,11 +88,12 @@ void LiveBrain::Leave() {
 }
 
 Json LiveBrain::Describe() const {
-  Json described = {
-      {"name", name_}, {"status", "none"}, {"message", ""}, {"file", ""}, {"line", 0}};
+  Json described = {{"name", name_},    {"status", "none"}, {"message", ""},
+                    {"claim", nullptr}, {"file", ""},       {"line", 0}};
   if (was_stopped_) described["status"] = "stopped";
   if (!driver_) return described;
   described["status"] = ToString(driver_->status());
+  described["claim"] = experiment::ClaimJson(driver_->claim());
   if (const auto& error = driver_->error()) {
     described["message"] = error->message;
     described["file"] = error->file;

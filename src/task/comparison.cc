@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "task/mirror.h"
+#include "task/neighbors.h"
 #include "task/placing.h"
 
 namespace smile::task {
@@ -63,25 +65,34 @@ StructureComparison CompareWith(const Structure& structure, const Episode& outco
   StructureComparison comparison{.match = MatchObjects(structure, outcome.scene),
                                  .goal = {},
                                  .errors = {},
+                                 .neighbors = {},
+                                 .intruders = {},
+                                 .turn = {},
                                  .order = {},
                                  .achieved = {}};
   for (const Structure& part : PartsOf(structure)) {
-    const Placing placing = FindPlacing(part, outcome.scene, poses, comparison.match);
+    const Placing placing = FindPlacing(part, outcome, comparison.match);
+    const bool is_free = !part.objects.empty() && !part.is_fixed() && part.anchor == Anchor::kNone;
+    if (is_free) comparison.turn = placing.turn;
     for (const scene::ObjectSpec& object : part.objects) {
       comparison.match[object.id()] = placing.match.at(object.id());
       comparison.goal[object.id()] = placing.motion * object.pose_in_world();
     }
   }
   const std::set<std::string> held = HeldInTheEnd(outcome);
-  std::size_t num_right = 0;
   for (const scene::ObjectSpec& object : structure.objects) {
     const std::string& id = object.id();
     const std::string& counterpart = comparison.match.at(id);
     comparison.errors[id] = ErrorOf(object, comparison.goal[id],
                                     ObjectIn(outcome.scene, counterpart), poses.at(counterpart));
     comparison.errors[id].is_held = held.contains(counterpart);
-    if (comparison.errors[id].is_within()) ++num_right;
   }
+  comparison.neighbors = NeighborErrorsOf(structure, outcome, comparison.match, comparison.goal);
+  for (const NeighborError& error : comparison.neighbors) {
+    // Of two objects in their places, the one that was to be placed later must fit the other.
+    if (!error.is_within()) comparison.errors[error.pair.object].is_apart = true;
+  }
+  comparison.intruders = IntrudersOf(structure, outcome, comparison.match);
   // Order and effects refer to the match that was found.
   comparison.order = CompareOrder(structure, outcome, comparison);
   const auto counterpart = [&](const std::string& id) { return comparison.match.at(id); };
@@ -92,10 +103,17 @@ StructureComparison CompareWith(const Structure& structure, const Episode& outco
       comparison.achieved[i] = false;
     }
   }
-  // Each object and each effect has the same weight.
-  num_right += static_cast<std::size_t>(std::ranges::count(comparison.achieved, true));
+  // Each object and each effect has the same weight, and so has each object too many.
+  const auto num_right =
+      std::ranges::count_if(comparison.errors,
+                            [](const auto& error) { return error.second.is_within(); }) +
+      std::ranges::count(comparison.achieved, true);
   comparison.score = static_cast<double>(num_right) /
-                     static_cast<double>(structure.objects.size() + structure.effects.size());
+                     static_cast<double>(structure.objects.size() + structure.effects.size() +
+                                         comparison.intruders.size());
+  if (comparison.turn && comparison.is_achieved()) {
+    comparison.is_mirrored = IsMirrored(structure, outcome, comparison.match, *comparison.turn);
+  }
   return comparison;
 }
 

@@ -1,38 +1,34 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "math/angles.h"
 #include "task/match.h"
+#include "task/object_error.h"
 #include "task/order.h"
 
 namespace smile::task {
-
-/// Largest distance from its goal at which an object is in place: a quarter of a unit block.
-inline constexpr double kTolerance = 0.025;  ///< [m]
-/// Largest visible rotation from its goal at which an object is in place.
-inline constexpr double kAngleTolerance = DegreesToRadians(15.0);  ///< [rad]
-
-/// Deviation of an object from its goal pose.
-struct ObjectError {
-  double distance = 0;   ///< [m]
-  double angle = 0;      ///< visible rotation, see Symmetry [rad]
-  bool is_held = false;  ///< by a hand or a gripper: it is not placed
-
-  bool is_within() const { return distance <= kTolerance && angle <= kAngleTolerance && !is_held; }
-  bool operator==(const ObjectError&) const = default;
-};
 
 /// Comparison of an outcome with a demonstrated structure, wherever on the table it was built.
 struct StructureComparison {
   Match match;       ///< of the structure's objects, and of others that its effects refer to
   ObjectPoses goal;  ///< poses of the structure in this scene, by demo id
   std::map<std::string, ObjectError> errors;  ///< by demo id
+  std::vector<NeighborError> neighbors;       ///< in the order of Structure::neighbors
+  /// Scene ids of objects that do not belong to the structure and touch it, see IntrudersOf().
+  std::vector<std::string> intruders;
+  /// Turn of the structure against the demonstration [rad]; nullopt if something determines its
+  /// place, or each of its parts has its own.
+  std::optional<double> turn;
+  /// The structure as a whole looks like the mirror image of the demonstrated one, seen from the
+  /// same side: a half-turn of blocks that are their own mirror images.
+  bool is_mirrored = false;
   Order order;
   std::vector<bool> achieved;  ///< for each effect
-  double score = 0;            ///< fraction of objects within tolerance and effects achieved
+  /// Fraction of objects within tolerance and effects achieved, of all these and the intruders.
+  double score = 0;
 
   bool is_achieved() const { return score == 1; }
   ObjectError mean_error() const;  ///< over all objects; 0 without any
@@ -42,7 +38,8 @@ struct StructureComparison {
 /// about z, and up to an exchange of objects that look alike. Motion and match are chosen together
 /// so that as many objects as possible are within tolerance, then with least errors among these.
 /// What stands on a fixed object stands where this is in the scene; of several fixed objects, each
-/// determines the place of what it carries.
+/// determines the place of what it carries. A landmark stays where it was when the outcome began
+/// (Structure::anchor).
 StructureComparison CompareWith(const Structure& structure, const Episode& outcome);
 
 }  // namespace smile::task

@@ -61,11 +61,6 @@ recording::TracePose TracePoseOf(const RigidTransform& X_WB) {
   return {.position = X_WB.translation(), .rotation = {q.w(), q.x(), q.y(), q.z()}};
 }
 
-/// True if the two poses differ by more than kStayed in position or angle.
-bool HasMoved(const RigidTransform& from, const RigidTransform& to) {
-  return GapBetween(TracePoseOf(from), TracePoseOf(to)).IsBeyond(kStayed);
-}
-
 /// Replays touches: the pose at which each holder took each object, and the objects that were
 /// placed, the latest last.
 class PlacementOrder {
@@ -189,6 +184,14 @@ Episode EpisodeObserver::episode() const {
     for (const NumberedContact& one : *contacts) episode.contacts.push_back(one.contact);
   }
   return episode;
+}
+
+Episode AtBegin(const Episode& episode) {
+  return {.scene = episode.scene, .begin = episode.begin, .end = episode.begin, .contacts = {}};
+}
+
+bool HasMoved(const RigidTransform& from, const RigidTransform& to) {
+  return GapBetween(TracePoseOf(from), TracePoseOf(to)).IsBeyond(kStayed);
 }
 
 std::vector<scene::ObjectSpec> ObjectsAt(const scene::SceneSpec& scene,

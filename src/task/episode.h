@@ -60,6 +60,13 @@ class EpisodeObserver : public sim::Listener {
   sim::PerAction<std::vector<NumberedContact>> contacts_;
 };
 
+/// Returns an episode that ends where this one begins.
+Episode AtBegin(const Episode& episode);
+
+/// Returns true if two poses differ by more than 10 mm or 5 degrees: an object released nearer to
+/// where it was grasped has not been placed.
+bool HasMoved(const RigidTransform& from, const RigidTransform& to);
+
 /// Returns the objects that are present, with their poses of that moment.
 std::vector<scene::ObjectSpec> ObjectsAt(const scene::SceneSpec& scene,
                                          const recording::TraceTick& moment);

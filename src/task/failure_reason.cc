@@ -66,10 +66,23 @@ class FailureAnalysis {
     });
   }
 
+  std::optional<FailureReason> Apart() const {
+    return OfFirst("apart", [this](const scene::ObjectSpec& object) -> std::string {
+      const ObjectError& error = comparison_.errors.at(object.id());
+      if (!error.is_apart || !error.is_pose_within()) return "";
+      const auto pair =
+          std::ranges::find_if(comparison_.neighbors, [&object](const NeighborError& neighbor) {
+            return neighbor.pair.object == object.id() && !neighbor.is_within();
+          });
+      return " is " + Millimeters(pair->distance) + " from its place relative to " +
+             comparison_.match.at(pair->pair.other) + ", turned by " + Degrees(pair->angle);
+    });
+  }
+
   std::optional<FailureReason> Misplaced() const {
     return OfFirst("misplaced", [this](const scene::ObjectSpec& object) -> std::string {
       const ObjectError& error = comparison_.errors.at(object.id());
-      if (error.distance > kNear) return "";
+      if (error.distance > kNear || error.is_pose_within()) return "";
       return " is " + Millimeters(error.distance) + " from its place, turned by " +
              Degrees(error.angle);
     });
@@ -77,6 +90,7 @@ class FailureAnalysis {
 
   std::optional<FailureReason> NotPlaced() const {
     return OfFirst("not_placed", [this](const scene::ObjectSpec& object) -> std::string {
+      if (comparison_.errors.at(object.id()).is_pose_within()) return "";
       return " is " + Millimeters(comparison_.errors.at(object.id()).distance) + " from its place";
     });
   }
@@ -135,7 +149,7 @@ bool HasFailed(const ProgramEnd& program) { return program.status == "failed"; }
 }  // namespace
 
 bool IsSuccess(const StructureComparison& comparison, const ProgramEnd& program) {
-  return comparison.is_achieved() && !HasFailed(program);
+  return comparison.is_achieved() && program.status == "exited";
 }
 
 std::optional<FailureReason> FailureReasonOf(const Structure& structure, const Episode& outcome,
@@ -157,6 +171,11 @@ std::optional<FailureReason> FailureReasonOf(const Structure& structure, const E
   if (const auto reason = analysis.Toppled()) return reason;
   if (const auto reason = analysis.Misplaced()) return reason;
   if (const auto reason = analysis.NotPlaced()) return reason;
+  if (const auto reason = analysis.Apart()) return reason;
+  if (!comparison.intruders.empty()) {
+    return FailureReason{"intruder", comparison.intruders.front() +
+                                         " touches the structure and does not belong to it"};
+  }
   return ReasonOfMissingEffect(structure, outcome, comparison);
 }
 

@@ -13,8 +13,9 @@ struct ProgramEnd {
   std::string message;  ///< why it failed
 };
 
-/// True if everything was achieved and the program did not fail. Both conditions are needed: where
-/// the goal held from the start, a program may fail before it does anything.
+/// True if everything was achieved and the program ended by itself. Both conditions are needed: a
+/// program that fails, is stopped or runs until its time is up has not finished the task, whatever
+/// stands there at that moment.
 bool IsSuccess(const StructureComparison& comparison, const ProgramEnd& program);
 
 /// Reason why an imitation failed.
@@ -26,7 +27,8 @@ struct FailureReason {
 };
 
 /// Returns the first reason that applies, in this order: `brain_failed`, `fell_off_table`,
-/// `time_up`, `still_held`, `never_taken`, `toppled`, `misplaced`, `not_placed`, `effect_missing`.
+/// `time_up`, `still_held`, `never_taken`, `toppled`, `misplaced`, `not_placed`, `apart`,
+/// `intruder`, `effect_missing`.
 /// If it applies to several objects, the text names the one that was to be placed first.
 /// @returns nullopt after a success, see IsSuccess().
 std::optional<FailureReason> FailureReasonOf(const Structure& structure, const Episode& outcome,

@@ -1,5 +1,7 @@
 #include "task/imitation_result.h"
+#include "task/demonstrated_structure.h"
 
+#include "base/diagnostic.h"
 #include "math/angles.h"
 #include "scene/units.h"
 #include "task/comparison.h"
@@ -22,6 +24,31 @@ Json ErrorsJson(const std::map<std::string, ObjectError>& errors) {
     if (error.is_held) json[id]["held"] = true;
   }
   return json;
+}
+
+Json NeighborsJson(const std::vector<NeighborError>& neighbors) {
+  Json json = Json::array();
+  for (const NeighborError& error : neighbors) {
+    json.push_back({{"object", error.pair.object},
+                    {"other", error.pair.other},
+                    {"mm", 1000 * error.distance},
+                    {"degrees", RadiansToDegrees(error.angle)},
+                    {"kept", error.is_within()}});
+  }
+  return json;
+}
+
+/// Returns the part of the way from the score at the start to 1; null if nothing was to be done.
+Json GainJson(double score, double score_at_start) {
+  if (score_at_start >= 1) return nullptr;
+  return (score - score_at_start) / (1 - score_at_start);
+}
+
+/// Returns whether what a program claims is true; null if it claims nothing.
+Json IsClaimRight(const Json& brain, bool is_success) {
+  const auto claim = brain.find("claim");
+  if (claim == brain.end() || claim->is_null()) return nullptr;
+  return claim->at("done").get<bool>() == is_success;
 }
 
 Json ToJson(const Order& order) {
@@ -47,6 +74,12 @@ Json ToJson(const std::optional<FailureReason>& reason) {
   return {{"word", reason->code}, {"text", reason->text}};
 }
 
+/// Returns the episode of a scene in which nothing has happened yet.
+Episode EpisodeBefore(const scene::SceneSpec& scene) {
+  const recording::TraceTick start = recording::StartOf(model::Model(scene));
+  return {.scene = scene, .begin = start, .end = start, .contacts = {}};
+}
+
 ProgramEnd EndOf(const Json& brain) {
   return {.status = brain.value("status", ""), .message = brain.value("message", "")};
 }
@@ -60,6 +93,11 @@ ImitationTask MakeImitationTask(std::string name, const recording::Recording& de
   ImitationTask task{
       .name = std::move(name), .structure = StructureOf(demonstration), .scene = std::move(scene)};
   (void)MatchObjects(task.structure, task.scene);
+  if (CompareWith(task.structure, EpisodeBefore(task.scene)).is_achieved()) {
+    throw InputError({task.scene.name, 0, "",
+                      "is already as the demonstration left it, expected a scene in which there is "
+                      "something to do"});
+  }
   return task;
 }
 
@@ -71,16 +109,23 @@ Json ResultOf(const ImitationTask& task, const Episode& outcome, const RunInfo& 
   const double unit = task.scene.meters_per_unit;
   const ObjectError mean = comparison.mean_error();
   const ProgramEnd program = EndOf(run_info.brain);
+  const bool is_success = IsSuccess(comparison, program);
+  const double score_at_start = CompareWith(structure, AtBegin(outcome)).score;
   Json result = {{"format", kResultFormat},
                  {"task", task.name},
-                 {"success", IsSuccess(comparison, program)},
+                 {"success", is_success},
                  {"score", comparison.score},
+                 {"score_at_start", score_at_start},
+                 {"gain", GainJson(comparison.score, score_at_start)},
+                 {"claim_right", IsClaimRight(run_info.brain, is_success)},
                  {"tolerance", kTolerance / unit},
                  {"match", comparison.match},
                  {"goal", {{"objects", PosesJson(comparison.goal, unit)}}},
                  {"initial", {{"objects", PosesJson(StartOf(task.scene), unit)}}},
                  {"final", {{"objects", PosesJson(PosesAt(outcome.scene, outcome.end), unit)}}},
                  {"errors", ErrorsJson(comparison.errors)},
+                 {"neighbors", NeighborsJson(comparison.neighbors)},
+                 {"intruders", comparison.intruders},
                  {"mean_error_mm", MillimetersOf(mean)},
                  {"mean_error_degrees", DegreesOf(mean)},
                  {"order", ToJson(comparison.order)},
@@ -90,11 +135,25 @@ Json ResultOf(const ImitationTask& task, const Episode& outcome, const RunInfo& 
                  {"seconds", run_info.seconds},
                  {"realtime_factor", run_info.realtime_factor},
                  {"brain", run_info.brain}};
+  // Absent where something determines the place of the structure.
+  if (comparison.turn) {
+    result["turned_degrees"] = RadiansToDegrees(*comparison.turn);
+    result["mirrored"] = comparison.is_mirrored;
+  }
   // Absent for programs that get the demonstration as a whole and do not watch it.
   if (run_info.watched_seconds > 0) {
     result["watched_seconds"] = run_info.watched_seconds;
   }
   return result;
+}
+
+std::optional<ClaimEnd> ReadClaim(const JsonNode& result) {
+  constexpr std::size_t kMaxReasonBytes = 4096;
+  if (!result.Has("claim_right") || result.Member("claim_right").IsNull()) return std::nullopt;
+  const JsonNode claim = result.Member("brain").Member("claim");
+  return ClaimEnd{.is_done = claim.Member("done").Flag(),
+                  .is_right = result.Member("claim_right").Flag(),
+                  .reason = claim.Member("reason").ShortString(kMaxReasonBytes)};
 }
 
 bool ReadSuccess(const JsonNode& result) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "task/assignment.h"
 #include "task/symmetry.h"
@@ -27,7 +28,8 @@ constexpr double kMaxWork = 1e8;
 /// Object of the outcome's scene that may be a counterpart.
 struct Candidate {
   const scene::ObjectSpec* object = nullptr;
-  RigidTransform X_WB;
+  RigidTransform X_WB;       ///< at the end
+  RigidTransform X_WBStart;  ///< at the begin
   Appearance appearance;
 };
 
@@ -46,29 +48,36 @@ struct Wanted {
 /// refines the best one by least squares.
 class PlacingSearch {
  public:
-  PlacingSearch(const Structure& structure, const scene::SceneSpec& scene,
-                const ObjectPoses& outcome, const Match& match)
-      : others_(OthersOf(structure, match)) {
+  PlacingSearch(const Structure& structure, const Episode& outcome, const Match& match)
+      : structure_(structure), others_(OthersOf(structure, match)) {
+    const ObjectPoses at_begin = PosesAt(outcome.scene, outcome.begin);
+    const ObjectPoses at_end = PosesAt(outcome.scene, outcome.end);
     // Objects that only effects refer to keep their counterparts; these are not available to
     // others.
-    for (const scene::ObjectSpec& object : scene.objects) {
+    for (const scene::ObjectSpec& object : outcome.scene.objects) {
       const bool is_taken = std::ranges::any_of(
           others_, [&](const auto& other) { return other.second == object.id(); });
-      if (!is_taken) pool_.push_back({&object, outcome.at(object.id()), AppearanceOf(object)});
+      if (is_taken) continue;
+      pool_.push_back(
+          {&object, at_end.at(object.id()), at_begin.at(object.id()), AppearanceOf(object)});
     }
     for (const scene::ObjectSpec& object : structure.objects) AddWanted(object, structure);
     // The identity is always a hypothesis: the structure stands where it was demonstrated.
     Consider({});
   }
 
-  Placing Find(bool is_fixed) {
-    if (is_fixed) {
+  Placing Find() {
+    if (structure_.is_fixed()) {
       SearchFixed();
-    } else {
+    } else if (structure_.anchor == Anchor::kLandmark) {
+      SearchAtLandmark();
+    } else if (structure_.anchor == Anchor::kNone) {
       SearchFree();
       Refine();
     }
-    Placing placing{.motion = best_.transform(), .match = others_};
+    Placing placing{.motion = best_.transform(),
+                    .turn = std::remainder(best_.angle, 2 * std::numbers::pi),
+                    .match = others_};
     for (std::size_t i = 0; i < wanted_.size(); ++i) {
       placing.match[wanted_[i].object->id()] = pool_[best_choice_[i]].object->id();
     }
@@ -164,6 +173,42 @@ class PlacingSearch {
     if (best_choice_.empty()) Consider({});
   }
 
+  /// Considers only motions that carry the landmark to where a counterpart was at the begin: a
+  /// robot that moves the landmark instead has not done the task.
+  void SearchAtLandmark() {
+    best_choice_.clear();
+    const auto landmark = std::ranges::find_if(
+        wanted_, [&](const Wanted& one) { return one.object->id() == structure_.landmark; });
+    for (std::size_t j : landmark->candidates) {
+      const Vector3& from = landmark->X_WA.translation();
+      const Vector3& to = pool_[j].X_WBStart.translation();
+      const std::vector<double> yaws =
+          landmark->symmetry.YawsBetween(landmark->X_WA.rotation(), pool_[j].X_WBStart.rotation());
+      for (double yaw : yaws) Consider(MotionTo(yaw, from, to));
+      if (!yaws.empty()) continue;
+      // A round landmark has no direction: that to each of the other objects is a hypothesis.
+      Consider(MotionTo(0, from, to));
+      for (const Wanted& other : wanted_) ConsiderDirectionsTo(other, *landmark, j);
+    }
+    if (best_choice_.empty()) Consider({});
+  }
+
+  /// Considers the motions that carry the landmark to a candidate's start, and another object to
+  /// the direction in which one of its candidates is from there.
+  void ConsiderDirectionsTo(const Wanted& other, const Wanted& landmark, std::size_t at) {
+    const Vector3& from = landmark.X_WA.translation();
+    const Vector3& to = pool_[at].X_WBStart.translation();
+    const Eigen::Vector2d shown = (other.X_WA.translation() - from).head<2>();
+    if (&other == &landmark || shown.norm() < kTolerance) return;
+    for (std::size_t k : other.candidates) {
+      const Eigen::Vector2d here = (pool_[k].X_WB.translation() - to).head<2>();
+      if (k == at || here.norm() < kTolerance) continue;
+      if (IsTired()) return;
+      Consider(
+          MotionTo(std::atan2(here.y(), here.x()) - std::atan2(shown.y(), shown.x()), from, to));
+    }
+  }
+
   /// Considers motions from single objects and their orientations first, then from pairs of
   /// objects.
   void SearchFree() {
@@ -244,6 +289,7 @@ class PlacingSearch {
     if (!pairs.empty()) Consider(FitMotion(pairs, best_.angle));
   }
 
+  const Structure& structure_;
   Match others_;
   std::vector<Candidate> pool_;
   std::vector<Wanted> wanted_;
@@ -255,10 +301,9 @@ class PlacingSearch {
 
 }  // namespace
 
-Placing FindPlacing(const Structure& structure, const scene::SceneSpec& scene,
-                    const ObjectPoses& outcome, const Match& match) {
-  if (structure.objects.empty()) return {.motion = {}, .match = match};
-  return PlacingSearch(structure, scene, outcome, match).Find(structure.is_fixed());
+Placing FindPlacing(const Structure& structure, const Episode& outcome, const Match& match) {
+  if (structure.objects.empty()) return {.match = match};
+  return PlacingSearch(structure, outcome, match).Find();
 }
 
 ObjectError ErrorOf(const scene::ObjectSpec& wanted, const RigidTransform& X_WGoal,

@@ -2,87 +2,15 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
-
-#include "base/diagnostic.h"
-#include "recording/attention.h"
 
 namespace smile::task {
-namespace {
-
-/// Limit on the objects of a task: the time for a comparison grows faster than the square of their
-/// number.
-constexpr std::size_t kMaxObjects = 500;
-
-[[noreturn]] void Fail(const recording::Recording& demonstration, const std::string& message) {
-  throw InputError({demonstration.directory.string(), 0, "", message});
-}
-
-/// Pair (object, other): if the object is part of a structure, the other one is as well.
-using Belonging = std::pair<std::string, std::string>;
-
-/// Returns the pairs of objects that belong together. A support or container belongs to what it
-/// carries, but not the reverse: other objects on the same plank may be unrelated. Sliders and
-/// bonds connect both ways.
-std::vector<Belonging> BelongingsIn(const Episode& episode,
-                                    const std::vector<Relation>& relations) {
-  std::vector<Belonging> belongings;
-  const auto add_both = [&](const std::string& a, const std::string& b) {
-    belongings.emplace_back(a, b);
-    belongings.emplace_back(b, a);
-  };
-  for (const Relation& relation : relations) {
-    if (!relation.support.empty()) belongings.emplace_back(relation.object, relation.support);
-  }
-  for (const scene::SliderSpec& slider : episode.scene.sliders) {
-    add_both(episode.scene.objects[slider.first_object].id(),
-             episode.scene.objects[slider.first_object + 1].id());
-  }
-  for (const BondEffect& bond : BondsAt(episode.scene, episode.end)) {
-    add_both(bond.guest_object, bond.host_object);
-  }
-  return belongings;
-}
-
-/// Returns the ids and everything that belongs to them, directly or not (transitive closure).
-std::set<std::string> WithBelongings(std::set<std::string> ids,
-                                     const std::vector<Belonging>& belongings) {
-  for (bool has_grown = true; has_grown;) {
-    has_grown = false;
-    for (const auto& [object, other] : belongings) {
-      if (ids.contains(object)) has_grown = ids.insert(other).second || has_grown;
-    }
-  }
-  return ids;
-}
-
-/// Returns the objects that any effect refers to.
-std::set<std::string> ConcernedBy(const std::vector<Effect>& effects) {
-  std::set<std::string> concerned;
-  for (const Effect& effect : effects) {
-    for (const std::string& id : ObjectsOf(effect)) concerned.insert(id);
-  }
-  return concerned;
-}
-
-/// Throws if nothing was achieved, or if the structure is too large to compare.
-void RequireATask(const Structure& structure, const recording::Recording& demonstration) {
-  if (structure.objects.empty() && structure.effects.empty()) {
-    Fail(demonstration,
-         "contains nothing to imitate: no hand moved an object that remains at the end, and "
-         "nothing else changed");
-  }
-  const std::size_t count = structure.objects.size() + structure.others.size();
-  if (count > kMaxObjects) {
-    Fail(demonstration, std::to_string(count) + " objects are part of the task, " +
-                            "expected at most " + std::to_string(kMaxObjects));
-  }
-}
-
-}  // namespace
 
 bool Structure::is_fixed() const {
   return std::ranges::any_of(objects, &scene::ObjectSpec::is_static);
+}
+
+bool Structure::Contains(const std::string& object) const {
+  return std::ranges::find(objects, object, &scene::ObjectSpec::id) != objects.end();
 }
 
 std::vector<std::string> Structure::AttendedOf(const std::string& object) const {
@@ -121,41 +49,6 @@ std::vector<Structure> PartsOf(const Structure& structure) {
     }
   }
   return parts;
-}
-
-Structure StructureOf(const recording::Recording& demonstration) {
-  const Episode episode = EpisodeOf(demonstration);
-  Structure structure{.objects = ObjectsAt(episode.scene, episode.end),
-                      .relations = {},
-                      .order = PlacementsOf(episode),
-                      .effects = EffectsOf(episode),
-                      .others = {},
-                      .fallen = FallenObjects(episode),
-                      .attention = recording::AttentionOf(demonstration)};
-  structure.relations = model::RelationsOf(episode.scene, structure.objects);
-
-  // The structure consists of what hands touched and what belongs to it.
-  const std::vector<std::string> touched = TouchedByHands(episode);
-  const std::set<std::string> members =
-      WithBelongings({touched.begin(), touched.end()}, BelongingsIn(episode, structure.relations));
-  const std::set<std::string> concerned = ConcernedBy(structure.effects);
-  // Objects outside the structure whose state matters need a counterpart, but no place.
-  for (const scene::ObjectSpec& object : structure.objects) {
-    if (!members.contains(object.id()) && concerned.contains(object.id())) {
-      structure.others.push_back(object);
-    }
-  }
-  // All lists started with the objects of the whole scene; what is not a member of the structure is
-  // removed.
-  const auto is_missing = [&](const std::string& id) { return !members.contains(id); };
-  std::erase_if(structure.objects, [&](const auto& object) { return is_missing(object.id()); });
-  std::erase_if(structure.relations, [&](const auto& one) { return is_missing(one.object); });
-  std::erase_if(structure.order, [&](const std::string& id) {
-    return std::ranges::find(structure.objects, id, &scene::ObjectSpec::id) ==
-           structure.objects.end();
-  });
-  RequireATask(structure, demonstration);
-  return structure;
 }
 
 }  // namespace smile::task

@@ -12,7 +12,23 @@ namespace smile::task {
 
 using model::Relation;
 
-/// Result of a demonstration: the task is to achieve the same anywhere on the table.
+/// What determines where a structure stands. A structure with a fixed object stands where this is,
+/// whatever the anchor.
+enum class Anchor {
+  kNone,      ///< nothing: it may stand anywhere on the table
+  kLandmark,  ///< an object that the demonstration did not move
+  kTable,     ///< the table: it stands where it was demonstrated
+};
+
+/// Two objects of a structure whose surfaces are almost in contact.
+struct Neighbors {
+  std::string object, other;  ///< ids; `object` was placed later
+
+  bool operator==(const Neighbors&) const = default;
+};
+
+/// Result of a demonstration: the task is to achieve the same, anywhere on the table unless
+/// something determines the place.
 struct Structure {
   /// Objects that hands moved, their supports and containers down to the table, and objects that
   /// slide in them or are fastened to them; in scene order, with their final poses. Empty if the
@@ -26,9 +42,15 @@ struct Structure {
   /// Objects that fell from the table during the demonstration, in this order.
   std::vector<std::string> fallen;
   Attention attention;  ///< properties of objects that matter, as specified by the demonstrator
+  Anchor anchor = Anchor::kNone;
+  std::string landmark;              ///< the anchor, one of `objects`; empty for other anchors
+  std::vector<Neighbors> neighbors;  ///< pairs whose relative places matter
+  /// Objects that touched the structure in the end without belonging to it.
+  std::vector<scene::ObjectSpec> bystanders;
 
   /// True if some of its objects cannot be moved; then the structure can stand nowhere else.
   bool is_fixed() const;
+  bool Contains(const std::string& object) const;
   /// Returns the properties of an object that matter; empty if none were specified.
   std::vector<std::string> AttendedOf(const std::string& object) const;
 };
@@ -37,9 +59,5 @@ struct Structure {
 /// carries; objects that stand on no fixed object belong to the first part. A structure with one
 /// fixed object or none is one part.
 std::vector<Structure> PartsOf(const Structure& structure);
-
-/// Returns the structure that a demonstration achieved.
-/// @throws InputError if the recording's trace cannot be read, or nothing was achieved.
-Structure StructureOf(const recording::Recording& demonstration);
 
 }  // namespace smile::task

@@ -64,6 +64,16 @@ Json PosesJson(const ObjectPoses& poses, double meters_per_unit) {
   return json;
 }
 
+namespace {
+
+/// Returns the id of the landmark, `""` for the table, and null for no anchor.
+Json AnchorJson(const Structure& structure) {
+  if (structure.anchor == Anchor::kNone) return nullptr;
+  return structure.landmark;
+}
+
+}  // namespace
+
 Json ToJson(const Structure& structure, double meters_per_unit) {
   ObjectPoses poses;
   for (const scene::ObjectSpec& object : structure.objects) {
@@ -78,6 +88,7 @@ Json ToJson(const Structure& structure, double meters_per_unit) {
           {"effects", effects},
           {"fallen", structure.fallen},
           {"attention", structure.attention},
+          {"anchor", AnchorJson(structure)},
           {"fixed", structure.is_fixed()}};
 }
 
@@ -100,6 +111,11 @@ std::vector<std::string> WordsOf(const Structure& structure, double meters_per_u
   }
   for (const Effect& effect : structure.effects) {
     lines.push_back("achieved: " + WordsOf(effect, meters_per_unit));
+  }
+  if (structure.anchor == Anchor::kLandmark) {
+    lines.push_back("what matters is the place relative to " + structure.landmark);
+  } else if (structure.anchor == Anchor::kTable) {
+    lines.push_back("what matters is the place on the table");
   }
   for (const auto& [id, properties] : structure.attention) {
     lines.push_back("of " + id + " matters its " + Joined(properties));

@@ -112,10 +112,12 @@ TEST_F(BrainLanguages, ScriptsOfTheOriginalRunAsTheyAre) {
         "elbow = sensor.trackerLoc('r-E1');\n"
         "save([aux.path 'result.mat'], 'elbow', 'total', 'points');\n"
         "close all\n"
+        "aux.claim = 'done: as shown';\n"
         "aux.exit = 1;\n");
   const Answer answer = Smile("run pair.xml --brain matlab --size 64x48 --json");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   EXPECT_EQ(answer.json()["brain"]["status"], "exited");
+  EXPECT_EQ(answer.json()["brain"]["claim"], Json({{"done", true}, {"reason", "as shown"}}));
   EXPECT_GE(answer.json()["ticks"], 35);
   for (const char* file : {"matlab/frames/0.png", "matlab/frames/2.png", "matlab/result.mat"}) {
     EXPECT_TRUE(Exists(file)) << file;

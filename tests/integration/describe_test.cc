@@ -49,17 +49,18 @@ TEST_F(Describe, ASwitchIsATaskThatARobotCanMiss) {
 
 TEST_F(Describe, TheCauseOfAFailureIsPrintedEvenIfAllObjectsAreInPlace) {
   Write("pair.xml", PairOfBlocks());
+  Write("falls.xml", PairThatFallsIntoPlace());
   Write("lift.jsonl", LiftAndPutBack());
   ASSERT_EQ(Smile("run pair.xml --commands lift.jsonl --record lifted --no-pictures").exit_code, 0);
   Write("idle.py", "def step(sensor, motor, aux): aux.exit = True\n");
   Write("crashes.py",
         "def init(aux): raise RuntimeError('no camera')\n"
         "def step(sensor, motor, aux): pass\n");
-  const Answer done = Smile("imitate lifted pair.xml --brain idle.py --out idle");
+  const Answer done = Smile("imitate lifted falls.xml --brain idle.py --out idle");
   EXPECT_EQ(done.exit_code, 0);
   EXPECT_TRUE(done.out.starts_with("success after ")) << done.out;
   EXPECT_EQ(std::ranges::count(done.out, '\n'), 2) << done.out;
-  const Answer failed = Smile("imitate lifted pair.xml --brain crashes.py --out crashed");
+  const Answer failed = Smile("imitate lifted falls.xml --brain crashes.py --out crashed");
   EXPECT_EQ(failed.exit_code, 1);
   EXPECT_TRUE(failed.out.starts_with("failure after ")) << failed.out;
   const std::string cause = Json::parse(Read("crashed/result.json"))["cause"]["text"];

@@ -7,9 +7,11 @@ namespace {
 
 class Evaluate : public ProgramTest {
  protected:
-  /// Shown is a block that is lifted and put back: any layout has it rebuilt from the start.
+  /// Shown is a block that is lifted and put back. In the scene it falls into its place, so that
+  /// doing nothing succeeds.
   Evaluate() {
     Write("pair.xml", PairOfBlocks());
+    Write("falls.xml", PairThatFallsIntoPlace());
     Write("lift.jsonl", LiftAndPutBack());
     Write("stack.jsonl", StackPair());
     EXPECT_EQ(Smile("run pair.xml --commands lift.jsonl --record lifted --no-pictures").exit_code,
@@ -35,8 +37,9 @@ class Evaluate : public ProgramTest {
               lines + "  aux.exit = 1\n");
   }
 
-  Answer EvaluateOf(const std::string& demo, const std::string& arguments) const {
-    return Smile("evaluate " + demo + " --scene pair.xml --out ev --json " + arguments);
+  Answer EvaluateOf(const std::string& demo, const std::string& arguments,
+                    const std::string& scene = "falls.xml") const {
+    return Smile("evaluate " + demo + " --scene " + scene + " --out ev --json " + arguments);
   }
   /// The layouts in which programs were started since it was asked last, sorted.
   std::string Started() const {
@@ -113,11 +116,12 @@ TEST_F(Evaluate, ACrashedOrHungRunIsAFailureWithACause) {
   ASSERT_EQ(Smile("run pair.xml --commands stack.jsonl --record stacked --no-pictures").exit_code,
             0);
   const std::string arguments = "--brain shaky/shaky.py --timeout 100 ";
-  const Answer answer = EvaluateOf("stacked", arguments + "--scenes 3");
+  const Answer answer = EvaluateOf("stacked", arguments + "--scenes 3", "pair.xml");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   Json runs = answer.json()["brains"][0]["runs"];
-  runs.push_back(EvaluateOf("stacked", arguments + "--seed 4 --scenes 1 --wall-seconds 1")
-                     .json()["brains"][0]["runs"][0]);
+  runs.push_back(
+      EvaluateOf("stacked", arguments + "--seed 4 --scenes 1 --wall-seconds 1", "pair.xml")
+          .json()["brains"][0]["runs"][0]);
   const std::pair<const char*, const char*> causes[] = {{"crashed", "signal 9"},
                                                         {"brain_failed", "exit code 3"},
                                                         {"never_taken", ""},
@@ -132,14 +136,14 @@ TEST_F(Evaluate, ACrashedOrHungRunIsAFailureWithACause) {
   EXPECT_TRUE(Exists("ev/" + runs[2]["recording"].get<std::string>() + "/demo.json"));
   // What came to its end is not repeated; what was cut short is.
   Started();
-  EXPECT_EQ(EvaluateOf("stacked", arguments + "--scenes 3").exit_code, 0);
+  EXPECT_EQ(EvaluateOf("stacked", arguments + "--scenes 3", "pair.xml").exit_code, 0);
   EXPECT_EQ(Started(), "shaky 1;");
 }
 
-TEST_F(Evaluate, ACrashAtTheStartIsAFailureEvenIfTheGoalIsReached) {
+TEST_F(Evaluate, ACrashIsAFailureEvenIfTheGoalIsReached) {
   Write("crashes.py",
-        "def init(aux): raise RuntimeError('no camera')\n"
-        "def step(sensor, motor, aux): pass\n");
+        "def step(sensor, motor, aux):\n"
+        "  if sensor.simTime > 1: raise RuntimeError('no camera')\n");
   const Answer answer = EvaluateOf("lifted", "--brain crashes.py --scenes 2");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   const Json crashes = answer.json()["brains"][0];
@@ -156,7 +160,7 @@ TEST_F(Evaluate, AnInterruptedEvaluationContinues) {
   WriteBrain("slow", "  while seed > 1 and not os.path.exists('" + (directory_ / "go").string() +
                          "'): time.sleep(0.02)\n");
   const std::string command =
-      "evaluate lifted --scene pair.xml --out ev --brain slow/slow.py --scenes 3 --timeout 100";
+      "evaluate lifted --scene falls.xml --out ev --brain slow/slow.py --scenes 3 --timeout 100";
   // SIGTERM reaches the evaluation only; its runs are in groups of their own.
   const Answer cut = Shell(
       SMILE_PROGRAM " " + command +
@@ -184,15 +188,15 @@ TEST_F(Evaluate, AnInterruptedEvaluationContinues) {
 TEST_F(Evaluate, ImpossiblePlansAreReportedBeforeAnyRun) {
   Write("one.xml", SceneOf("<block id=\"b\" color=\"blue\" location=\"(2, -3, 0.5)\"/>"));
   const std::pair<const char*, const char*> wrong[] = {
-      {"lifted --scene pair.xml --brain nowhere", "nowhere"},
+      {"lifted --scene falls.xml --brain nowhere", "nowhere"},
       {"lifted --scene one.xml --brain idle/idle.py", "'a'"},
-      {"nowhere --scene pair.xml --brain idle/idle.py", "nowhere"}};
+      {"nowhere --scene falls.xml --brain idle/idle.py", "nowhere"}};
   for (const auto& [arguments, message] : wrong) {
     const Answer answer = Smile("evaluate --out ev " + std::string(arguments));
     EXPECT_EQ(answer.exit_code, 1) << arguments;
     EXPECT_NE(answer.err.find(message), std::string::npos) << answer.err;
   }
-  const std::string idle = "evaluate lifted --scene pair.xml --brain idle/idle.py --out ev ";
+  const std::string idle = "evaluate lifted --scene falls.xml --brain idle/idle.py --out ev ";
   for (const char* arguments : {"--scenes 0", "--no-symbols", "--demonstrators absent"}) {
     EXPECT_EQ(Smile(idle + arguments).exit_code, 2) << arguments;
   }

@@ -67,6 +67,27 @@ struct Lesson {
   const char* layout = "--seed 1";
 };
 
+/// What a program does not do, it gets nothing for.
+class IdleBrain : public ProgramTest, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(IdleBrain, GainsNothing) {
+  Write("idle.py",
+        "def step(sensor, motor, aux):\n"
+        "  aux.exit, aux.claim = True, 'gave up: nothing was tried'\n");
+  const Answer answer = Smile("experiment " + std::string(GetParam()) +
+                              " --out out --no-films --json --brain idle.py");
+  ASSERT_EQ(answer.exit_code, 1) << answer.err;
+  const Json result = answer.json();
+  EXPECT_EQ(result["gain"], 0);
+  EXPECT_EQ(result["score"], result["score_at_start"]);
+  EXPECT_EQ(result["brain"]["claim"], Json({{"done", false}, {"reason", "nothing was tried"}}));
+  EXPECT_EQ(result["claim_right"], true);
+}
+
+INSTANTIATE_TEST_SUITE_P(Tasks, IdleBrain,
+                         ::testing::Values("um", "tower", "row", "bridge", "box", "hatch",
+                                           "drive"));
+
 class LearnerOf : public ProgramTest, public ::testing::WithParamInterface<Lesson> {};
 
 TEST_P(LearnerOf, DoesItInASceneItHasNeverSeen) {

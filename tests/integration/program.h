@@ -90,6 +90,14 @@ inline std::string PairOfBlocks() {
       "<block id=\"b\" color=\"blue\" location=\"(2, -3, 0.5)\"/>");
 }
 
+/// Returns the scene of PairOfBlocks(), but `a` begins above its place and falls there: a task of
+/// its place is done by doing nothing.
+inline std::string PairThatFallsIntoPlace() {
+  return SceneOf(
+      "<block id=\"a\" color=\"red\" location=\"(0, -3, 1.5)\"/>\n"
+      "<block id=\"b\" color=\"blue\" location=\"(2, -3, 0.5)\"/>");
+}
+
 /// Returns commands that grasp `a` and release it where it is.
 inline std::string LiftAndPutBack() {
   return "{\"hand\":\"right\",\"do\":\"grasp\",\"object\":\"a\"}\n"

@@ -193,7 +193,7 @@ export interface StateMessage {
   fallen: string[];
   attention: Record<string, string[]>;
   robot: { shown: boolean; mood: FaceExpression; following: boolean; joints: Record<string, number>; grippers: number[]; head: number } | null;
-  brain: { name: string; status: "none" | "starting" | "running" | "exited" | "failed" | "stopped"; message: string; file: string; line: number };
+  brain: { name: string; status: "none" | "starting" | "running" | "exited" | "failed" | "stopped"; message: string; claim: { done: boolean; reason: string } | null; file: string; line: number };
   snap: SnapName[];
   markers: Point[];
 }

@@ -24,6 +24,8 @@ constexpr std::array kTwoByOne{2u, 1u};
 /// A motor message that is right, for tests to spoil.
 class MotorMessage {
  public:
+  explicit MotorMessage(MessageType type = MessageType::kMotor) : writer_(type, 1) {}
+
   MotorMessage& Velocities(std::span<const std::uint32_t> dims, std::span<const double> values) {
     writer_.AddDoubles("jointVelocities", dims, values);
     return *this;
@@ -51,7 +53,7 @@ class MotorMessage {
     return DecodeStepReply(Decoded(writer_.Finish()), ClassicArms());
   }
 
-  MessageWriter writer_{MessageType::kMotor, 1};
+  MessageWriter writer_;
 };
 
 TEST(DecodeStepReply, ReadsColumnMajorVelocities) {
@@ -183,6 +185,21 @@ TEST(DecodeStepReply, RefusesNumbersThatAreNotFinite) {
   const std::array grippers{0.0, -std::numeric_limits<double>::infinity()};
   EXPECT_EQ(MotorMessage().Velocities().Grippers(kTwoByOne, grippers).Error(),
             "motor.gripperVelocities(2,1) is -Inf, expected a finite number");
+}
+
+TEST(DecodeStepReply, ReadsAClaimOfTheLastStepOnly) {
+  const auto claimed = [](const std::string& text, MessageType type = MessageType::kFinalMotor) {
+    MotorMessage message(type);
+    message.Velocities().Grippers().Text("claim", text);
+    return message;
+  };
+  EXPECT_EQ(claimed("done").Reply().claim, (Claim{.is_done = true, .reason = ""}));
+  EXPECT_EQ(claimed("gave up: Red1: out of reach").Reply().claim,
+            (Claim{.is_done = false, .reason = "Red1: out of reach"}));
+  EXPECT_EQ(claimed("finished").Error(),
+            "aux.claim is \"finished\", expected done or gave up, optionally followed by a "
+            "colon and a reason");
+  EXPECT_NE(claimed("done", MessageType::kMotor).Error(), "");
 }
 
 TEST(DecodeStepReply, RefusesUnknownAndMissingFields) {

@@ -7,6 +7,7 @@
 #include "experiment_fixture.h"
 #include "recording/recording.h"
 #include "recording/time_range.h"
+#include "task/demonstrated_structure.h"
 
 namespace smile::experiment {
 namespace {
@@ -128,7 +129,7 @@ TEST_F(RunTest, ItsJsonHasTheDocumentedFields) {
                             "robot", "brain", "recordings"}) {
     EXPECT_TRUE(json.contains(field)) << field;
   }
-  EXPECT_EQ(json["brain"], (Json{{"status", "none"}, {"message", ""}}));
+  EXPECT_EQ(json["brain"], (Json{{"status", "none"}, {"message", ""}, {"claim", nullptr}}));
   EXPECT_TRUE(json["robot"].is_null());
   EXPECT_FALSE(json.contains("late_ticks"));
 }

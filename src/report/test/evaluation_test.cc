@@ -14,12 +14,16 @@ EvaluatedRun Success(std::uint64_t seed, double error_mm, double seconds) {
   return {.seed = seed,
           .has_succeeded = true,
           .score = 1,
+          .gain = 1,
+          .claim = task::ClaimEnd{.is_done = true, .is_right = true},
           .error_mm = error_mm,
           .seconds = seconds,
           .retries = 1};
 }
 EvaluatedRun Failed(std::uint64_t seed, const std::string& word) {
   return {.seed = seed,
+          .gain = 0.25,
+          .claim = task::ClaimEnd{.is_done = true, .is_right = false},
           .seconds = 600,
           .failure_reason = task::FailureReason{.code = word, .text = "for some reason"},
           .recording = "runs/" + std::to_string(seed)};
@@ -79,11 +83,11 @@ TEST(Evaluation, JsonHoldsSummariesRunsAndComparisons) {
 TEST(Evaluation, TheTableLinesUp) {
   EXPECT_EQ(ToText(Pair()).substr(0, ToText(Pair()).find("old failed")),
             "      success                      95 %         error mm (95 %)   error deg (95 %)   "
-            "s p50   s p95   retries\n"
+            "s p50   s p95   retries   gain   right claims\n"
             "old       2/5   40.0 %   11.8 to 76.9 %   5.00 (-7.71 to 17.71)                  –   "
-            " 32.0    33.8         2\n"
+            " 32.0    33.8         2   0.55         2 of 5\n"
             "new       4/5   80.0 %   37.6 to 96.4 %     3.00 (3.00 to 3.00)                  –   "
-            " 20.0    21.7         4\n");
+            " 20.0    21.7         4   0.85         4 of 5\n");
 }
 
 /// Writes it and reads it.

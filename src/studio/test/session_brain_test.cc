@@ -8,6 +8,7 @@
 #include "scene_xml/scene_reader.h"
 #include "session_fixture.h"
 #include "studio/live_brain.h"
+#include "task/imitation_result.h"
 
 namespace smile::studio {
 namespace {
@@ -115,6 +116,8 @@ TEST_F(SessionBrainTest, AnImitationIsScoredAndRecorded) {
       Do(R"({"do":"imitate","recording":"take","brain":"lazy.py","scene":"pair_elsewhere"})");
   EXPECT_EQ(State()["recording"]["title"], "take, imitated");
   TickSeconds(0.5);
+  EXPECT_FALSE(State()["recording"].is_null()) << "what it did must still stand";
+  TickSeconds(task::kRestSeconds);
   EXPECT_TRUE(State()["recording"].is_null()) << "it ends with the imitation";
   const auto recording =
       recording::OpenRecording(root_ / "recordings" / begun["recording"].get<std::string>());
@@ -150,7 +153,7 @@ TEST_F(SessionBrainTest, AProgramThatRequestsItWatchesTheDemonstrationFirst) {
   TickSeconds(length / 2);
   EXPECT_EQ(Status(), "running");
   EXPECT_EQ(State()["robot"]["mood"], "watching");
-  TickSeconds(length / 2 + 0.5);
+  TickSeconds(length / 2 + 0.5 + task::kRestSeconds);
   EXPECT_EQ(Status(), "exited") << ToText(State()["brain"]);
   const Json result = Latest("score")["result"];
   EXPECT_NEAR(result["watched_seconds"].get<double>(), length, 0.25);

@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 
 #include "base/diagnostic.h"
 #include "base/uniform.h"
 #include "structure_maker.h"
+#include "task/neighbors.h"
 
 namespace smile::task {
 namespace {
@@ -249,6 +251,106 @@ TEST(StructureComparison, ReportsPlacementsInTheDemonstratedOrder) {
   carry(2);
   carry(3);
   EXPECT_TRUE(CompareWith(tower, episode).order.is_kept());
+}
+
+/// Three high; neighbors as a demonstration has them.
+Structure Stack() {
+  Structure stack = Colored({.objects = {CubeAt("a", {0.1, 0, 0.05}), CubeAt("b", {0.1, 0, 0.15}),
+                                         CubeAt("c", {0.1, 0, 0.25})},
+                             .order = {"a", "b", "c"}});
+  stack.neighbors = NeighborsOf(stack);
+  return stack;
+}
+
+TEST(StructureComparison, NeighborsAreThoseThatTouchOrAlmostDo) {
+  EXPECT_EQ(Stack().neighbors, (std::vector<Neighbors>{{"b", "a"}, {"c", "b"}}));
+  Structure row{.objects = {CubeAt("a", {0, 0, 0.05}), CubeAt("b", {0.11, 0, 0.05}),
+                            CubeAt("c", {0.3, 0, 0.05})},
+                .order = {"b", "a"}};
+  EXPECT_EQ(NeighborsOf(row), (std::vector<Neighbors>{{"a", "b"}}));
+}
+
+TEST(StructureComparison, ATwistedTowerIsNotThatTower) {
+  std::vector<scene::ObjectSpec> outcome = Stack().objects;
+  const auto with_middle = [&](double x, double angle_deg) {
+    outcome[1].whole.X_PE =
+        RigidTransform(RotationFromFixedAxes({0, 0, angle_deg}), {0.1 + x, 0, 0.15});
+    return CompareWith(Stack(), EpisodeTo(outcome));
+  };
+  EXPECT_TRUE(with_middle(0.012, 7).is_achieved());
+  // Each block is within tolerance of its own place, but not on the one below.
+  const StructureComparison shifted = with_middle(0.022, 0);
+  for (const auto& [id, error] : shifted.errors) EXPECT_TRUE(error.is_pose_within()) << id;
+  EXPECT_FALSE(shifted.is_achieved());
+  EXPECT_FALSE(with_middle(0, 14).is_achieved());
+}
+
+TEST(StructureComparison, AnObjectTooManyCountsWhereItTouches) {
+  std::vector<scene::ObjectSpec> outcome = Moved(Stack().objects, 30, {0.2, 0, 0});
+  outcome.push_back(CubeAt("spare", {0.7, 0.5, 0.05}, kRed));
+  EXPECT_TRUE(CompareWith(Stack(), EpisodeTo(outcome)).is_achieved());
+  outcome[3].whole.X_PE = outcome[2].pose_in_world() * RigidTransform(Vector3(0, 0, 0.1));
+  Episode brought = EpisodeTo(outcome);
+  EXPECT_TRUE(CompareWith(Stack(), brought).is_achieved()) << "it fell there";
+  Carry("spare", brought.begin.objects[3].pose_in_world(), outcome[3].pose_in_world(), &brought);
+  const StructureComparison topped = CompareWith(Stack(), brought);
+  EXPECT_EQ(topped.intruders, std::vector<std::string>{"spare"});
+  EXPECT_EQ(topped.score, 0.75);
+  // The same that was there when it was demonstrated does belong.
+  Structure with_bystander = Stack();
+  with_bystander.bystanders = {CubeAt("other", {0, 0, 0.05}, kRed)};
+  EXPECT_TRUE(CompareWith(with_bystander, brought).is_achieved());
+}
+
+TEST(StructureComparison, AMirrorImageIsToldFromATurn) {
+  // An L that lies on its back; of blocks, which are their own mirror images.
+  const scene::Block plank{{0.4, 0.1, 0.1}};
+  const Structure letter{
+      .objects = {ObjectAt("long", plank, {0, 0, 0.05}), CubeAt("foot", {0.15, 0, 0.15}, kRed)}};
+  const auto after = [&](double angle_deg) {
+    return CompareWith(letter, EpisodeTo(Moved(letter.objects, angle_deg, {0.1, 0.2, 0})));
+  };
+  EXPECT_FALSE(after(20).is_mirrored);
+  EXPECT_NEAR(*after(20).turn, DegreesToRadians(20.0), 1e-6);
+  EXPECT_TRUE(after(180).is_achieved());
+  EXPECT_TRUE(after(180).is_mirrored);
+  // A tower looks the same from everywhere.
+  const StructureComparison tower =
+      CompareWith(Stack(), EpisodeTo(Moved(Stack().objects, 170, {0.1, 0.2, 0})));
+  EXPECT_TRUE(tower.is_achieved());
+  EXPECT_FALSE(tower.is_mirrored);
+}
+
+TEST(StructureComparison, ALandmarkDeterminesThePlace) {
+  Structure beside{.objects = {CubeAt("post", {0, 0, 0.05}, kBlue), CubeAt("a", {0.2, 0, 0.05})},
+                   .order = {"a"},
+                   .anchor = Anchor::kLandmark,
+                   .landmark = "post"};
+  // In the other scene the landmark stands elsewhere, turned.
+  const std::vector<scene::ObjectSpec> goal = Moved(beside.objects, 40, {0.3, -0.2, 0});
+  std::vector<scene::ObjectSpec> start = goal;
+  start[1].whole.X_PE = RigidTransform(Vector3(-0.5, 0.3, 0.05));
+  EXPECT_TRUE(CompareWith(beside, EpisodeBetween(start, goal)).is_achieved());
+  EXPECT_EQ(CompareWith(beside, EpisodeBetween(start, start)).score, 0.5);
+  // To bring the landmark instead is not the task.
+  std::vector<scene::ObjectSpec> brought = start;
+  brought[0].whole.X_PE = start[1].pose_in_world() * RigidTransform(Vector3(-0.2, 0, 0));
+  EXPECT_FALSE(CompareWith(beside, EpisodeBetween(start, brought)).is_achieved());
+}
+
+TEST(StructureComparison, ARoundLandmarkHasNoDirection) {
+  const auto with_block_at = [](double angle_deg) {
+    // A cylinder lies along y: it is put upright.
+    scene::ObjectSpec post = ObjectAt("post", scene::Cylinder{0.05, 0.1}, {});
+    post.whole.X_PE = RigidTransform(RotationFromFixedAxes({90, 0, 0}), {0, 0, 0.05});
+    return std::vector{post, Moved({CubeAt("a", {0.2, 0, 0.05})}, angle_deg, {0, 0, 0}).front()};
+  };
+  const Structure beside{
+      .objects = with_block_at(0), .order = {"a"}, .anchor = Anchor::kLandmark, .landmark = "post"};
+  std::vector<scene::ObjectSpec> start = with_block_at(60);
+  start[1].whole.X_PE = RigidTransform(Vector3(-0.5, 0.3, 0.05));
+  EXPECT_TRUE(CompareWith(beside, EpisodeBetween(start, with_block_at(60))).is_achieved());
+  EXPECT_FALSE(CompareWith(beside, EpisodeBetween(start, start)).is_achieved());
 }
 
 TEST(Order, ObjectsInPlaceFromTheStartComeFirst) {

@@ -27,9 +27,12 @@ Episode EndingAt(const Vector3& p, const Vector3& angles_deg = {0, 0, 0}) {
   return EpisodeTo(outcome);
 }
 
-TEST(FailureReason, IsEmptyForASuccess) {
-  for (const char* status : {"exited", "stopped", "running"}) {
-    EXPECT_EQ(WordOf(EndingAt({0.01, 0, 0.15}), {.status = status}), "");
+TEST(FailureReason, IsEmptyForASuccess) { EXPECT_EQ(WordOf(EndingAt({0.01, 0, 0.15})), ""); }
+
+TEST(FailureReason, AProgramThatDidNotEndByItselfNeverSucceeds) {
+  for (const char* status : {"stopped", "running"}) {
+    EXPECT_EQ(WordOf(EndingAt({0.01, 0, 0.15}), {.status = status}),
+              "time_up: the brain was still running when the episode ended");
   }
 }
 

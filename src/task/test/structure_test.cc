@@ -1,4 +1,4 @@
-#include "task/structure.h"
+#include "task/demonstrated_structure.h"
 
 #include <gtest/gtest.h>
 
@@ -81,6 +81,34 @@ TEST_F(StructureTest, PlacementsAgreeWithTheHistory) {
   EXPECT_EQ(structure.relations.front(), (Relation{"a", Relation::Kind::kIn, "ring"}));
   const std::vector<recording::Segment> history = recording::HistoryOf(demo);
   EXPECT_EQ(WordsOf(*history.back().summary), "left hand puts a into ring");
+}
+
+constexpr const char* kPush = R"({"hand":"left","do":"grasp","object":"a"}
+{"hand":"left","do":"move_to","position":[2,-2,0.5]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"release"}
+{"do":"wait","until":"still"})";
+
+// A push, an exchange or "beside" leaves a structure that stood from the start, freely placed.
+TEST_F(StructureTest, IsAnchoredToTheTableIfItStoodFromTheStart) {
+  const Structure structure = StructureOf(recording::OpenRecording(
+      Record(kPush, false, nullptr, R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+<block id="a" location="(-2, -2, 0.5)"/></tabletop>)xml")));
+  EXPECT_EQ(structure.anchor, Anchor::kTable);
+  EXPECT_EQ(TextOf(structure), "1. a on the table\nwhat matters is the place on the table\n");
+  EXPECT_EQ(ToJson(structure, 0.1)["anchor"], "");
+}
+
+TEST_F(StructureTest, IsAnchoredToTheNearestObjectThatStayed) {
+  const Structure structure = StructureOf(recording::OpenRecording(
+      Record(kPush, false, nullptr, R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+<block id="a" location="(-2, -2, 0.5)"/>
+<block id="far" location="(8, 3, 0.5)"/>
+<block id="near" location="(4, -2, 0.5)"/></tabletop>)xml")));
+  EXPECT_EQ(structure.landmark, "near");
+  EXPECT_EQ(TextOf(structure),
+            "1. a on the table\nas it was: near on the table\n"
+            "what matters is the place relative to near\n");
 }
 
 TEST_F(StructureTest, ReportsAttention) {

@@ -1,5 +1,8 @@
 #include "report/experiment_page.h"
 
+#include <optional>
+#include <string>
+
 #include "image/png.h"
 #include "picture/recording_renderer.h"
 #include "recording/recording_history.h"
@@ -87,10 +90,23 @@ Markup HeaderOf(const ExperimentOutcome& outcome) {
   return Element("header", {}, header);
 }
 
+/// Returns what the brain claimed about its run, and whether this is true; nullopt if it claimed
+/// nothing, and in results of older versions.
+std::optional<std::string> ClaimText(const Json& result) {
+  const Json& brain = result.at("brain");
+  if (!brain.contains("claim") || brain.at("claim").is_null()) return std::nullopt;
+  const Json& claim = brain.at("claim");
+  std::string text = claim.at("done").get<bool>() ? "done" : "gave up";
+  const auto reason = claim.at("reason").get<std::string>();
+  if (!reason.empty()) text += ": " + reason;
+  return text + (result.at("claim_right").get<bool>() ? " (right)" : " (wrong)");
+}
+
 /// Returns the score, the mean errors and the duration.
 Markup Numbers(const Json& result) {
   const auto number = [&result](const char* name) { return result.at(name).get<double>(); };
   Markup facts = Fact("Structure in place", Percent(number("score")));
+  if (const auto claim = ClaimText(result)) facts += Fact("The brain's claim", *claim);
   facts += Fact("Mean error", Fixed(number("mean_error_mm"), 1) + " mm");
   if (result.contains("mean_error_degrees") && !result.at("mean_error_degrees").is_null()) {
     facts += Fact("Mean rotation error", Fixed(number("mean_error_degrees"), 1) + "°");

@@ -33,7 +33,11 @@ Json ResultOf(const Json& final_objects) {
           {"mean_error_mm", 100.0},
           {"seconds", 1.0},
           {"realtime_factor", 2.0},
-          {"brain", {{"status", "failed"}, {"message", std::string("oh ") + kHostile}}}};
+          {"claim_right", false},
+          {"brain",
+           {{"status", "failed"},
+            {"message", std::string("oh ") + kHostile},
+            {"claim", {{"done", true}, {"reason", std::string("see ") + kHostile}}}}}};
 }
 
 class ExperimentPage : public ::testing::Test {
@@ -74,6 +78,7 @@ TEST_F(ExperimentPage, ShowsPicturesPlacesAndErrors) {
   EXPECT_NE(page.find("1.00, 0.00, 0.50"), std::string::npos);
   EXPECT_NE(page.find("too far"), std::string::npos);
   EXPECT_NE(page.find("100.0"), std::string::npos);  // one unit off [mm]
+  EXPECT_NE(page.find("done: see &lt;img src=http://x&gt; (wrong)"), std::string::npos);
 }
 
 TEST_F(ExperimentPage, ReportsMissingObjects) {

@@ -1,4 +1,4 @@
-function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, others, sites, sensor, goal)
+function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, others, sites, sensor, goal, failures)
 % Plans the actions that bring a block to a free place on the table, within the eye's view. Returns them
 % and that place; {} and a reason if there is none.
 %   others  obstacles, as blocks
@@ -6,6 +6,7 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
 %           place counts
 %   goal    target to which another arm must move it from there at once (a handover), or []; a single arm
 %           takes it again itself
+%   failures  grasps that are not to be repeated
   actions = {};
   place = noBlocks();
   reason = 'there is no free place on the table';
@@ -18,11 +19,11 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
     attempts = constants().task_planning.max_place_attempts;
     for place = freePlacements(arms, block, [others, site{1}], goal)
       if ~isInView(place, eye) || isGraspBlocked(place, site{1}) || ...
-         ~canHandOver(candidates, arms, place, goal)
+         isTopHidden(place, site{1}, eye) || ~canHandOver(candidates, arms, place, goal)
         continue
       end
-      can_continue = isempty(goal) || ~isempty(planPickAndPlace(arms, place, goal, others, sensor));
-      if can_continue, [actions, reason] = planPickAndPlace(arms, block, place, others, sensor); end
+      can_continue = isempty(goal) || ~isempty(planPickAndPlace(arms, place, goal, others, sensor, []));
+      if can_continue, [actions, reason] = planPickAndPlace(arms, block, place, others, sensor, failures); end
       attempts = attempts - 1;
       if ~isempty(actions), return; end
       if attempts == 0, break; end

@@ -31,7 +31,8 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
   elseif state.numTemporary >= c.max_temporary_placements
     reason = sprintf('blocks were put aside %d times already', c.max_temporary_placements);
   else
-    for move = proposeMoves(state, k, find(~used))
+    free = find(~used);
+    for move = [uncoveringMoves(state, free, eye), proposeMoves(state, k, free)]
       if numFailures(state, state.known(move.block)) >= c.max_failed_grasps
         reason = sprintf('%d grasps of a block failed', c.max_failed_grasps);
         continue

@@ -19,7 +19,10 @@ function blocks = detectBlocks(picture, eye, like, container, heights)
       if numel(pixels) < constants().perception.min_top_pixels, continue; end
       [row, column] = ind2sub(size(number), pixels);
       top = [];
-      if ~isempty(heights), top = median(heights(pixels)); end
+      if ~isempty(heights)
+        if ~isLevel(heights(pixels)), continue; end
+        top = median(heights(pixels));
+      end
       blocks = [blocks, fitBlocks(row, column, eye, kinds, container, is_possible, bottoms, top)];
     end
   end

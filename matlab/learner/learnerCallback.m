@@ -13,7 +13,8 @@ elseif ~strcmp(status, 'busy')
   if num_retreats == 0, state = rememberFailure(state, actions); end
   num_retreats = num_retreats + 1;
   if num_retreats <= constants().task_planning.max_retreats
-    actions = retreat(action.arm, sensor.arms(action.arm.index).joints(:)');
+    q = sensor.arms(action.arm.index).joints(:)';
+    actions = retreat(action.arm, q, num_retreats == 1);
   else
     state = giveUp(state, 'because the arm is stuck');
   end

@@ -4,14 +4,12 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
 %   others  obstacles, as blocks
 %   sites   cell of lists of blocks to keep clear of, existing or planned; the first list that leaves a
 %           place counts
-%   goal    target to which another arm must move it from there at once (a handover), or []; a single arm
-%           takes it again itself
+%   goal    target to which an arm must be able to move it from there, or []
 %   failures  grasps that are not to be repeated
   actions = {};
   place = noBlocks();
   reason = 'there is no free place on the table';
-  candidates = candidateArms(arms, block, goal);
-  if isempty(candidates)
+  if ~canReach(arms, block)
     reason = 'no arm reaches it';
     return
   end
@@ -19,7 +17,7 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
     attempts = constants().task_planning.max_place_attempts;
     for place = freePlacements(arms, block, [others, site{1}], goal)
       if ~isInView(place, eye) || isGraspBlocked(place, site{1}) || ...
-         isTopHidden(place, site{1}, eye) || ~canHandOver(candidates, arms, place, goal)
+         isTopHidden(place, site{1}, eye) || ~canReach(arms, place)
         continue
       end
       can_continue = isempty(goal) || ~isempty(planPickAndPlace(arms, place, goal, others, sensor, []));
@@ -77,27 +75,6 @@ function yes = isInView(place, eye)
     pixel = toPixel([place.position(1:2) + along + across, place.size(3)], eye);
     yes = yes && all(pixel > margin) && all(pixel < 2 * eye.intrinsics(1:2, 3)' - margin);
   end
-end
-
-function able = candidateArms(arms, block, goal)
-% Returns the arms that reach a block; with a goal, only those of which another arm reaches the goal.
-  able = arms(arrayfun(@(arm) isReachable(arm, block) && ...
-                              (isempty(goal) || canReach(othersThan(arm, arms), goal)), arms));
-end
-
-function yes = canHandOver(candidates, arms, place, goal)
-% Returns true if one of the candidates reaches a place; with a goal, also another arm for the handover.
-  yes = false;
-  for arm = candidates
-    yes = yes || (isReachable(arm, place) && ...
-                  (isempty(goal) || canReach(othersThan(arm, arms), place)));
-  end
-end
-
-function others = othersThan(arm, arms)
-% Returns the other arms; a single arm continues itself.
-  others = arms([arms.index] ~= arm.index);
-  if isempty(others), others = arm; end
 end
 
 function yes = canReach(arms, place)

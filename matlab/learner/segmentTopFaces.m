@@ -7,6 +7,26 @@ function tops = segmentTopFaces(picture, table, heights)
   if nargin < 3, heights = []; end
   tops = struct('color', {}, 'row', {}, 'column', {});
   smallest = constants().perception.min_unknown_object_pixels;
+  if isempty(heights)
+    tops = withoutHeights(picture, table, smallest);
+    return
+  end
+  for color = frequentColors(picture, smallest)
+    if colorMask(reshape(color, 1, 1, 3), table), continue; end
+    number = labelRegions(colorMask(picture, color'), heights);
+    count = accumarray(number(number > 0), 1);
+    for region = find(count >= smallest)'
+      inside = find(number == region);
+      if ~isLevel(heights(inside)), continue; end
+      [row, column] = ind2sub(size(number), inside);
+      tops(end + 1) = struct('color', color', 'row', row, 'column', column);
+    end
+  end
+end
+
+function tops = withoutHeights(picture, table, smallest)
+% Exact colors distinguish the tops from the sides.
+  tops = struct('color', {}, 'row', {}, 'column', {});
   height = size(picture, 1);
   codes = round(255 * picture(:, :, 1)) * 65536 + round(255 * picture(:, :, 2)) * 256 + ...
           round(255 * picture(:, :, 3));
@@ -14,33 +34,19 @@ function tops = segmentTopFaces(picture, table, heights)
   [~, ~, which] = unique(codes);
   count = accumarray(which, 1);
   codes(count(which) < smallest) = 0;
-  number = labelRegions(codes, heights);
+  number = labelRegions(codes);
   [sorted, pixels] = sort(number(:));
   ends = [find(diff(sorted)); numel(sorted)];
   for i = find(diff(ends) >= smallest)'
     inside = pixels(ends(i) + 1:ends(i + 1));
-    if codes(inside(1)) == 0, continue; end
     k = number(inside(1));
     above = inside(mod(inside - 1, height) > 0) - 1;
     above = mode([0; codes(above(number(above) ~= k))]);
     color = colorOfCode(codes(inside(1)));
-    if isempty(heights)
-      is_side = isDarkerShade(color, colorOfCode(above));
-    else
-      is_side = ~isLevel(heights(inside));
-    end
-    if is_side, continue; end
+    if isDarkerShade(color, colorOfCode(above)), continue; end
     [row, column] = ind2sub(size(codes), inside);
     tops(end + 1) = struct('color', color, 'row', row, 'column', column);
   end
-end
-
-function yes = isLevel(heights)
-% Returns true if the heights of some pixels, Nx1, are those of one level area above the table.
-  c = constants().perception;
-  ordered = sort(heights);
-  at = ordered(1 + floor([0.1, 0.5, 0.9] * (numel(ordered) - 1)));
-  yes = at(2) > c.on_table && at(3) - at(1) < c.height_step;
 end
 
 function color = colorOfCode(code)

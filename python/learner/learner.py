@@ -57,7 +57,8 @@ def step(sensor, motor, aux):
         arm = aux.actions[0].arm
         aux.num_retreats += 1
         if aux.num_retreats <= TASK_PLANNING.max_retreats:
-            aux.actions = retreat(arm, sensor.arms[arm.index].joints)
+            q = sensor.arms[arm.index].joints
+            aux.actions = retreat(arm, q, can_rise=aux.num_retreats == 1)
         else:
             give_up(aux.state, "because the arm is stuck")
     if aux.state.claim:

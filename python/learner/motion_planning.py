@@ -230,15 +230,17 @@ def move_line(arm, before, goal):
     return path if path and path.duration <= C.max_line_s else None
 
 
-def retreat(arm, q):
+def retreat(arm, q, can_rise):
     """Returns the actions of an arm that was stopped: opens the gripper, rises as far as possible,
     parks, and observes.
 
-    q: its joint angles [rad]
+    q:        its joint angles [rad]
+    can_rise: false if it was stopped while rising: then it parks directly
     """
     actions = [Action("open", arm, to=min(C.retreat_opening, arm.opening))]
     here = arm.forward(q)
-    for height in np.arange(C.retreat_height, here[2, 3] + C.retreat_step, -C.retreat_step):
+    heights = np.arange(C.retreat_height, here[2, 3] + C.retreat_step, -C.retreat_step)
+    for height in heights if can_rise else []:
         path, _ = arm.robot.move_line(arm.name, q, at_height(here, height), speed=C.retreat_speed)
         if path:
             actions.append(Action("follow", arm, path))

@@ -61,7 +61,11 @@ def detect_blocks(picture, eye, like, container=None, heights=None):
             if region == 0 or count < C.min_top_pixels:
                 continue
             row, column = np.nonzero(number == region)
-            top = None if heights is None else np.median(heights[row, column])
+            top = None
+            if heights is not None:
+                if not is_level(heights[row, column]):
+                    continue
+                top = np.median(heights[row, column])
             blocks += fit_blocks(row, column, eye, color, sizes, container,
                                  lambda block: is_supported(block, picture, eye, table), bottoms,
                                  top)
@@ -86,12 +90,12 @@ def colors_to_detect(picture, like):
     return distinct_colors(colors)
 
 
-def frequent_colors(picture):
+def frequent_colors(picture, min_pixels=C.frequent_color_pixels):
     """Returns the colors that more than a few pixels of a picture have, a list."""
     flat = np.round(picture * 255).astype(int).reshape(-1, 3)
     flat = flat[(flat > 0).all(axis=1) | (flat > C.bright_of_255).any(axis=1)]
     found, count = np.unique(flat @ [65536, 256, 1], return_counts=True)
-    frequent = found[count > C.frequent_color_pixels]
+    frequent = found[count > min_pixels]
     return distinct_colors([color_of_code(color) for color in frequent])
 
 
@@ -303,20 +307,34 @@ def segment_top_faces(picture, table, heights=None):
     """
     codes = np.round(255 * picture).astype(int) @ [65536, 256, 1]
     tops = []
-    for code, count in zip(*np.unique(codes, return_counts=True)):
-        color = color_of_code(code)
-        is_large = count >= C.min_unknown_object_pixels
-        if code == 0 or not is_large or color_mask(color[None, None], table).all():
+    for color, mask in color_masks(picture, codes, heights is not None):
+        if color_mask(color[None, None], table).all():
             continue
-        number = label_regions(codes == code, heights)
+        number = label_regions(mask, heights)
         for region, size in enumerate(np.bincount(number.ravel())):
             if region == 0 or size < C.min_unknown_object_pixels:
                 continue
             row, column = np.nonzero(number == region)
             if (is_level(heights[row, column]) if heights is not None
-                    else not is_below_brighter(code, codes, row, column)):
+                    else not is_below_brighter(color, codes, row, column)):
                 tops.append((color, row, column))
     return tops
+
+
+def color_masks(picture, codes, is_tolerant):
+    """Yields the frequent colors of a picture and the masks of their pixels.
+
+    codes:       of the colors of the pixels
+    is_tolerant: whether the colors may differ a little; otherwise they are exact, to distinguish
+                 tops from sides
+    """
+    if is_tolerant:
+        for color in frequent_colors(picture, C.min_unknown_object_pixels):
+            yield color, color_mask(picture, color)
+        return
+    for code, count in zip(*np.unique(codes, return_counts=True)):
+        if code > 0 and count >= C.min_unknown_object_pixels:
+            yield color_of_code(code), codes == code
 
 
 def is_level(heights):
@@ -327,12 +345,12 @@ def is_level(heights):
     return middle > C.on_table and high - low < C.height_step
 
 
-def is_below_brighter(code, codes, row, column):
+def is_below_brighter(color, codes, row, column):
     """Returns true if an area of one color is below a brighter area of the same hue."""
     above = codes[np.maximum(row - 1, 0), column]
-    colors, often = np.unique(above[(above != code) & (row > 0)], return_counts=True)
-    return len(colors) > 0 and is_darker_shade(color_of_code(code),
-                                               color_of_code(colors[often.argmax()]))
+    colors, often = np.unique(above[(above != codes[row[0], column[0]]) & (row > 0)],
+                              return_counts=True)
+    return len(colors) > 0 and is_darker_shade(color, color_of_code(colors[often.argmax()]))
 
 
 def is_darker_shade(color, bright):

@@ -87,7 +87,7 @@ def choose_actions(state, sensor, eye, arms):
         reason = f"blocks were put aside {C.max_temporary_placements} times already"
     else:
         free = [block for block in state.known if block not in used]
-        for move in propose_moves(state, step, free):
+        for move in uncovering_moves(state, free, eye) + propose_moves(state, step, free):
             if num_failures(state, move.block) >= C.max_failed_grasps:
                 reason = f"{C.max_failed_grasps} grasps of a block failed"
                 continue
@@ -190,6 +190,27 @@ def propose_moves(state, step, free):
     return [move for move in moves if not has_objects_on(move.block, free)]
 
 
+def uncovering_moves(state, free, eye):
+    """Returns the moves of blocks that lie on others which were never seen and which the building
+    would hide, as long as blocks are missing: a list of Moves."""
+    def is_missing(step):
+        fits = [block for block in state.known if is_same_kind(block, step)]
+        users = [it for it in state.steps if fits and is_same_kind(fits[0], it)]
+        return len(fits) < len(users) or not fits
+
+    if not any(map(is_missing, state.steps)):
+        return []
+    return [Move(block) for block in free
+            if not has_objects_on(block, free) and not is_support_known(block, state.known)
+            and any(is_top_hidden(it, state.steps, eye) for it in assumed_support(block))]
+
+
+def is_support_known(block, known):
+    """Returns true if a block lies on a known one."""
+    below = [it for it in known if abs(it.top - block.bottom) < C.max_sinking]
+    return overlap(footprint([block], 0)[0], footprint(below, 0)).any()
+
+
 def is_obstructing(block, step):
     """Returns true if a block is in the place of a step, or where the fingers need room there."""
     [room] = gripper_clearance([step])
@@ -240,21 +261,18 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
     others:   obstacles, as Blocks
     sites:    lists of blocks to keep clear of, existing or planned; the first list that leaves a
               place counts
-    goal:     target to which another arm must move it from there at once (a handover), or None; a
-              single arm takes it again itself
+    goal:     target to which an arm must be able to move it from there, or None
     failures: Grasps that are not to be repeated
     Returns actions, the block at that place, and None; or [], None and a reason if there is none.
     """
-    candidates = candidate_arms(arms, block, goal)
-    if not candidates:
+    if not can_reach(arms, block):
         return [], None, "no arm reaches it"
     reason = "there is no free place on the table"
     for site in sites:
         attempts = C.max_place_attempts
         for place in free_placements(arms, block, others + site, goal):
             if (not is_in_view(place, eye) or is_grasp_blocked(place, site)
-                    or is_top_hidden(place, site, eye)
-                    or not can_hand_over(candidates, arms, place, goal)):
+                    or is_top_hidden(place, site, eye) or not can_reach(arms, place)):
                 continue
             if goal is None or plan_pick_and_place(arms, place, goal, others, sensor)[0]:
                 actions, reason = plan_pick_and_place(arms, block, place, others, sensor, failures)
@@ -306,26 +324,6 @@ def is_in_view(place, eye):
     pixels = np.array([to_pixel(corner, eye) for corner in corners])
     margin = C.picture_margin_pixels
     return ((pixels > margin) & (pixels < 2 * eye.intrinsics[:2, 2] - margin)).all()
-
-
-def candidate_arms(arms, block, goal):
-    """Returns the arms that reach a block, a list; with a goal, only those of which another arm
-    reaches the goal."""
-    return [arm for arm in arms if is_reachable(arm, block)
-            and (goal is None or can_reach(others_than(arm, arms), goal))]
-
-
-def can_hand_over(candidates, arms, place, goal):
-    """Returns true if one of the candidates reaches a place; with a goal, also another arm for the
-    handover."""
-    return any(is_reachable(arm, place)
-               and (goal is None or can_reach(others_than(arm, arms), place))
-               for arm in candidates)
-
-
-def others_than(arm, arms):
-    """Returns the other arms; a single arm continues itself."""
-    return [it for it in arms if it is not arm] or [arm]
 
 
 def can_reach(arms, place):

@@ -32,7 +32,8 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
     reason = sprintf('blocks were put aside %d times already', c.max_temporary_placements);
   else
     free = find(~used);
-    for move = [uncoveringMoves(state, free, eye), proposeMoves(state, k, free)]
+    moves = [uncoveringMoves(state, free, eye), proposeMoves(state, k, free)];
+    for move = [moves, clearingMoves(state, moves, free)]
       if numFailures(state, state.known(move.block)) >= c.max_failed_grasps
         reason = sprintf('%d grasps of a block failed', c.max_failed_grasps);
         continue

@@ -17,7 +17,7 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
     attempts = constants().task_planning.max_place_attempts;
     for place = freePlacements(arms, block, [others, site{1}], goal)
       if ~isInView(place, eye) || isGraspBlocked(place, site{1}) || ...
-         isTopHidden(place, site{1}, eye) || ~canReach(arms, place)
+         isTopHidden(place, site{1}, eye) || blocksGrasps(place, others) || ~canReach(arms, place)
         continue
       end
       can_continue = isempty(goal) || ~isempty(planPickAndPlace(arms, place, goal, others, sensor, []));
@@ -62,6 +62,19 @@ function places = freePlacements(arms, block, taken, goal)
   for i = 1:numel(places)
     places(i).position = [covered(order(i), 1:2), block.size(3) / 2];
     places(i).yaw = covered(order(i), 5);
+  end
+end
+
+function yes = blocksGrasps(place, others)
+% Returns true if a block at a place would leave no room for the fingers at one of the others that can be
+% grasped without it.
+  yes = false;
+  place = asBlocks(place);
+  reach = constants().task_planning.near_distance;
+  for i = find(arrayfun(@(it) norm(it.position - place.position) < reach + it.size(1) / 2, others))
+    rest = others([1:i - 1, i + 1:end]);
+    yes = ~isempty(graspYaws(others(i), rest)) && isempty(graspYaws(others(i), [rest, place]));
+    if yes, return; end
   end
 end
 

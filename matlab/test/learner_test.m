@@ -416,6 +416,26 @@ function check_site()
         'what stays determines the site');
 end
 
+function check_clearing()
+  red = [1, 0, 0]; green = [0, 1, 0]; blue = [0, 0, 1];
+  cube = [1, 1, 1];
+  for k = 1:3, tower(k) = asStep(block(blue, cube, 0, -2, k - 1, 0)); end
+  state = initialTaskState(tower, []);
+  state.known = [block(red, cube, 0, -0.2, 1, 0), block(red, cube, 3, -0.2, 1, 0)];
+  check(isequal([uncoveringMoves(state, 1:2, robotEye()).block], 1), 'what the building would hide is uncovered');
+  state.known(3) = block(red, cube, 0, -0.2, 0, 0);
+  check(isempty(uncoveringMoves(state, 1:3, robotEye())), 'unless it is known');
+  state.known(2:4) = [block(blue, cube, 0, -4, 0, 0), block(blue, cube, 2, -4, 0, 0), block(blue, cube, 4, -4, 0, 0)];
+  check(isempty(uncoveringMoves(state, 1:4, robotEye())), 'or nothing is missing');
+
+  state.known = [block(red, cube, 0, -2, 0, 0), block(green, cube, -1.1, -2, 0, 0), ...
+                 block(green, cube, 1.1, -2, 0, 0), block(green, cube, 0, -3.05, 0, 0), ...
+                 block(blue, cube, 4, -2, 0, 0)];
+  moves = clearingMoves(state, struct('block', 1, 'goal', []), 1:5);
+  check(isequal([moves.block], 4), 'room for the fingers is cleared');
+  check(isempty(clearingMoves(state, struct('block', 2, 'goal', []), 1:5)), 'where there is none');
+end
+
 function check_failures()
   there = block([1, 0, 0], [1, 1, 1], 3, -2, 0, 0);
   goal = block([1, 0, 0], [1, 1, 1], 0, -2, 0, 0);
@@ -448,6 +468,7 @@ try
   check_dragging();
   check_planning();
   check_site();
+  check_clearing();
   check_failures();
 catch err
   fprintf('%s\n', err.message);

@@ -8,7 +8,8 @@ import numpy as np
 
 from beliefs import assumed_support, update_beliefs
 from blocks import Block, has_equal_sides, is_in_place, is_same_kind, yaw_difference
-from clearance import container_walls, footprint, gripper_clearance, is_grasp_blocked, overlap
+from clearance import (container_walls, footprint, grasp_yaws, gripper_clearance, is_grasp_blocked,
+                       overlap)
 from constants import CLEARANCE, MOTION_PLANNING, PERCEPTION, TASK_PLANNING as C, numbers_of
 from execution import Action, Grasp
 from motion_planning import is_reachable, plan_pick_and_place
@@ -87,7 +88,8 @@ def choose_actions(state, sensor, eye, arms):
         reason = f"blocks were put aside {C.max_temporary_placements} times already"
     else:
         free = [block for block in state.known if block not in used]
-        for move in uncovering_moves(state, free, eye) + propose_moves(state, step, free):
+        moves = uncovering_moves(state, free, eye) + propose_moves(state, step, free)
+        for move in moves + clearing_moves(state, moves, free):
             if num_failures(state, move.block) >= C.max_failed_grasps:
                 reason = f"{C.max_failed_grasps} grasps of a block failed"
                 continue
@@ -205,6 +207,22 @@ def uncovering_moves(state, free, eye):
             and any(is_top_hidden(it, state.steps, eye) for it in assumed_support(block))]
 
 
+def clearing_moves(state, moves, free):
+    """Returns the moves of blocks that leave no room for the fingers at the blocks of other moves:
+    a list of Moves, first of those that are alone in the way, then of the closest."""
+    alone, closest = [], []
+    for block in distinct(move.block for move in moves):
+        others = [it for it in state.known if it is not block]
+        if grasp_yaws(block, others):
+            continue
+        beside = sorted((it for it in free if it is not block and not has_objects_on(it, free)),
+                        key=lambda it: np.linalg.norm(it.position - block.position))
+        closest += beside[:1]
+        alone += [it for it in beside[:C.max_beside]
+                  if grasp_yaws(block, [other for other in others if other is not it])]
+    return [Move(block) for block in distinct(alone + closest)]
+
+
 def is_support_known(block, known):
     """Returns true if a block lies on a known one."""
     below = [it for it in known if abs(it.top - block.bottom) < C.max_sinking]
@@ -272,7 +290,8 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
         attempts = C.max_place_attempts
         for place in free_placements(arms, block, others + site, goal):
             if (not is_in_view(place, eye) or is_grasp_blocked(place, site)
-                    or is_top_hidden(place, site, eye) or not can_reach(arms, place)):
+                    or is_top_hidden(place, site, eye) or blocks_grasps(place, others)
+                    or not can_reach(arms, place)):
                 continue
             if goal is None or plan_pick_and_place(arms, place, goal, others, sensor)[0]:
                 actions, reason = plan_pick_and_place(arms, block, place, others, sensor, failures)
@@ -313,6 +332,18 @@ def free_placements(arms, block, taken, goal):
     best = np.argsort(np.where(free, cost, np.inf), kind="stable")[:num_places]
     return [replace(block, position=np.array([x[i], y[i], block.size[2] / 2]), yaw=yaw[i])
             for i in best]
+
+
+def blocks_grasps(place, others):
+    """Returns true if a block at a place would leave no room for the fingers at one of the others
+    that can be grasped without it."""
+    near = [it for it in others
+            if np.linalg.norm(it.position - place.position) < C.near_distance + it.size[0] / 2]
+    for block in near:
+        rest = [it for it in others if it is not block]
+        if grasp_yaws(block, rest) and not grasp_yaws(block, [*rest, place]):
+            return True
+    return False
 
 
 def is_in_view(place, eye):

@@ -23,8 +23,9 @@ from perception import (Eye, detect_blocks, detect_container, detect_unknown_obj
                         is_top_hidden, label_regions, to_pixel)
 from task_model import Step, infer_task
 from building_site import choose_site, shifted, site_cost
-from task_planning import (Move, TaskState, assess_progress, num_failures, open_steps,
-                           propose_moves, remember_failure)
+from task_planning import (Move, TaskState, assess_progress, blocks_grasps, clearing_moves,
+                           num_failures, open_steps, propose_moves, remember_failure,
+                           uncovering_moves)
 
 RED, GREEN, BLUE = np.eye(3)
 CUBE = np.array([1.0, 1, 1])
@@ -469,6 +470,26 @@ class TaskPlanningTest(unittest.TestCase):
         self.assertEqual(site_cost(steps, [on_unseen], EYE), 1)
         self.assertEqual(site_cost(steps, [block(RED, CUBE, 0, -0.2)], EYE), 0)
         self.assertEqual(site_cost(shifted(steps, [3, 0]), [needed], EYE), 0)
+
+    def test_what_the_building_would_hide_is_uncovered_while_blocks_are_missing(self):
+        state = TaskState([step(block(BLUE, CUBE, 0, -2, bottom=k), []) for k in range(3)])
+        behind, elsewhere = (block(RED, CUBE, x, -0.2, bottom=1) for x in (0, 3))
+        state.known = [behind, elsewhere]
+        self.assertEqual(uncovering_moves(state, state.known, EYE), [Move(behind)])
+        state.known += [block(RED, CUBE, 0, -0.2)]
+        self.assertEqual(uncovering_moves(state, state.known, EYE), [], "what it lies on is known")
+        state.known = [behind, *(block(BLUE, CUBE, x, -4) for x in (0, 2, 4))]
+        self.assertEqual(uncovering_moves(state, state.known, EYE), [], "nothing is missing")
+
+    def test_room_for_the_fingers_is_cleared_and_kept(self):
+        middle = block(RED, CUBE, 0, -2)
+        left, right, front = (block(GREEN, CUBE, x, y) for x, y in ((-1.1, -2), (1.1, -2), (0, -3.05)))
+        state = TaskState(self.steps)
+        state.known = [middle, left, right, front, block(BLUE, CUBE, 4, -2)]
+        self.assertEqual(clearing_moves(state, [Move(middle)], state.known), [Move(front)])
+        self.assertEqual(clearing_moves(state, [Move(left)], state.known), [])
+        self.assertTrue(blocks_grasps(front, [middle, left, right]))
+        self.assertFalse(blocks_grasps(front, [middle, left]))
 
     def test_failed_grasps_are_remembered(self):
         there, goal = block(RED, CUBE, 3, -2), block(RED, CUBE, 0, -2)

@@ -29,6 +29,7 @@ CASES = {
     "baxter": [("tower", ["--seed", "1"]), ("tower", ["--seed", "2", "--level", "distractors"]),
                ("tower", ["--seed", "4", "--level", "stacked"]), ("row", ["--seed", "1"]),
                ("bridge", ["--seed", "3"]), ("um", ["--seed", "2", "--level", "touching"]),
+               ("um", ["--seed", "202", "--level", "mixed"]),
                ("box", ["--seed", "1"]), ("hatch", []), ("sizes", []), ("pyramid", []),
                ("bricks", []), ("pedestal", []), ("unstack", [])],
     "tern": [("tower", ["--seed", "1", "--robot", "tern"])],

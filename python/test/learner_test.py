@@ -489,7 +489,7 @@ class TaskPlanningTest(unittest.TestCase):
         self.assertEqual(clearing_moves(state, [Move(middle)], state.known), [Move(front)])
         self.assertEqual(clearing_moves(state, [Move(left)], state.known), [])
         self.assertTrue(blocks_grasps(front, [middle, left, right]))
-        self.assertFalse(blocks_grasps(front, [middle, left]))
+        self.assertFalse(blocks_grasps(front, [middle]))
 
     def test_failed_grasps_are_remembered(self):
         there, goal = block(RED, CUBE, 3, -2), block(RED, CUBE, 0, -2)

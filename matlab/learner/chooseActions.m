@@ -42,6 +42,7 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
       if isempty(actions), continue; end
       state.numTemporary = state.numTemporary + is_temporary;
       state.attempts(k) = state.attempts(k) + ~is_temporary;
+      if is_temporary, state.left(end + 1) = state.known(move.block); end
       state.known(move.block) = [];
       state.known = [state.known, place];
       state.numBlocked = 0;
@@ -108,6 +109,11 @@ function [actions, place, is_temporary, reason] = planMove(state, k, move, eye, 
     sites{2} = [asBlocks(steps([find(state.done), k])), container];
   end
   is_temporary = true;
+  left = noBlocks();
+  if isempty(move.goal)
+    left = [state.left, block];
+    left = left(arrayfun(@(it) isSameKind(block, it), left));
+  end
   [actions, place, reason] = planTemporaryPlacement(arms, eye, block, others, sites, sensor, move.goal, ...
-                                                    state.failures);
+                                                    state.failures, left);
 end

@@ -1,4 +1,4 @@
-function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, others, sites, sensor, goal, failures)
+function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, others, sites, sensor, goal, failures, left)
 % Plans the actions that bring a block to a free place on the table, within the eye's view. Returns them
 % and that place; {} and a reason if there is none.
 %   others  obstacles, as blocks
@@ -6,6 +6,7 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
 %           place counts
 %   goal    target to which an arm must be able to move it from there, or []
 %   failures  grasps that are not to be repeated
+%   left      places to which it does not return, as blocks
   actions = {};
   place = noBlocks();
   reason = 'there is no free place on the table';
@@ -16,7 +17,7 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
   for site = sites
     attempts = constants().task_planning.max_place_attempts;
     for place = freePlacements(arms, block, [others, site{1}], goal)
-      if ~isInView(place, eye) || isGraspBlocked(place, site{1}) || ...
+      if isNear(place, left) || ~isInView(place, eye) || isGraspBlocked(place, site{1}) || ...
          isTopHidden(place, site{1}, eye) || blocksGrasps(place, others) || ~canReach(arms, place)
         continue
       end
@@ -63,6 +64,12 @@ function places = freePlacements(arms, block, taken, goal)
     places(i).position = [covered(order(i), 1:2), block.size(3) / 2];
     places(i).yaw = covered(order(i), 5);
   end
+end
+
+function yes = isNear(place, left)
+% Returns true if a place is close to one of some others.
+  near = constants().task_planning.near_place_distance;
+  yes = any(arrayfun(@(it) norm(it.position - place.position) < near, left));
 end
 
 function yes = blocksGrasps(place, others)

@@ -42,6 +42,7 @@ class TaskState:
     placement_errors: dict = field(default_factory=dict)  # of a step's block: [units], [rad]
     num_blocked: int = 0  # number of successive steps for which no plan was found
     first_failure: str = ""  # why the first of them failed
+    left: list = field(default_factory=list)  # Blocks at the places from which they were put aside
     grasp: Optional[Grasp] = None  # of the current actions; its block is the last of the known
     failures: list = field(default_factory=list)  # Grasps that failed, not to be repeated
     claim: Optional[Claim] = None  # about the result, at the end
@@ -98,6 +99,7 @@ def choose_actions(state, sensor, eye, arms):
                 continue
             if is_temporary:
                 state.num_temporary += 1
+                state.left.append(move.block)
             else:
                 state.attempts[k] += 1
             state.known.remove(move.block)
@@ -268,12 +270,15 @@ def plan_move(state, step, move, eye, arms, sensor):
             return actions, place, False, None
     elif is_obstructing(move.block, step):
         sites.append(standing + [step])
+    left = []
+    if not move.goal:
+        left = [it for it in [*state.left, move.block] if is_same_kind(move.block, it)]
     actions, place, reason = plan_temporary_placement(arms, eye, move.block, others, sites, sensor,
-                                                      move.goal, state.failures)
+                                                      move.goal, state.failures, left)
     return actions, place, True, reason
 
 
-def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, failures):
+def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, failures, left):
     """Plans the actions that bring a block to a free place on the table, within the eye's view.
 
     others:   obstacles, as Blocks
@@ -281,6 +286,7 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
               place counts
     goal:     target to which an arm must be able to move it from there, or None
     failures: Grasps that are not to be repeated
+    left:     places to which it does not return, as Blocks
     Returns actions, the block at that place, and None; or [], None and a reason if there is none.
     """
     if not can_reach(arms, block):
@@ -289,9 +295,9 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
     for site in sites:
         attempts = C.max_place_attempts
         for place in free_placements(arms, block, others + site, goal):
-            if (not is_in_view(place, eye) or is_grasp_blocked(place, site)
-                    or is_top_hidden(place, site, eye) or blocks_grasps(place, others)
-                    or not can_reach(arms, place)):
+            if (is_near(place, left) or not is_in_view(place, eye)
+                    or is_grasp_blocked(place, site) or is_top_hidden(place, site, eye)
+                    or blocks_grasps(place, others) or not can_reach(arms, place)):
                 continue
             if goal is None or plan_pick_and_place(arms, place, goal, others, sensor)[0]:
                 actions, reason = plan_pick_and_place(arms, block, place, others, sensor, failures)
@@ -332,6 +338,11 @@ def free_placements(arms, block, taken, goal):
     best = np.argsort(np.where(free, cost, np.inf), kind="stable")[:num_places]
     return [replace(block, position=np.array([x[i], y[i], block.size[2] / 2]), yaw=yaw[i])
             for i in best]
+
+
+def is_near(place, left):
+    """Returns true if a place is close to one of some others."""
+    return any(np.linalg.norm(it.position - place.position) < C.near_place_distance for it in left)
 
 
 def blocks_grasps(place, others):

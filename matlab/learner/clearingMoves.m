@@ -8,7 +8,8 @@ function moves = clearingMoves(state, moves, free)
   for k = unique([moves.block], 'stable')
     others = setdiff(1:numel(known), k);
     if ~isempty(graspYaws(known(k), known(others))), continue; end
-    is_free = arrayfun(@(i) i ~= k && ~hasObjectsOn(known(i), known(free)), free);
+    is_free = arrayfun(@(i) i ~= k && isClose(known(i), known(k)) && ...
+                            ~hasObjectsOn(known(i), known(free)), free);
     beside = free(is_free);
     [~, order] = sort(arrayfun(@(i) norm(known(i).position - known(k).position), beside));
     beside = beside(order);

@@ -13,19 +13,19 @@ function [actions, reason] = planPickAndPlace(arms, block, goal, others, sensor,
   able = arms(arrayfun(@(arm) canHold(arm, block.size(2)), arms));
   if isempty(able), reason = 'it is wider than the gripper opens'; end
 
-  for arm = nearestFirst(able, block.position(1) + goal.position(1))
-    height = transferHeight(arm, [others, block], goal);
-    if isDragged(goal)
-      height = block.position(3) + block.size(3) / 2 + constants().motion_planning.drag_tool_height;
-    end
-    q = sensor.arms(arm.index).joints(:)';
-    lifts = height;
-    % A single arm also takes what it cannot lift that high.
-    if numel(arms) == 1 && ~isDragged(goal) && hasLowWay(block, goal, others)
-      lifts(2) = block.position(3) + block.size(3) + constants().motion_planning.clearance;
-    end
-    has_failed = arrayfun(@(yaw) hasFailed(block, arm, yaw, failures), grasp_yaws);
-    for lift = lifts
+  % What cannot be lifted as high as necessary to pass over all others is lifted less on a low way.
+  trials = false;
+  if ~isDragged(goal) && hasLowWay(block, goal, others), trials = [false, true]; end
+  for is_low = trials
+    for arm = nearestFirst(able, block.position(1) + goal.position(1))
+      height = transferHeight(arm, [others, block], goal);
+      if isDragged(goal)
+        height = block.position(3) + block.size(3) / 2 + constants().motion_planning.drag_tool_height;
+      end
+      lift = height;
+      if is_low, lift = block.position(3) + block.size(3) + constants().motion_planning.clearance; end
+      q = sensor.arms(arm.index).joints(:)';
+      has_failed = arrayfun(@(yaw) hasFailed(block, arm, yaw, failures), grasp_yaws);
       for place_yaw = place_yaws
         for grasp_yaw = grasp_yaws(~has_failed)
           actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, height, lift, others, q);

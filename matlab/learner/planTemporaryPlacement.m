@@ -15,17 +15,19 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
     return
   end
   for site = sites
-    attempts = constants().task_planning.max_place_attempts;
+    tried = noBlocks();
     for place = freePlacements(arms, block, [others, site{1}], goal)
-      if isNear(place, left) || ~isInView(place, eye) || isGraspBlocked(place, site{1}) || ...
+      has_yaw = tried([tried.yaw] == place.yaw);
+      if isNear(place, left) || isNear(place, has_yaw) || ~isInView(place, eye) || ...
+         isGraspBlocked(place, site{1}) || ...
          isTopHidden(place, site{1}, eye) || blocksGrasps(place, others) || ~canReach(arms, place)
         continue
       end
       can_continue = isempty(goal) || ~isempty(planPickAndPlace(arms, place, goal, others, sensor, []));
       if can_continue, [actions, reason] = planPickAndPlace(arms, block, place, others, sensor, failures); end
-      attempts = attempts - 1;
       if ~isempty(actions), return; end
-      if attempts == 0, break; end
+      tried(end + 1) = asBlocks(place);
+      if numel(tried) == constants().task_planning.max_place_attempts, break; end
     end
   end
 end
@@ -77,8 +79,7 @@ function yes = blocksGrasps(place, others)
 % grasped without it.
   yes = false;
   place = asBlocks(place);
-  reach = constants().task_planning.near_distance;
-  for i = find(arrayfun(@(it) norm(it.position - place.position) < reach + it.size(1) / 2, others))
+  for i = find(arrayfun(@(it) isClose(it, place), others))
     rest = others([1:i - 1, i + 1:end]);
     yes = ~isempty(graspYaws(others(i), rest)) && isempty(graspYaws(others(i), [rest, place]));
     if yes, return; end

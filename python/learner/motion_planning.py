@@ -27,19 +27,19 @@ def plan_pick_and_place(arms, block, goal, others, sensor, failures=()):
     able = [arm for arm in arms if can_hold(arm, block.size[1])]
     if not able:
         return [], "it is wider than the gripper opens"
-    for arm in nearest_first(able, block.position[0] + goal.position[0]):
+    can_be_low = not is_dragged(goal) and has_low_way(block, goal, others)
+    for is_low, arm in product([False, True] if can_be_low else [False],
+                               nearest_first(able, block.position[0] + goal.position[0])):
         if is_dragged(goal):
             height = block.top + C.drag_tool_height
         else:
             height = transfer_height(arm, [*others, block], goal)
+        # What cannot be lifted high enough to pass over all others is lifted less on a low way.
+        lift = block.position[2] + block.size[2] + C.clearance if is_low else height
         q = sensor.arms[arm.index].joints
-        lifts = [height]
-        # A single arm also takes what it cannot lift that high.
-        if len(arms) == 1 and not is_dragged(goal) and has_low_way(block, goal, others):
-            lifts.append(block.position[2] + block.size[2] + C.clearance)
         yaws = [yaw for yaw in at_start
                 if not has_failed(Grasp(block.position, arm.index, yaw), failures)]
-        for lift, place_yaw, grasp_yaw in product(lifts, at_goal, yaws):
+        for place_yaw, grasp_yaw in product(at_goal, yaws):
             actions = plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift,
                                               others, q)
             if actions:

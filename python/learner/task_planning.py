@@ -217,12 +217,19 @@ def clearing_moves(state, moves, free):
         others = [it for it in state.known if it is not block]
         if grasp_yaws(block, others):
             continue
-        beside = sorted((it for it in free if it is not block and not has_objects_on(it, free)),
+        beside = sorted((it for it in free if it is not block and is_close(it, block)
+                         and not has_objects_on(it, free)),
                         key=lambda it: np.linalg.norm(it.position - block.position))
         closest += beside[:1]
         alone += [it for it in beside[:C.max_beside]
                   if grasp_yaws(block, [other for other in others if other is not it])]
     return [Move(block) for block in distinct(alone + closest)]
+
+
+def is_close(block, place):
+    """Returns true if a block is so close to a place that fingers may touch both."""
+    distance = np.linalg.norm(block.position - place.position)
+    return distance < C.near_distance + block.size[0] / 2
 
 
 def is_support_known(block, known):
@@ -293,9 +300,10 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
         return [], None, "no arm reaches it"
     reason = "there is no free place on the table"
     for site in sites:
-        attempts = C.max_place_attempts
+        tried = []
         for place in free_placements(arms, block, others + site, goal):
-            if (is_near(place, left) or not is_in_view(place, eye)
+            has_yaw = [it for it in tried if it.yaw == place.yaw]
+            if (is_near(place, left + has_yaw) or not is_in_view(place, eye)
                     or is_grasp_blocked(place, site) or is_top_hidden(place, site, eye)
                     or blocks_grasps(place, others) or not can_reach(arms, place)):
                 continue
@@ -303,8 +311,8 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
                 actions, reason = plan_pick_and_place(arms, block, place, others, sensor, failures)
                 if actions:
                     return actions, place, None
-            attempts -= 1
-            if attempts == 0:
+            tried.append(place)
+            if len(tried) == C.max_place_attempts:
                 break
     return [], None, reason
 
@@ -348,9 +356,7 @@ def is_near(place, left):
 def blocks_grasps(place, others):
     """Returns true if a block at a place would leave no room for the fingers at one of the others
     that can be grasped without it."""
-    near = [it for it in others
-            if np.linalg.norm(it.position - place.position) < C.near_distance + it.size[0] / 2]
-    for block in near:
+    for block in (it for it in others if is_close(it, place)):
         rest = [it for it in others if it is not block]
         if grasp_yaws(block, rest) and not grasp_yaws(block, [*rest, place]):
             return True

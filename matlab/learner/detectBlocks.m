@@ -19,11 +19,14 @@ function blocks = detectBlocks(picture, eye, like, container, heights)
       if numel(pixels) < constants().perception.min_top_pixels, continue; end
       [row, column] = ind2sub(size(number), pixels);
       top = [];
+      max_error = constants().perception.max_side_error;
       if ~isempty(heights)
         if ~isLevel(heights(pixels)), continue; end
         top = median(heights(pixels));
+        if isCut(row, column, top, heights), max_error = constants().perception.max_cut_side_error; end
       end
-      blocks = [blocks, fitBlocks(row, column, eye, kinds, container, is_possible, bottoms, top)];
+      found = fitBlocks(row, column, eye, kinds, container, is_possible, bottoms, top, max_error);
+      blocks = [blocks, found];
     end
   end
 end

@@ -1,4 +1,4 @@
-function blocks = fitBlocks(row, column, eye, kinds, container, isPossible, bottoms, top)
+function blocks = fitBlocks(row, column, eye, kinds, container, isPossible, bottoms, top, max_side_error)
 % Fits blocks to the pixels of a top face: one block of some kind, or equal blocks that touch in a row or
 % a grid. Returns a 1xN struct array, 1x0 if nothing fits.
 %   row, column  pixels, Nx1
@@ -7,6 +7,7 @@ function blocks = fitBlocks(row, column, eye, kinds, container, isPossible, bott
 %   isPossible   predicate: returns true if there can be a block at such a place
 %   bottoms      for each kind, the heights where the bottom is expected [units], cell
 %   top          measured height of the face [units]; [] or omitted if there is none
+%   max_side_error  greatest relative error of the sides; optional
 %
 % On a lower plane the same pixels would be a larger top, on a higher one a smaller. Without a measured
 % height, the plane is the one of the expected ones at which the size of the top is right. Inside the
@@ -15,7 +16,8 @@ function blocks = fitBlocks(row, column, eye, kinds, container, isPossible, bott
 % on a support.
   if nargin < 8, top = []; end
   c = constants().perception;
-  best = c.max_side_error;  % relative error of the sides
+  best = c.max_side_error;
+  if nargin == 9, best = max_side_error; end
   blocks = noBlocks();
   for pass = [1, 1, c.max_abreast, c.max_abreast; true, false, true, false]
     max_count = pass(1);  % blocks side by side

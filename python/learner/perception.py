@@ -61,15 +61,27 @@ def detect_blocks(picture, eye, like, container=None, heights=None):
             if region == 0 or count < C.min_top_pixels:
                 continue
             row, column = np.nonzero(number == region)
-            top = None
+            top, max_error = None, C.max_side_error
             if heights is not None:
                 if not is_level(heights[row, column]):
                     continue
                 top = np.median(heights[row, column])
+                if is_cut(row, column, top, heights):
+                    max_error = C.max_cut_side_error
             blocks += fit_blocks(row, column, eye, color, sizes, container,
                                  lambda block: is_supported(block, picture, eye, table), bottoms,
-                                 top)
+                                 top, max_error)
     return blocks
+
+
+def is_cut(row, column, top, heights):
+    """Returns true if something higher hides a part of a top face, or the border of the picture
+    cuts it off: it touches pixels of higher surfaces."""
+    edge = np.pad(heights > top + C.height_step, 1, constant_values=True)
+    beside = np.zeros(edge.shape, bool)
+    for down, right in ((0, 1), (2, 1), (1, 0), (1, 2)):
+        beside[row + down, column + right] = True
+    return (beside & edge).sum() >= C.min_cut_pixels
 
 
 def likely_bottoms(like, color, size, heights):
@@ -176,7 +188,8 @@ def labels_within(mask, heights):
     return numbers[run]
 
 
-def fit_blocks(row, column, eye, color, sizes, container, is_possible, bottoms, top=None):
+def fit_blocks(row, column, eye, color, sizes, container, is_possible, bottoms, top=None,
+               max_side_error=C.max_side_error):
     """Fits blocks to the pixels of a top face: one block of a color and one of some sizes, or equal
     blocks that touch in a row or a grid. Returns a list, empty if nothing fits.
 
@@ -185,6 +198,7 @@ def fit_blocks(row, column, eye, color, sizes, container, is_possible, bottoms, 
     is_possible: predicate: returns true if there can be such a Block at its place
     bottoms:     for each size, the heights where the bottom is expected [units]
     top:         measured height of the face [units], or None
+    max_side_error: greatest relative error of the sides
 
     On a lower plane the same pixels would be a larger top, on a higher one a smaller. Without a
     measured height, the plane is the one of the expected ones at which the size of the top is
@@ -192,7 +206,7 @@ def fit_blocks(row, column, eye, color, sizes, container, is_possible, bottoms, 
     whose bottom would be where it is expected are preferred: the size of the top alone does not
     distinguish a high block from a low one on a support.
     """
-    best = C.max_side_error  # relative error of the sides
+    best = max_side_error
     blocks = []
     for max_count, is_expected in ((1, True), (1, False), (C.max_abreast, True),
                                    (C.max_abreast, False)):  # blocks side by side

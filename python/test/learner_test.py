@@ -20,7 +20,7 @@ from demonstration import read_demonstration
 from execution import Action, Grasp
 from motion_planning import grip_depth, has_failed, plan_pick_and_place
 from perception import (Eye, detect_blocks, detect_container, detect_unknown_objects, height_map,
-                        is_top_hidden, label_regions, to_pixel)
+                        is_cut, is_top_hidden, label_regions, pixel_at, to_pixel)
 from task_model import Step, infer_task
 from building_site import choose_site, shifted, site_cost
 from task_planning import (Move, TaskState, assess_progress, blocks_grasps, clearing_moves,
@@ -159,6 +159,16 @@ class PerceptionTest(unittest.TestCase):
         floor = empty_box(1, -2, 0)
         picture, heights = view_of(floor)
         self.assertEqual(detect_unknown_objects(picture, EYE, [], heights), [])
+
+    def test_what_cuts_a_top_is_known(self):
+        post, behind = block(BLUE, np.array([1, 1, 3]), 0.7, -2.2), block(RED, CUBE, 0, -0.5)
+        beside = block(RED, CUBE, 3, -0.5)
+        picture, heights = view_of([behind, beside, post])
+        for it, expected in (behind, True), (beside, False), (post, False):
+            number = label_regions(np.abs(picture - it.color).max(axis=2) < 0.01, heights)
+            middle = pixel_at(picture, EYE, [*it.position[:2], it.top])
+            row, column = np.nonzero(number == number[middle])
+            self.assertEqual(is_cut(row, column, it.top, heights), expected)
 
     def test_a_higher_block_hides_what_is_behind_it(self):
         behind, beside = block(RED, CUBE, 0, -1), block(RED, CUBE, 3, -1)

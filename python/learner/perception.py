@@ -86,7 +86,7 @@ def is_cut(row, column, top, heights):
 
 def likely_bottoms(like, color, size, heights):
     """Returns the heights at which the bottom of a block of some color and size may be expected
-    [units]: on the table, where such blocks are or shall be, and, without measured heights, on
+    [units]: on the table, where such blocks are or must go, and, without measured heights, on
     whole layers."""
     bottoms = [it.bottom for it in like if same_color(it.color, color) and same_size(size, it.size)]
     layers = range(C.max_layers) if heights is None else [0]

@@ -26,16 +26,20 @@ end
 
 function yes = isRefuted(block, picture, heights, eye)
 % Returns true if a block cannot be where it was known to be: at some point of its top, the eye sees
-% something lower, or in its middle something of another color at the same height. What hides a point is
-% higher: lines of sight descend.
+% something lower, or in its middle something of another color at the same height, and its own color nowhere.
+% What hides a point is higher: lines of sight descend.
   step = constants().perception.height_step;
   points = topPoints(block);
-  yes = false;
+  is_lower = false;
+  is_level = false(1, size(points, 1));
+  has_color = is_level;
   for k = 1:size(points, 1)
     [color, pixel] = colorAt(picture, eye, points(k, :));
     if isempty(color), continue; end
     above = heights(pixel(2), pixel(1)) - points(k, 3);
-    is_other = k == 1 && ~sameColor(block.color, color);
-    yes = yes || above < -step || (is_other && above < step);
+    is_lower = is_lower || above < -step;
+    is_level(k) = above < step;
+    has_color(k) = sameColor(block.color, color);
   end
+  yes = is_lower || (is_level(1) && ~any(is_level & has_color));
 end

@@ -38,17 +38,21 @@ def is_table_visible(picture, eye, block, table):
 
 def is_refuted(block, picture, heights, eye):
     """Returns true if a block cannot be where it was known to be: at some point of its top, the eye
-    sees something lower, or in its middle something of another color at the same height. What hides
-    a point is higher: lines of sight descend."""
+    sees something lower, or in its middle something of another color at the same height, and its own
+    color nowhere. What hides a point is higher: lines of sight descend."""
+    has_color = []  # for each point at which the eye sees something at the height of the top
+    is_middle_level = False
     for k, point in enumerate(top_points(block)):
         pixel = pixel_at(picture, eye, point)
         if pixel is None:
             continue
         above = heights[pixel] - block.top
-        is_other = k == 0 and not same_color(block.color, picture[pixel])
-        if above < -PERCEPTION.height_step or is_other and above < PERCEPTION.height_step:
+        if above < -PERCEPTION.height_step:
             return True
-    return False
+        if above < PERCEPTION.height_step:
+            has_color.append(same_color(block.color, picture[pixel]))
+            is_middle_level |= k == 0
+    return is_middle_level and not any(has_color)
 
 
 def assumed_support(block):

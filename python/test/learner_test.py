@@ -454,6 +454,11 @@ class TaskPlanningTest(unittest.TestCase):
         picture, heights = view_of(tower)
         known = update_beliefs([tower[0], *missing], [tower[1]], picture, EYE, heights)
         self.assertEqual(known, [tower[1], tower[0]])
+        half_covered = block(RED, CUBE, 0.5, -4), block(RED, CUBE, 0, -4, bottom=1)
+        for lower in (half_covered[0], block(RED, CUBE, 0.49, -4), block(RED, CUBE, 0.51, -4)):
+            picture, heights = view_of([lower, half_covered[1]])
+            known = update_beliefs([lower], [half_covered[1]], picture, EYE, heights)
+            self.assertEqual(known, [half_covered[1], lower])
 
     def test_a_half_hidden_block_is_where_it_was_known_to_be(self):
         post = block(BLUE, np.array([1, 1, 3]), 0.3, -2.2)

@@ -5,7 +5,8 @@ function moves = clearingMoves(state, moves, free)
   known = state.known;
   alone = zeros(1, 0);
   closest = zeros(1, 0);
-  for k = unique([moves.block], 'stable')
+  blocks = arrayfun(@(move) move.block, moves);
+  for k = unique(blocks(:)', 'stable')
     others = setdiff(1:numel(known), k);
     if ~isempty(graspYaws(known(k), known(others))), continue; end
     is_free = arrayfun(@(i) i ~= k && isClose(known(i), known(k)) && ...

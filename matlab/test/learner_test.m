@@ -434,6 +434,8 @@ function check_clearing()
   moves = clearingMoves(state, struct('block', 1, 'goal', []), 1:5);
   check(isequal([moves.block], 4), 'room for the fingers is cleared');
   check(isempty(clearingMoves(state, struct('block', 2, 'goal', []), 1:5)), 'where there is none');
+  none = [proposeMoves(initialTaskState(tower, []), 1, zeros(1, 0)), uncoveringMoves(state, [], robotEye())];
+  check(isempty(clearingMoves(state, none, 1:5)), 'and nothing without moves');
 end
 
 function check_failures()

@@ -498,7 +498,8 @@ class TaskPlanningTest(unittest.TestCase):
 
     def test_room_for_the_fingers_is_cleared_and_kept(self):
         middle = block(RED, CUBE, 0, -2)
-        left, right, front = (block(GREEN, CUBE, x, y) for x, y in ((-1.1, -2), (1.1, -2), (0, -3.05)))
+        left, right, front = (block(GREEN, CUBE, x, y)
+                              for x, y in ((-1.1, -2), (1.1, -2), (0, -3.05)))
         state = TaskState(self.steps)
         state.known = [middle, left, right, front, block(BLUE, CUBE, 4, -2)]
         self.assertEqual(clearing_moves(state, [Move(middle)], state.known), [Move(front)])

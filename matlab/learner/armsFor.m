@@ -1,9 +1,10 @@
 function able = armsFor(steps, arms)
-% Returns the arms whose grippers can hold the blocks of all steps. It is an error if there are none.
-  sizes = vertcat(steps.size);
+% Returns the arms whose grippers can hold the blocks of all steps except those that stay. It is an error
+% if there are none.
+  sizes = vertcat(steps(~[steps.stays]).size);
   width = max(sizes(:, 2));
   least = width + constants().arms.opening_margin;
-  able = arms([arms.opening] >= least);
+  able = arms(arrayfun(@(arm) canHold(arm, width), arms));
   if ~isempty(able), return; end
   found = cell(1, numel(arms));
   for k = 1:numel(arms)

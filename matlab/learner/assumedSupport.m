@@ -3,7 +3,7 @@ function support = assumedSupport(block)
 % bottom: something must carry it, even if it is hidden. A 1x0 struct array for a block on the table.
   support = noBlocks();
   bottom = block.position(3) - block.size(3) / 2;
-  if bottom < constants().task_planning.min_support_height, return; end
+  if bottom < constants().beliefs.min_support_height, return; end
   support(1) = block;
   support.size(3) = bottom;
   support.position(3) = bottom / 2;

@@ -1,27 +1,25 @@
 function [actions, state] = chooseActions(state, sensor, eye, arms)
 % Updates the beliefs from a picture and plans the next actions: a 1xN cell; {} when everything is built
-% or no plan is found (state.summary says which).
+% or no plan is found (state.claim says which).
   c = constants().task_planning;
   actions = {};
-  container = state.container;
-  if ~state.hasSite, container = []; end  % its place in this scene is not known yet
   picture = sensor.rgbVision;
-  seen = detectBlocks(picture, eye, [asBlocks(state.steps), state.unknownObjects], container);
-  if ~state.hasSite || state.numBlocked > 0
-    state.unknownObjects = [state.unknownObjects, detectUnknownObjects(picture, eye, [seen, state.known])];
-    seen = detectBlocks(picture, eye, [asBlocks(state.steps), state.unknownObjects], container);
-  end
-  state.known = updateBeliefs(state.known, seen, picture, eye);
+  heights = heightMap(sensor.depthVision, eye);
+  state = observe(state, picture, heights, eye);
   if ~state.hasSite
-    state = chooseSite(state, arms, picture, eye);
-    if ~state.hasSite, return; end
+    [state, problem] = chooseSite(state, arms, picture, eye);
+    if ~state.hasSite
+      state = giveUp(state, ['before it began: ', problem]);
+      return
+    end
   end
 
   [state, used] = assessProgress(state);
   open = openSteps(state);
   if isempty(open)
-    state.summary = sprintf('built, as seen within %.2f units and %.1f degrees', ...
-                            max(state.placementErrors, [], 1) .* [1, 180 / pi]);
+    reason = sprintf('built, as seen within %.2f units and %.1f degrees', ...
+                     max(state.placementErrors, [], 1) .* [1, 180 / pi]);
+    state.claim = struct('done', true, 'reason', reason);
     return
   end
 
@@ -33,24 +31,52 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
   elseif state.numTemporary >= c.max_temporary_placements
     reason = sprintf('blocks were put aside %d times already', c.max_temporary_placements);
   else
-    for move = proposeMoves(state, k, find(~used))
-      [actions, place, reason] = planMove(state, k, move, eye, arms, sensor);
+    free = find(~used);
+    moves = [uncoveringMoves(state, free, eye), proposeMoves(state, k, free)];
+    for move = [moves, clearingMoves(state, moves, free)]
+      if numFailures(state, state.known(move.block)) >= c.max_failed_grasps
+        reason = sprintf('%d grasps of a block failed', c.max_failed_grasps);
+        continue
+      end
+      [actions, place, is_temporary, reason] = planMove(state, k, move, eye, arms, sensor);
       if isempty(actions), continue; end
-      state.numTemporary = state.numTemporary + ~isempty(place);
-      state.attempts(k) = state.attempts(k) + isempty(place);
+      state.numTemporary = state.numTemporary + is_temporary;
+      state.attempts(k) = state.attempts(k) + ~is_temporary;
+      if is_temporary, state.left(end + 1) = state.known(move.block); end
       state.known(move.block) = [];
       state.known = [state.known, place];
       state.numBlocked = 0;
+      state.grasp = actions{find(cellfun(@(it) strcmp(it.kind, 'grasp'), actions), 1)}.grasp;
       return
     end
   end
   if state.numBlocked == 0, state.firstFailure = [describeStep(state.steps(k)), ': ', reason]; end
   state.numBlocked = state.numBlocked + 1;
   if state.numBlocked > numel(open) + 1
-    state.summary = ['gave up at ', state.firstFailure];
+    state = giveUp(state, ['at ', state.firstFailure]);
   else
     actions = {struct('kind', 'observe')};
   end
+end
+
+function state = observe(state, picture, heights, eye)
+% Updates the known blocks from a picture.
+  container = state.container;
+  if ~state.hasSite, container = []; end  % its place in this scene is not known yet
+  like = [asBlocks(state.steps), state.unknownObjects];
+  seen = detectBlocks(picture, eye, like, container, heights);
+  if ~state.hasSite || state.numBlocked > 0
+    unknown = detectUnknownObjects(picture, eye, [seen, state.known], heights);
+    state.unknownObjects = [state.unknownObjects, unknown];
+    seen = detectBlocks(picture, eye, [like, unknown], container, heights);
+  end
+  state.known = updateBeliefs(state.known, seen, picture, eye, heights);
+end
+
+function count = numFailures(state, block)
+% Returns the number of failed grasps of a block at its place.
+  near = constants().motion_planning.same_place_distance;
+  count = sum(arrayfun(@(grasp) norm(grasp.position - block.position) < near, state.failures));
 end
 
 function open = openSteps(state)
@@ -59,27 +85,35 @@ function open = openSteps(state)
   open = open(arrayfun(@(k) all(state.done(state.steps(k).on)), open));
 end
 
-function [actions, place, reason] = planMove(state, k, move, eye, arms, sensor)
+function [actions, place, is_temporary, reason] = planMove(state, k, move, eye, arms, sensor)
 % Plans one move: straight to its goal, if it has one and an arm reaches both places; otherwise to a
 % temporary place, if necessary where a later step will be.
-%   k      number of the current step
-%   place  the block at its temporary place, which may be hidden there; a 1x0 struct array for a block
-%          that is built in: there it must be seen
+%   k             number of the current step
+%   place         the block where it will be
+%   is_temporary  whether that is a temporary place
   block = state.known(move.block);
   others = [state.known([1:move.block - 1, move.block + 1:end]), assumedSupport(block), ...
             containerWalls(state.container)];
   steps = state.steps;
   container = asBlocks(state.container);
   sites = {[asBlocks(steps), container]};
-  actions = {};
-  place = noBlocks();
+  is_temporary = false;
   if ~isempty(move.goal)
     sites{2} = [asBlocks(steps(state.done)), container];
-    [actions, reason] = planPickAndPlace(arms, block, move.goal, others, sensor);
+    [actions, reason] = planPickAndPlace(arms, block, move.goal, others, sensor, state.failures);
+    place = block;
+    place.position = move.goal.position;
+    place.yaw = move.goal.yaw;
+    if ~isempty(actions), return; end
   elseif any(overlap(gripperClearance(steps(k)), footprint(block, 0)))
     sites{2} = [asBlocks(steps([find(state.done), k])), container];
   end
-  if isempty(actions)
-    [actions, place, reason] = planTemporaryPlacement(arms, eye, block, others, sites, sensor, move.goal);
+  is_temporary = true;
+  left = noBlocks();
+  if isempty(move.goal)
+    left = [state.left, block];
+    left = left(arrayfun(@(it) isSameKind(block, it), left));
   end
+  [actions, place, reason] = planTemporaryPlacement(arms, eye, block, others, sites, sensor, move.goal, ...
+                                                    state.failures, left);
 end

@@ -15,16 +15,3 @@ function height = estimateHeight(top, picture, eye, table)
   rounded = round(c.heights_per_unit * trial) / c.heights_per_unit;
   if ~isempty(color) && max(abs(color - table)) < c.table_tolerance && rounded > 0, height = rounded; end
 end
-
-function [u, v] = edgeTowardNadir(top, eye)
-% Returns the pixel, [u, v], where a top ends below its middle: on the line to the nadir, the image point
-% straight below the camera.
-  nadir = toPixel(eye.pose(1:3, 4) - [0; 0; 1], eye);
-  u = mean(top.column) - 0.5;
-  v = mean(top.row) - 0.5;
-  step = 0.5 * (nadir - [u, v]) / norm(nadir - [u, v]);
-  while any(top.column == ceil(u) & top.row == ceil(v))
-    u = u + step(1);
-    v = v + step(2);
-  end
-end

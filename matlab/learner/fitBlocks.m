@@ -1,30 +1,38 @@
-function blocks = fitBlocks(row, column, eye, kinds, container, isPossible)
+function blocks = fitBlocks(row, column, eye, kinds, container, isPossible, bottoms, top, max_side_error)
 % Fits blocks to the pixels of a top face: one block of some kind, or equal blocks that touch in a row or
 % a grid. Returns a 1xN struct array, 1x0 if nothing fits.
 %   row, column  pixels, Nx1
 %   kinds        struct array with color and size
 %   container    in which they may lie, or []
 %   isPossible   predicate: returns true if there can be a block at such a place
+%   bottoms      for each kind, the heights where the bottom is expected [units], cell
+%   top          measured height of the face [units]; [] or omitted if there is none
+%   max_side_error  greatest relative error of the sides; optional
 %
-% On a lower plane the same pixels would be a larger top, on a higher one a smaller. Blocks lie on blocks,
-% so only few planes are possible: the one at which the size of the top is right. Inside the container,
-% all planes are higher by its floor.
+% On a lower plane the same pixels would be a larger top, on a higher one a smaller. Without a measured
+% height, the plane is the one of the expected ones at which the size of the top is right. Inside the
+% container, all planes are higher by its floor. With a measured height, blocks whose bottom would be where
+% it is expected are preferred: the size of the top alone does not distinguish a high block from a low one
+% on a support.
+  if nargin < 8, top = []; end
   c = constants().perception;
-  best = c.max_side_error;  % relative error of the sides
+  best = c.max_side_error;
+  if nargin == 9, best = max_side_error; end
   blocks = noBlocks();
-  for max_count = [1, c.max_abreast]  % blocks side by side
+  for pass = [1, 1, c.max_abreast, c.max_abreast; true, false, true, false]
+    max_count = pass(1);  % blocks side by side
     for k = 1:numel(kinds)
-      for top = kinds(k).size(3) + (0:c.max_layers - 1)
-        face = faceAt(top);
-        if isInside(container, face.center)
-          top = top + container.floor;
-          face = faceAt(top);
+      for plane = candidateTops(kinds(k).size, bottoms{k}, top, pass(2))
+        face = faceAt(plane);
+        if isempty(top) && isInside(container, face.center)
+          plane = plane + container.floor;
+          face = faceAt(plane);
         end
         count = max(1, min(max_count, round(face.sides ./ kinds(k).size(1:2))));
         max_error = max([abs(face.sides ./ (count .* kinds(k).size(1:2)) - 1), face.misfit]);
         if max_error >= best, continue; end
-        found = blockGrid(face, count, top, kinds(k));
-        if all(arrayfun(isPossible, found))
+        found = blockGrid(face, count, plane, kinds(k));
+        if (~isempty(top) && pass(2)) || all(arrayfun(isPossible, found))
           best = max_error;
           blocks = found;
         end
@@ -36,6 +44,19 @@ function blocks = fitBlocks(row, column, eye, kinds, container, isPossible)
   function face = faceAt(height)
     [x, y, area] = ontoPlane(row, column, eye, height);
     face = fitFace(x, y, area);
+  end
+end
+
+function tops = candidateTops(size, bottoms, top, is_expected)
+% Returns the heights at which the top of a block may be, 1xN [units]: its measured height, or, if there is
+% none, those at which its bottom is expected.
+%   is_expected  whether to return the heights with an expected bottom, or the others
+  tops = zeros(1, 0);
+  near = constants().perception.on_table;
+  if isempty(top)
+    if is_expected, tops = size(3) + bottoms; end
+  elseif (min(abs(top - size(3) - bottoms)) < near) == is_expected && top - size(3) > -near
+    tops = top;
   end
 end
 

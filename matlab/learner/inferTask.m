@@ -9,61 +9,74 @@ function [steps, container] = inferTask(demo, attention)
 %   on        numbers of the steps that it stands on; empty for an object on the table
 %   displacement  by which it was dragged, 1x2 [units]; empty for an object that was carried. Color and
 %             size of a dragged object are those of its handle.
+%   stays     true for an object that the demonstration did not move
+% Objects that were not moved but support others come first.
 % container is the open box that objects were put into: see measureContainer.
-  taking_part = participatingObjects(demo);
-  is_dragged = arrayfun(@(n) wasDragged(demo, n), taking_part);
+  moved = movedObjects(demo);
+  is_dragged = arrayfun(@(n) wasDragged(demo, n), moved);
   if isfield(demo, 'appearances')
     appearances = demo.appearances;
   else
-    appearances = measureObjects(demo, taking_part(~is_dragged));
+    appearances = measureObjects(demo, moved(~is_dragged));
   end
-  for k = 1:numel(taking_part)
-    n = taking_part(k);
+  for k = 1:numel(moved)
     if is_dragged(k)
-      steps(k) = measureHandle(demo, n);
-      continue
+      placed(k) = measureHandle(demo, moved(k));
+    else
+      placed(k) = stepOf(demo, moved(k), appearances(moved(k)), attention);
     end
-    sides = appearances(n).size;
-    yaw = demo.final(n, 6) * pi / 180;
-    if sides(2) > constants().blocks.equal_sides * sides(1)
-      sides(1:2) = sides([2, 1]);
-      yaw = yaw + pi / 2;
-    end
-    steps(k) = struct('name', demo.ids{n}, 'color', appearances(n).color, 'size', sides, ...
-                      'position', demo.final(n, 1:3), 'yaw', yaw, 'on', [], 'displacement', []);
+  end
+  others = placed([]);
+  for n = setdiff(1:numel(demo.ids), moved)
+    if isempty(appearances(n).size), continue; end
+    others(end + 1) = stepOf(demo, n, appearances(n), attention);
+    others(end).stays = true;
+  end
+  steps = [supportsOf(placed, others), placed];
+  for k = 1:numel(steps)
     for j = 1:k - 1
       if standsOn(steps(k), steps(j)), steps(k).on(end + 1) = j; end
     end
-    if ~colorMatters(attention, demo.ids{n}), steps(k).color = []; end
   end
   container = measureContainer(demo, steps);
 end
 
-function taking_part = participatingObjects(demo)
-% Returns the numbers of the objects that take part, in the order of building: first the objects that
-% were not moved but support others, then the moved ones, in the order of their last release.
-  c = constants().task_model;
+function moved = movedObjects(demo)
+% Returns the numbers of the objects that hands moved, in the order of their last release.
   last = zeros(1, numel(demo.ids));
   last(demo.placed) = 1:numel(demo.placed);
   moved = find(last > 0);
   if isempty(moved), error('in this demonstration no hand moved anything'); end
   [~, order] = sort(last(moved));
-  below = zeros(1, 0);
-  for n = find(last == 0)
-    offset = demo.final(moved, 1:3) - demo.final(n, 1:3);
-    is_above = sqrt(sum(offset(:, 1:2) .^ 2, 2)) < c.support_distance;
-    if any(offset(:, 3) > c.support_heights(1) & offset(:, 3) < c.support_heights(2) & is_above)
-      below(end + 1) = n;
-    end
-  end
-  taking_part = [below, moved(order)];
+  moved = moved(order);
 end
 
-function yes = standsOn(upper, lower)
-% Returns true if the bottom of a step's object touches the top of another one.
-  gap = (upper.position(3) - upper.size(3) / 2) - (lower.position(3) + lower.size(3) / 2);
-  yes = abs(gap) < constants().task_model.max_support_gap && ...
-        overlap(footprint(upper, 0), footprint(lower, 0));
+function found = supportsOf(steps, others)
+% Returns those of some other steps on which steps stand at the end, directly or on others, the lowest first.
+  is_found = false(1, numel(others));
+  while ~isempty(steps)
+    is_below = false(1, numel(others));
+    for k = find(~is_found), is_below(k) = any(arrayfun(@(step) standsOn(step, others(k)), steps)); end
+    steps = others(is_below);
+    is_found = is_found | is_below;
+  end
+  found = others(is_found);
+  [~, order] = sort(arrayfun(@(step) step.position(3), found));
+  found = found(order);
+end
+
+function step = stepOf(demo, n, appearance, attention)
+% Returns the step of a carried object, at its final place.
+  sides = appearance.size;
+  yaw = demo.final(n, 6) * pi / 180;
+  if sides(2) > constants().blocks.equal_sides * sides(1)
+    sides(1:2) = sides([2, 1]);
+    yaw = yaw + pi / 2;
+  end
+  color = appearance.color;
+  if ~colorMatters(attention, demo.ids{n}), color = []; end
+  step = struct('name', demo.ids{n}, 'color', color, 'size', sides, 'position', demo.final(n, 1:3), ...
+                'yaw', yaw, 'on', [], 'displacement', [], 'stays', false);
 end
 
 function yes = colorMatters(attention, name)

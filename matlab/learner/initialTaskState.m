@@ -11,10 +11,16 @@ function state = initialTaskState(steps, container)
 %   placementErrors  of each block when last seen: [units, rad], Nx2
 %   numBlocked  number of successive steps for which no plan was found
 %   firstFailure  why the first of them failed
-%   summary    one line for people, at the end
+%   left       blocks at the places from which they were put aside
+%   grasp      of the current actions: position of the block's center [units], number of the arm, yaw from
+%              finger to finger [rad]; its block is the last of the known
+%   failures   grasps that failed, not to be repeated
+%   claim      about the result, at the end: done, true if everything is built, and reason, one line; see
+%              giveUp
   n = numel(steps);
   state = struct('steps', steps, 'container', {container}, 'hasSite', false, 'known', noBlocks(), ...
                  'unknownObjects', noBlocks(), 'done', false(1, n), 'attempts', zeros(1, n), ...
                  'numTemporary', 0, 'placementErrors', NaN(n, 2), 'numBlocked', 0, ...
-                 'firstFailure', '', 'summary', '');
+                 'firstFailure', '', 'left', noBlocks(), 'grasp', [], ...
+                 'failures', {struct('position', {}, 'arm', {}, 'yaw', {})}, 'claim', []);
 end

@@ -5,17 +5,22 @@ actions{1} = action;
 if strcmp(status, 'done')
   actions(1) = [];
   if isempty(actions)
-    is_recovering = false;
+    num_retreats = 0;
     [actions, state] = chooseActions(state, sensor, eye, hands);
-    if isempty(actions)
-      fprintf('%5.1f s: %s\n', sensor.simTime, state.summary);
-      aux.exit = true;
-      actions = {struct('kind', 'observe')};
-    end
   end
 elseif ~strcmp(status, 'busy')
   fprintf('%5.1f s: %s\n', sensor.simTime, status);
-  if is_recovering, error('the arm is stuck'); end
-  actions = retreat(action.arm, sensor.arms(action.arm.index).joints(:)');
-  is_recovering = true;
+  if num_retreats == 0, state = rememberFailure(state, actions); end
+  num_retreats = num_retreats + 1;
+  if num_retreats <= constants().task_planning.max_retreats
+    q = sensor.arms(action.arm.index).joints(:)';
+    actions = retreat(action.arm, q, num_retreats == 1);
+  else
+    state = giveUp(state, 'because the arm is stuck');
+  end
+end
+if ~isempty(state.claim)
+  fprintf('%5.1f s: %s\n', sensor.simTime, state.claim.reason);
+  aux.exit = true;
+  actions = {struct('kind', 'observe')};
 end

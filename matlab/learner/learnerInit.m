@@ -15,7 +15,9 @@ hands = armsFor(steps, arms);
 eye = struct('intrinsics', aux.cameraIntrinsics, 'pose', aux.cameraPose);
 state = initialTaskState(steps, container);  % beliefs about this scene, and progress
 actions = {struct('kind', 'observe')};  % the next actions, in this order
-is_recovering = false;                  % true after a failed action
+num_retreats = 0;                       % number of successive retreats after failed actions
+
+aux.channels = {'rgb', 'depth'};
 
 % The arms start outside the picture.
 for k = 1:numel(arms), aux.arms(k).initJoints = arms(k).parked; end

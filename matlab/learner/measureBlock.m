@@ -1,14 +1,21 @@
-function block = measureBlock(top, picture, eye, table)
-% Measures the block on the table that has a top face, of any size; a 1x0 struct array if it is not
-% entirely visible.
-%   top    as from segmentTopFaces
-%   table  color of the table, 1x3
+function block = measureBlock(top, picture, eye, table, heights)
+% Measures the block that has a top face, of any size; a 1x0 struct array if it is not entirely visible.
+% Without heights it must stand on the table.
+%   top      as from segmentTopFaces
+%   table    color of the table, 1x3
+%   heights  as from heightMap; [] or omitted if the eye measures no depth
   block = noBlocks();
-  height = estimateHeight(top, picture, eye, table);
-  if isempty(height), return; end
+  if nargin < 5 || isempty(heights)
+    height = estimateHeight(top, picture, eye, table);
+    ground = 0;
+  else
+    height = median(heights(sub2ind(size(heights), top.row, top.column)));
+    ground = groundBelow(top, picture, eye, heights);
+  end
+  if isempty(height) || isempty(ground) || height - ground < constants().perception.on_table, return; end
   [x, y, area] = ontoPlane(top.row, top.column, eye, height);
   face = fitFace(x, y, area);
   if face.misfit > constants().perception.misfit, return; end
-  block(1) = struct('color', top.color, 'size', [face.sides, height], ...
-                    'position', [face.center, height / 2], 'yaw', face.yaw);
+  block(1) = struct('color', top.color, 'size', [face.sides, height - ground], ...
+                    'position', [face.center, (height + ground) / 2], 'yaw', face.yaw);
 end

@@ -24,7 +24,7 @@ function step = measureHandle(demo, n)
            height / 2 > step.position(3)
           step = struct('name', demo.ids{n}, 'color', color', 'size', [face.sides, height], ...
                         'position', [at, height / 2], 'yaw', face.yaw, 'on', [], ...
-                        'displacement', displacement);
+                        'displacement', displacement, 'stays', false);
         end
       end
     end

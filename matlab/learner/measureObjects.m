@@ -1,33 +1,64 @@
-function appearances = measureObjects(demo, which)
-% Measures the appearance of objects of a demonstration in its pictures: the texts contain the pose of
-% each object in each picture, so its top can be found there.
-%   which                  numbers of the objects
+function appearances = measureObjects(demo, needed)
+% Measures the appearance of the objects of a demonstration in its pictures: the texts contain the pose of
+% each object in each picture, so its top can be found there. An object began on the table or on a lower one;
+% its height is twice the distance of its middle from there.
+%   needed                 numbers of objects; others are left out, with [], if no picture shows them
 %   appearances(n).color   1x3, red green blue, 0 to 1
 %   appearances(n).size    along its own x, y and z axes [units]
-  appearances = struct('color', {}, 'size', {});
+  appearances = repmat(struct('color', [], 'size', []), 1, numel(demo.ids));
+  at_start = noBlocks();  % those measured so far, at their first places
   pictures = containers.Map('KeyType', 'double', 'ValueType', 'any');  % cache
-  for n = which
-    height = 2 * demo.start(n, 3);  % it stood on the table at the start
-    sides = [];
-    for k = selectFrames(demo, n)
-      frame = demo.moves(k, 1);
-      if ~pictures.isKey(frame), pictures(frame) = readPicture(demo, frame); end
-      [color, sides] = measureTop(pictures(frame), demo.eye, demo.moves(k, 3:8), height);
-      if ~isempty(sides), break; end
-    end
-    if isempty(sides)
+  [~, order] = sort(demo.start(:, 3));
+  for n = order'
+    found = measureObject(demo, n, at_start, pictures);
+    if ~isempty(found)
+      appearances(n) = struct('color', found.color, 'size', found.size);
+      at_start(end + 1) = found;
+    elseif any(needed == n)
       error('no picture of the demonstration shows %s entirely', demo.ids{n});
     end
-    appearances(n) = struct('color', color, 'size', [sides, height]);
   end
 end
 
-function rows = selectFrames(demo, n)
-% Returns the rows of demo.moves after which an object may be entirely visible: its first, and those where
-% it was highest.
-  rows = find(demo.moves(:, 2) == n);
-  [~, order] = sort(-demo.moves(rows, 5));
-  rows = rows([1; order(1:min(constants().task_model.num_highest_frames, end))])';
+function block = measureObject(demo, n, lower, pictures)
+% Measures an object in the first frame that shows it entirely. Returns it as a block at its first place; a
+% 1x0 struct array if there is none.
+%   lower     blocks that it may have stood on at the start
+%   pictures  cache
+  block = noBlocks();
+  start = demo.start(n, :);
+  frames = selectFrames(demo, n);
+  tops = arrayfun(@(it) it.position(3) + it.size(3) / 2, lower);
+  % A lower block may be below: of a stack, the top of the whole could be that of a high block.
+  for bottom = fliplr(unique([0, tops(tops < start(3))]))
+    height = 2 * (start(3) - bottom);
+    for row = frames'
+      if ~pictures.isKey(row(1)), pictures(row(1)) = readPicture(demo, row(1)); end
+      [color, sides] = measureTop(pictures(row(1)), demo.eye, row(2:7)', height);
+      if isempty(sides), continue; end
+      found = struct('color', color, 'size', [sides, height], 'position', start(1:3), ...
+                     'yaw', start(6) * pi / 180);
+      if bottom == 0 || any(arrayfun(@(it) standsOn(found, it), lower))
+        block(1) = found;
+        return
+      end
+    end
+  end
+end
+
+function frames = selectFrames(demo, n)
+% Returns the frames in which an object may be entirely visible, with its pose, Mx7: its first, those where
+% it was highest, and some in which others were moved, which may have covered it before.
+  c = constants().task_model;
+  moves = demo.moves(demo.moves(:, 2) == n, [1, 3:8]);
+  [~, order] = sort(-moves(:, 4));
+  frames = moves([1; order(1:min(c.num_highest_frames, end))], :);
+  all_frames = unique(demo.moves(:, 1));
+  chosen = floor((0:c.num_other_frames - 1) * (numel(all_frames) - 1) / (c.num_other_frames - 1));
+  for frame = all_frames(1 + chosen)'
+    row = find(moves(:, 1) <= frame, 1, 'last');
+    if ~isempty(row), frames(end + 1, :) = [frame, moves(row, 2:7)]; end
+  end
 end
 
 function [color, sides] = measureTop(picture, eye, pose, height)

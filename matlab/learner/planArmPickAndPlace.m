@@ -9,8 +9,10 @@ function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, h
   c = constants().motion_planning;
   width = block.size(2);
   opening = min(width + c.opening_margin, arm.opening);
-  % Of the tool, from the block's center: the fingers reach lower than the tool, but not to the table.
-  depth = max(c.grip_below_top, c.fingers_below_top - arm.reach);
+  % Of the tool, from the block's center: the fingers reach lower than the tool, but not to what the block
+  % stands on.
+  depth = min(max(c.grip_below_top, c.fingers_below_top - arm.reach), ...
+              block.size(3) - c.fingers_above_bottom - arm.reach);
   offset = [0, 0, block.size(3) / 2 - depth];
   from = toolPose(arm, block.position + offset, grasp_yaw, width);
   to = toolPose(arm, goal.position + offset + [0, 0, c.place_height_margin], place_yaw, width);
@@ -32,7 +34,8 @@ function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, h
 
   follow = cellfun(@(it) struct('kind', 'follow', 'arm', arm, 'path', it), path, 'UniformOutput', false);
   open = struct('kind', 'open', 'arm', arm, 'to', opening);
-  grasp = struct('kind', 'grasp', 'arm', arm, 'width', width);
+  attempt = struct('position', block.position, 'arm', arm.index, 'yaw', grasp_yaw);
+  grasp = struct('kind', 'grasp', 'arm', arm, 'width', width, 'grasp', attempt);
   n = numel(to_block);
   actions = [{open}, follow(1:n), {grasp}, follow(n + 1:end - 2), {open}, follow(end - 1:end), ...
              {struct('kind', 'observe')}];

@@ -1,35 +1,51 @@
-function [actions, reason] = planPickAndPlace(arms, block, goal, others, sensor)
+function [actions, reason] = planPickAndPlace(arms, block, goal, others, sensor, failures)
 % Plans the actions that bring a block to a goal (both with position, yaw and size) and end with an
 % observation; {} and a reason if no arm can do it.
 %   arms    those that may do it, see armsOf
 %   others  obstacles, as blocks
+%   failures  grasps that failed and are not to be repeated, see initialTaskState; [] for none
   actions = {};
   grasp_yaws = graspYaws(block, others);
   place_yaws = graspYaws(goal, others);
   reason = 'there is no room for the fingers';
   if isempty(grasp_yaws) || isempty(place_yaws), return; end
 
-  for arm = nearestFirst(arms, block.position(1) + goal.position(1))
-    height = transferHeight(arm, [others, block], goal);
-    if isDragged(goal)
-      height = block.position(3) + block.size(3) / 2 + constants().motion_planning.drag_tool_height;
-    end
-    q = sensor.arms(arm.index).joints(:)';
-    lifts = height;
-    % A single arm also takes what it cannot lift that high.
-    if numel(arms) == 1 && ~isDragged(goal) && hasLowWay(block, goal, others)
-      lifts(2) = block.position(3) + block.size(3) + constants().motion_planning.clearance;
-    end
-    for lift = lifts
+  able = arms(arrayfun(@(arm) canHold(arm, block.size(2)), arms));
+  if isempty(able), reason = 'it is wider than the gripper opens'; end
+
+  % What cannot be lifted as high as necessary to pass over all others is lifted less on a low way.
+  trials = false;
+  if ~isDragged(goal) && hasLowWay(block, goal, others), trials = [false, true]; end
+  for is_low = trials
+    for arm = nearestFirst(able, block.position(1) + goal.position(1))
+      height = transferHeight(arm, [others, block], goal);
+      if isDragged(goal)
+        height = block.position(3) + block.size(3) / 2 + constants().motion_planning.drag_tool_height;
+      end
+      lift = height;
+      if is_low, lift = block.position(3) + block.size(3) + constants().motion_planning.clearance; end
+      q = sensor.arms(arm.index).joints(:)';
+      has_failed = arrayfun(@(yaw) hasFailed(block, arm, yaw, failures), grasp_yaws);
       for place_yaw = place_yaws
-        for grasp_yaw = grasp_yaws
+        for grasp_yaw = grasp_yaws(~has_failed)
           actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, height, lift, others, q);
           if ~isempty(actions), return; end
         end
       end
     end
   end
-  reason = 'no arm reaches both its place and its goal';
+  if ~isempty(able), reason = 'no arm reaches both its place and its goal'; end
+end
+
+function yes = hasFailed(block, arm, yaw, failures)
+% Returns true if a grasp is about the same as one that failed.
+  c = constants().motion_planning;
+  yes = false;
+  for it = failures
+    rotation = mod(yaw - it.yaw + pi, 2 * pi) - pi;
+    yes = yes || (it.arm == arm.index && abs(rotation) < c.same_yaw_rad && ...
+                  norm(it.position - block.position) < c.same_place_distance);
+  end
 end
 
 function yes = hasLowWay(block, goal, others)

@@ -1,31 +1,33 @@
-function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, others, sites, sensor, goal)
+function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, others, sites, sensor, goal, failures, left)
 % Plans the actions that bring a block to a free place on the table, within the eye's view. Returns them
 % and that place; {} and a reason if there is none.
 %   others  obstacles, as blocks
 %   sites   cell of lists of blocks to keep clear of, existing or planned; the first list that leaves a
 %           place counts
-%   goal    target to which another arm must move it from there at once (a handover), or []; a single arm
-%           takes it again itself
+%   goal    target to which an arm must be able to move it from there, or []
+%   failures  grasps that are not to be repeated
+%   left      places to which it does not return, as blocks
   actions = {};
   place = noBlocks();
   reason = 'there is no free place on the table';
-  candidates = candidateArms(arms, block, goal);
-  if isempty(candidates)
+  if ~canReach(arms, block)
     reason = 'no arm reaches it';
     return
   end
   for site = sites
-    attempts = constants().task_planning.max_place_attempts;
+    tried = noBlocks();
     for place = freePlacements(arms, block, [others, site{1}], goal)
-      if ~isInView(place, eye) || isGraspBlocked(place, site{1}) || ...
-         ~canHandOver(candidates, arms, place, goal)
+      has_yaw = tried([tried.yaw] == place.yaw);
+      if isNear(place, left) || isNear(place, has_yaw) || ~isInView(place, eye) || ...
+         isGraspBlocked(place, site{1}) || ...
+         isTopHidden(place, site{1}, eye) || blocksGrasps(place, others) || ~canReach(arms, place)
         continue
       end
-      can_continue = isempty(goal) || ~isempty(planPickAndPlace(arms, place, goal, others, sensor));
-      if can_continue, [actions, reason] = planPickAndPlace(arms, block, place, others, sensor); end
-      attempts = attempts - 1;
+      can_continue = isempty(goal) || ~isempty(planPickAndPlace(arms, place, goal, others, sensor, []));
+      if can_continue, [actions, reason] = planPickAndPlace(arms, block, place, others, sensor, failures); end
       if ~isempty(actions), return; end
-      if attempts == 0, break; end
+      tried(end + 1) = asBlocks(place);
+      if numel(tried) == constants().task_planning.max_place_attempts, break; end
     end
   end
 end
@@ -66,6 +68,24 @@ function places = freePlacements(arms, block, taken, goal)
   end
 end
 
+function yes = isNear(place, left)
+% Returns true if a place is close to one of some others.
+  near = constants().task_planning.near_place_distance;
+  yes = any(arrayfun(@(it) norm(it.position - place.position) < near, left));
+end
+
+function yes = blocksGrasps(place, others)
+% Returns true if a block at a place would leave no room for the fingers at one of the others that can be
+% grasped without it.
+  yes = false;
+  place = asBlocks(place);
+  for i = find(arrayfun(@(it) isClose(it, place), others))
+    rest = others([1:i - 1, i + 1:end]);
+    yes = ~isempty(graspYaws(others(i), rest)) && isempty(graspYaws(others(i), [rest, place]));
+    if yes, return; end
+  end
+end
+
 function yes = isInView(place, eye)
 % Returns true if the whole top of a block at a place is in the eye's picture.
   yes = true;
@@ -76,27 +96,6 @@ function yes = isInView(place, eye)
     pixel = toPixel([place.position(1:2) + along + across, place.size(3)], eye);
     yes = yes && all(pixel > margin) && all(pixel < 2 * eye.intrinsics(1:2, 3)' - margin);
   end
-end
-
-function able = candidateArms(arms, block, goal)
-% Returns the arms that reach a block; with a goal, only those of which another arm reaches the goal.
-  able = arms(arrayfun(@(arm) isReachable(arm, block) && ...
-                              (isempty(goal) || canReach(othersThan(arm, arms), goal)), arms));
-end
-
-function yes = canHandOver(candidates, arms, place, goal)
-% Returns true if one of the candidates reaches a place; with a goal, also another arm for the handover.
-  yes = false;
-  for arm = candidates
-    yes = yes || (isReachable(arm, place) && ...
-                  (isempty(goal) || canReach(othersThan(arm, arms), place)));
-  end
-end
-
-function others = othersThan(arm, arms)
-% Returns the other arms; a single arm continues itself.
-  others = arms([arms.index] ~= arm.index);
-  if isempty(others), others = arm; end
 end
 
 function yes = canReach(arms, place)

@@ -22,17 +22,12 @@ function moves = proposeMoves(state, k, free)
   end
   % Then the blocks that lie on others: a matching block may be below them.
   for i = free
-    if known(i).position(3) > known(i).size(3), moves(end + 1) = temporary(i); end
+    bottom = known(i).position(3) - known(i).size(3) / 2;
+    if bottom > constants().perception.on_table, moves(end + 1) = temporary(i); end
   end
   % A block with others on top has to wait.
-  is_covered = arrayfun(@(move) ~isempty(objectsOn(move.block)), moves);
+  is_covered = arrayfun(@(move) hasObjectsOn(known(move.block), known(free)), moves);
   moves(is_covered) = [];
-
-  function on_top = objectsOn(i)
-    least = known(i).position(3) + constants().task_planning.min_height_difference;
-    higher = free(arrayfun(@(j) known(j).position(3) > least, free));
-    on_top = higher(overlap(footprint(known(i), 0), footprint(known(higher), 0)));
-  end
 end
 
 function move = temporary(i)

@@ -1,10 +1,32 @@
-function tops = segmentTopFaces(picture, table)
-% Segments the flat areas of a picture that may be tops of blocks: those that are not, like the sides of
-% blocks, below a brighter area of the same hue.
-%   table  color of the table, 1x3
-%   tops   1xN struct array with color, and row and column of each pixel
+function tops = segmentTopFaces(picture, table, heights)
+% Segments the flat areas of a picture that may be tops of blocks: those at one height above the table, or,
+% without heights, those that are not, like the sides of blocks, below a brighter area of the same hue.
+%   table    color of the table, 1x3
+%   heights  as from heightMap; [] or omitted if the eye measures no depth
+%   tops     1xN struct array with color, and row and column of each pixel
+  if nargin < 3, heights = []; end
   tops = struct('color', {}, 'row', {}, 'column', {});
   smallest = constants().perception.min_unknown_object_pixels;
+  if isempty(heights)
+    tops = withoutHeights(picture, table, smallest);
+    return
+  end
+  for color = frequentColors(picture, smallest)
+    if colorMask(reshape(color, 1, 1, 3), table), continue; end
+    number = labelRegions(colorMask(picture, color'), heights);
+    count = accumarray(number(number > 0), 1);
+    for region = find(count >= smallest)'
+      inside = find(number == region);
+      if ~isLevel(heights(inside)), continue; end
+      [row, column] = ind2sub(size(number), inside);
+      tops(end + 1) = struct('color', color', 'row', row, 'column', column);
+    end
+  end
+end
+
+function tops = withoutHeights(picture, table, smallest)
+% Exact colors distinguish the tops from the sides.
+  tops = struct('color', {}, 'row', {}, 'column', {});
   height = size(picture, 1);
   codes = round(255 * picture(:, :, 1)) * 65536 + round(255 * picture(:, :, 2)) * 256 + ...
           round(255 * picture(:, :, 3));

@@ -70,7 +70,8 @@ function seen = recognize(tops, eye, kinds, cache)
         of = kinds;
         [of.color] = deal(top.color);
       end
-      found = fitBlocks(top.row, top.column, eye, of, [], @(block) true);
+      layers = repmat({0:constants().perception.max_layers - 1}, 1, numel(of));
+      found = fitBlocks(top.row, top.column, eye, of, [], @(block) true, layers);
       [found.pixels] = deal(numel(top.row));
       cache(key) = found;
     end

@@ -24,12 +24,14 @@ function it = block(color, size, x, y, bottom, yaw)
   it = struct('color', color, 'size', size, 'position', [x, y, bottom + size(3) / 2], 'yaw', yaw);
 end
 
-function picture = pictureOf(blocks)
-% Renders blocks as the eye sees them, lower ones first: 480x640x3.
+function [picture, heights] = pictureOf(blocks)
+% Renders blocks as the eye sees them, lower ones first: 480x640x3; and the height of what each pixel shows,
+% 480x640 [units].
   persistent planes;  % by height, where the pixels meet the horizontal plane
   if isempty(planes), planes = containers.Map('KeyType', 'double', 'ValueType', 'any'); end
   [column, row] = meshgrid(1:640, 1:480);
   flat = repmat([0.6, 0.5, 0.4], 480 * 640, 1);
+  heights = zeros(480, 640);
   for it = blocks
     % Rectangles below each other form the sides. The top is drawn last.
     for height = it.position(3) + it.size(3) * (-5:2:5) / 10
@@ -46,6 +48,7 @@ function picture = pictureOf(blocks)
       shade = 0.7;
       if height == it.position(3) + it.size(3) / 2, shade = 1; end
       flat(hit, :) = repmat(shade * it.color, sum(hit), 1);
+      heights(hit) = height;
     end
   end
   picture = reshape(flat, 480, 640, 3);
@@ -92,6 +95,62 @@ function check_perception()
   mask = logical([0, 1, 0, 1; 1, 1, 0, 1; 0, 0, 1, 0; 1, 0, 1, 1]);
   check(isequal(labelRegions(mask), [0, 1, 0, 4; 1, 1, 0, 4; 0, 0, 3, 0; 2, 0, 3, 3]), ...
         'regions are numbered by their first pixel');
+end
+
+function check_depth()
+  red = [1, 0, 0]; blue = [0, 0, 1];
+  cube = [1, 1, 1]; half = [1, 1, 0.5];
+  eye = robotEye();
+  [~, heights] = pictureOf([block(red, cube, 1, -2, 0, 0), block(blue, cube, -2, -3, 1.5, 0)]);
+  [column, row] = meshgrid((1:640) - 0.5, (1:480) - 0.5);
+  down = reshape(eye.pose(3, 1:3) * (eye.intrinsics \ [column(:), row(:), ones(640 * 480, 1)]'), 480, 640);
+  found = heightMap((heights - eye.pose(3, 4)) ./ down, eye);
+  check(max(abs(found(:) - heights(:))) < 1e-9, 'depth determines heights');
+  check(~any(heightMap(zeros(480, 640), eye)(:)), 'which are 0 where there is no surface');
+
+  % Seen from the eye, the far edge of the tower meets the near edge of the block behind it.
+  blocks = [block(red, cube, 0, -1.62, 0, 0), block(red, cube, 0.2, -3, 0, 0), block(red, cube, 0.2, -3, 1, 0)];
+  [picture, heights] = pictureOf(blocks);
+  found = detectBlocks(picture, eye, blocks, [], heights);
+  check(numel(found) == 2, 'depth separates equal colors that touch at several heights');
+  for it = blocks([1, 3])
+    check(min(arrayfun(@(other) norm(other.position - it.position), found)) < 0.01, 'at their places');
+  end
+
+  [picture, heights] = pictureOf([block(red, cube, -2, -2, 0, 0), block(red, half, 2, -2, 0, 0), ...
+                                  block(red, half, 2, -2, 0.5, 0)]);
+  on_half = block(red, half, 0, 0, 0.5, 0);
+  found = detectBlocks(picture, eye, on_half, [], heights);
+  check(isequal({found.size}, {half, half}), 'two halves are expected');
+  found = detectBlocks(picture, eye, [block(red, cube, 0, 0, 0, 0), on_half], [], heights);
+  check(isequal({found.size}, {cube, cube}), 'or one block');
+
+  lower = block(red, [2, 2, 0.7], 1, -2, 0, 0);
+  upper = block(blue, cube, 1, -2, 0.7, 0);
+  [picture, heights] = pictureOf([lower, upper]);
+  found = detectUnknownObjects(picture, eye, lower, heights);
+  check(numel(found) == 1 && norm(found.position - upper.position) < 0.03 && ...
+        max(abs(found.size - upper.size)) < 0.05, 'unknown objects are detected on others');
+  [picture, heights] = pictureOf(emptyBox([0.5, 0.3, 0.2], 1, -2, 0));
+  check(isempty(detectUnknownObjects(picture, eye, noBlocks(), heights)), 'the floor of a box is none');
+
+  post = block(blue, [1, 1, 3], 0.3, -2.2, 0, 0);
+  behind = block(red, cube, 0, -1, 0, 0);
+  beside = block(red, cube, 3, -1, 0, 0);
+  check(isTopHidden(behind, [beside, post], eye), 'a higher block hides what is behind it');
+  check(~isTopHidden(beside, [behind, post], eye) && ~isTopHidden(post, [behind, beside, post], eye), ...
+        'and nothing else');
+
+  seen = block(red, cube, 0.05, -1, 0, 0.4);
+  picture = pictureOf([behind, post]);
+  check(isequal(updateBeliefs(behind, [seen, post], picture, eye), [behind, post]), ...
+        'a half-hidden block is where it was known to be');
+  check(isequal(updateBeliefs(behind, seen, picture, eye), seen), 'any other is where it is seen');
+  tower = [block(red, cube, 0, -4, 0, 0), block([0, 1, 0], cube, 0, -4, 1, 0)];
+  missing = [block(blue, cube, 3, -2, 0, 0), block(blue, cube, 0, -4, 2, 0)];
+  [picture, heights] = pictureOf(tower);
+  known = updateBeliefs([tower(1), missing], tower(2), picture, eye, heights);
+  check(isequal(known, tower([2, 1])), 'a hidden block is remembered, missing ones are not');
 end
 
 function check_clearance()
@@ -172,6 +231,7 @@ function check_inference()
   check(norm(steps(2).position - [-2, -1.5, 1.5]) < 1e-9, 'the last move determines the position');
   check(abs(steps(2).yaw - 95 * pi / 180) < 1e-9, 'and the yaw');
   check(max(abs(steps(2).color - [1, 0, 0])) < 0.01, 'the color is read from the picture');
+  check(isequal([steps.stays], [true, false, false]), 'what was not moved stays');
   check(isempty(steps(3).color), 'the demonstrator specified that only the size of Blue matters');
 
   delete(fullfile(folder, 'rgb', '0.png'));
@@ -181,8 +241,36 @@ function check_inference()
   catch problem
     message = problem.message;
   end
-  check(~isempty(strfind(message, 'no picture of the demonstration shows Plank')), ...
+  check(~isempty(strfind(message, 'no picture of the demonstration shows Red')), ...
         'an invisible object is reported');
+end
+
+function check_unstacking()
+% A tower is taken apart. Its lower blocks, a half and a cube, are visible only later.
+  cube = [1, 1, 1];
+  tower = [block([1, 0, 0], [1, 1, 0.5], -2, -2, 0, 0), block([0, 1, 0], cube, -2, -2, 0.5, 0), ...
+           block([0, 0, 1], cube, -2, -2, 1.5, 0)];
+  apart = tower;
+  for k = 1:3, apart(k).position = [2 * k - 4, -3, tower(k).size(3) / 2]; end
+  [folder, remove] = newRecording({pictureOf(tower), pictureOf([tower(1:2), apart(3)]), ...
+                                   pictureOf([tower(1), apart(2:3)])});
+  names = {'Red', 'Green', 'Blue'};
+  move = @(frame, k, position) sprintf('%d,move,%s,%g,%g,%g,0.0,0.0,0.0', frame, names{k}, position);
+  lines = cellfun(@(name) ['0,create,', name, ',shape,block'], names, 'UniformOutput', false);
+  for k = 1:3, lines{end + 1} = move(0, k, tower(k).position); end
+  write(folder, '0.txt', lines);
+  lines = {};
+  for frame = 1:3
+    k = 4 - frame;
+    lines = [lines, {sprintf('%d,grasp,AnyHand,%s', frame, names{k}), move(frame, k, [3, 0, 4.5]), ...
+                     move(frame, k, apart(k).position), sprintf('%d,release,AnyHand', frame)}];
+  end
+  write(folder, '1.txt', lines);
+  steps = inferTask(readDemonstration(folder), []);
+  check(isequal({steps.name}, {'Blue', 'Green', 'Red'}), 'the highest comes first');
+  sizes = vertcat(steps.size);
+  check(max(max(abs(sizes - [1, 1, 1; 1, 1, 1; 1, 1, 0.5]))) < 0.03, 'heights follow from what is below');
+  check(isempty([steps.on]), 'all are put on the table');
 end
 
 function [folder, remove] = newRecording(pictures)
@@ -273,8 +361,8 @@ function check_dragging()
   check(state.hasSite && norm(state.steps.position(1:2) - [3, -2] - [2, 1] * turn) < 0.01, ...
         'the displacement of a rotated door is rotated');
   state = initialTaskState(step, []);
-  state = chooseSite(state, [], [], []);
-  check(~state.hasSite && ~isempty(strfind(state.summary, '0 visible objects look like')), ...
+  [state, problem] = chooseSite(state, [], [], []);
+  check(~state.hasSite && ~isempty(strfind(problem, '0 visible objects look like')), ...
         'an invisible door is not dragged');
   delete(fullfile(folder, 'rgb', '1.png'));
   message = '';
@@ -313,20 +401,77 @@ function check_planning()
   check(isequal(known, tower([2, 1])), 'a hidden block is remembered, a missing one is not');
 end
 
+function check_site()
+% The building is where the demonstration moved nothing.
+  eye = robotEye();
+  brown = [0.5, 0.3, 0.2];
+  bases = [asStep(block(brown, [4, 1, 1], 1, -2, 0, 0.1)), asStep(block(brown, [1, 1, 1], 1, 0, 0, 0))];
+  [bases.stays] = deal(true);
+  state = initialTaskState(bases, []);
+  state.known = [block(brown, [4, 1, 1], -2, -2, 0, 0.1 - pi / 2), block(brown, [1, 1, 1], 0, -2, 0, 0), ...
+                 block(brown, [4, 1, 1], 3, -2, 0, 0.3)];
+  state = chooseSite(state, [], [], eye);
+  errors = vertcat(state.steps.position) - vertcat(state.known(1:2).position);
+  check(state.hasSite && max(abs(errors(:))) < 1e-9, ...
+        'what stays determines the site');
+end
+
+function check_clearing()
+  red = [1, 0, 0]; green = [0, 1, 0]; blue = [0, 0, 1];
+  cube = [1, 1, 1];
+  for k = 1:3, tower(k) = asStep(block(blue, cube, 0, -2, k - 1, 0)); end
+  state = initialTaskState(tower, []);
+  state.known = [block(red, cube, 0, -0.2, 1, 0), block(red, cube, 3, -0.2, 1, 0)];
+  check(isequal([uncoveringMoves(state, 1:2, robotEye()).block], 1), 'what the building would hide is uncovered');
+  state.known(3) = block(red, cube, 0, -0.2, 0, 0);
+  check(isempty(uncoveringMoves(state, 1:3, robotEye())), 'unless it is known');
+  state.known(2:4) = [block(blue, cube, 0, -4, 0, 0), block(blue, cube, 2, -4, 0, 0), block(blue, cube, 4, -4, 0, 0)];
+  check(isempty(uncoveringMoves(state, 1:4, robotEye())), 'or nothing is missing');
+
+  state.known = [block(red, cube, 0, -2, 0, 0), block(green, cube, -1.1, -2, 0, 0), ...
+                 block(green, cube, 1.1, -2, 0, 0), block(green, cube, 0, -3.05, 0, 0), ...
+                 block(blue, cube, 4, -2, 0, 0)];
+  moves = clearingMoves(state, struct('block', 1, 'goal', []), 1:5);
+  check(isequal([moves.block], 4), 'room for the fingers is cleared');
+  check(isempty(clearingMoves(state, struct('block', 2, 'goal', []), 1:5)), 'where there is none');
+  none = [proposeMoves(initialTaskState(tower, []), 1, zeros(1, 0)), uncoveringMoves(state, [], robotEye())];
+  check(isempty(clearingMoves(state, none, 1:5)), 'and nothing without moves');
+end
+
+function check_failures()
+  there = block([1, 0, 0], [1, 1, 1], 3, -2, 0, 0);
+  goal = block([1, 0, 0], [1, 1, 1], 0, -2, 0, 0);
+  state = initialTaskState(asStep(goal), []);
+  state.known = goal;
+  state.grasp = struct('position', there.position, 'arm', 1, 'yaw', 0.5);
+  state = rememberFailure(state, {struct('kind', 'grasp'), struct('kind', 'follow'), struct('kind', 'open')});
+  check(isempty(state.known), 'after a failed grasp the block is not where it was to go');
+  check(isequal(state.failures, state.grasp), 'and the grasp is remembered');
+  wide = block([0, 0, 1], [3, 2, 1], 0, -2, 0, 0);
+  [~, reason] = planPickAndPlace(struct('opening', 2), wide, wide, noBlocks(), [], []);
+  check(strcmp(reason, 'it is wider than the gripper opens'), 'a block that is too wide is not taken');
+end
+
 function step = asStep(it)
   step = it;
   step.name = 'step';
   step.on = [];
   step.displacement = [];
+  step.stays = false;
 end
 
 try
   check_perception();
+  check_depth();
   check_clearance();
   check_inference();
+  check_unstacking();
   check_container();
   check_dragging();
   check_planning();
+  check_site();
+  check_clearing();
+  check_failures();
 catch err
   fprintf('%s\n', err.message);
   exit(1);

@@ -82,7 +82,7 @@ function check_picture()
         'the height of a partly hidden block is not guessed');
   top = tops(arrayfun(@(top) sameColor(top.color, blue.color), tops));
   [kinds.color] = deal(blue.color);
-  block = fitBlocks(top.row, top.column, eye, kinds, [], @(block) true);
+  block = fitBlocks(top.row, top.column, eye, kinds, [], @(block) true, repmat({0:5}, 1, numel(kinds)));
   check(norm(block.position - blue.position) < 0.05, 'an upper block is located');
 end
 

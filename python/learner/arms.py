@@ -72,12 +72,12 @@ class Arm:
 
 
 def arms_for(steps, arms):
-    """Returns the arms whose grippers can hold the blocks of all steps.
+    """Returns the arms whose grippers can hold the blocks of all steps except those that stay.
 
     Raises ValueError if there are none.
     """
-    width = max(step.size[1] for step in steps)
-    able = [arm for arm in arms if arm.opening >= width + C.opening_margin]
+    width = max(step.size[1] for step in steps if not step.stays)
+    able = [arm for arm in arms if can_hold(arm, width)]
     if not able:
         found = ", ".join(f"{arm.name}: " + (f"{arm.opening:.2f} units" if arm.opening else "none")
                           for arm in arms)
@@ -85,6 +85,11 @@ def arms_for(steps, arms):
                          f"found {found}; expected one that opens at least "
                          f"{width + C.opening_margin:.2f} units")
     return able
+
+
+def can_hold(arm, width):
+    """Returns true if the gripper of an arm opens far enough for a width [units]."""
+    return arm.opening >= width + C.opening_margin
 
 
 def nearest_first(arms, x):

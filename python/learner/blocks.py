@@ -55,3 +55,10 @@ def yaw_difference(block, yaw):
     period = math.pi / 2 if has_equal_sides(block) else math.pi
     rotation = yaw - block.yaw
     return rotation - period * round(rotation / period)
+
+
+def is_in_place(block, step):
+    """Returns true if a block is in the place of a step."""
+    return (is_same_kind(block, step)
+            and np.linalg.norm(block.position - step.position) < BLOCKS.position_tolerance
+            and abs(yaw_difference(step, block.yaw)) < BLOCKS.yaw_tolerance_rad)

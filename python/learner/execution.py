@@ -1,12 +1,22 @@
 """Actions of the arms, executed step by step."""
 
 from dataclasses import dataclass, field
+from typing import Optional
 
 import numpy as np
 from smile.motion import Trajectory
 
 from arms import Arm
 from constants import EXECUTION as C
+
+
+@dataclass
+class Grasp:
+    """An attempt to take a block."""
+
+    position: np.ndarray  # of the block's center [units]
+    arm: int  # number of the arm
+    yaw: float  # direction from finger to finger [rad]
 
 
 @dataclass
@@ -21,6 +31,7 @@ class Action:
     path: Trajectory = None
     to: float = 0  # [units]
     width: float = 0  # [units]
+    grasp: Optional[Grasp] = None  # which one it attempts
 
     time: float = 0  # since its start [s]
     opening: float = np.inf  # at which the fingers came to rest [units]

@@ -8,12 +8,13 @@ smile: imitates
 """
 
 from arms import arms_for, arms_of
+from constants import TASK_PLANNING
 from demonstration import read_demonstration
 from execution import Action, execute_action
 from motion_planning import retreat
 from perception import Eye
 from task_model import infer_task
-from task_planning import TaskState, choose_actions
+from task_planning import TaskState, choose_actions, give_up, remember_failure
 
 
 def init(aux):
@@ -31,7 +32,9 @@ def init(aux):
     aux.eye = Eye(aux.cameraIntrinsics, aux.cameraPose)
     aux.state = TaskState(steps, container)  # beliefs about this scene, and progress
     aux.actions = [Action("observe")]  # the next actions, in this order
-    aux.is_recovering = False  # true after a failed action
+    aux.num_retreats = 0  # number of successive retreats after failed actions
+
+    aux.channels = ["rgb", "depth"]
 
     # The arms start outside the picture.
     for arm in arms:
@@ -45,15 +48,19 @@ def step(sensor, motor, aux):
     if status == "done":
         aux.actions.pop(0)
         if not aux.actions:
-            aux.is_recovering = False
+            aux.num_retreats = 0
             aux.actions = choose_actions(aux.state, sensor, aux.eye, aux.hands)
-            if not aux.actions:
-                print(f"{sensor.simTime:5.1f} s: {aux.state.summary}")
-                aux.exit = True
     elif status != "busy":
         print(f"{sensor.simTime:5.1f} s: {status}")
-        if aux.is_recovering:
-            raise RuntimeError("the arm is stuck")
+        if aux.num_retreats == 0:
+            remember_failure(aux.state, aux.actions)
         arm = aux.actions[0].arm
-        aux.actions = retreat(arm, sensor.arms[arm.index].joints)
-        aux.is_recovering = True
+        aux.num_retreats += 1
+        if aux.num_retreats <= TASK_PLANNING.max_retreats:
+            q = sensor.arms[arm.index].joints
+            aux.actions = retreat(arm, q, can_rise=aux.num_retreats == 1)
+        else:
+            give_up(aux.state, "because the arm is stuck")
+    if aux.state.claim:
+        print(f"{sensor.simTime:5.1f} s: {aux.state.claim.reason}")
+        aux.exit = True

@@ -5,40 +5,56 @@ from itertools import product
 
 import numpy as np
 
-from arms import nearest_first
+from arms import can_hold, nearest_first
 from clearance import footprint, grasp_yaws, overlap
 from constants import MOTION_PLANNING as C
-from execution import Action
+from execution import Action, Grasp
 from task_model import is_dragged
 
 
-def plan_pick_and_place(arms, block, goal, others, sensor):
+def plan_pick_and_place(arms, block, goal, others, sensor, failures=()):
     """Plans the actions that bring a block to a goal (a Block or Step) and end with an observation.
 
-    arms:   the Arms that may do it
-    others: obstacles, as Blocks
+    arms:     the Arms that may do it
+    others:   obstacles, as Blocks
+    failures: Grasps that failed and are not to be repeated
     Returns actions and None, or [] and the reason if no arm can do it.
     """
     at_start = grasp_yaws(block, others)
     at_goal = grasp_yaws(goal, others)
     if not at_start or not at_goal:
         return [], "there is no room for the fingers"
-    for arm in nearest_first(arms, block.position[0] + goal.position[0]):
+    able = [arm for arm in arms if can_hold(arm, block.size[1])]
+    if not able:
+        return [], "it is wider than the gripper opens"
+    can_be_low = not is_dragged(goal) and has_low_way(block, goal, others)
+    for is_low, arm in product([False, True] if can_be_low else [False],
+                               nearest_first(able, block.position[0] + goal.position[0])):
         if is_dragged(goal):
             height = block.top + C.drag_tool_height
         else:
             height = transfer_height(arm, [*others, block], goal)
+        # What cannot be lifted high enough to pass over all others is lifted less on a low way.
+        lift = block.position[2] + block.size[2] + C.clearance if is_low else height
         q = sensor.arms[arm.index].joints
-        lifts = [height]
-        # A single arm also takes what it cannot lift that high.
-        if len(arms) == 1 and not is_dragged(goal) and has_low_way(block, goal, others):
-            lifts.append(block.position[2] + block.size[2] + C.clearance)
-        for lift, place_yaw, grasp_yaw in product(lifts, at_goal, at_start):
+        yaws = [yaw for yaw in at_start
+                if not has_failed(Grasp(block.position, arm.index, yaw), failures)]
+        for place_yaw, grasp_yaw in product(at_goal, yaws):
             actions = plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift,
                                               others, q)
             if actions:
                 return actions, None
     return [], "no arm reaches both its place and its goal"
+
+
+def has_failed(grasp, failures):
+    """Returns true if a grasp is about the same as one that failed."""
+    for it in failures:
+        turn = (grasp.yaw - it.yaw + math.pi) % (2 * math.pi) - math.pi
+        if (it.arm == grasp.arm and abs(turn) < C.same_yaw_rad
+                and np.linalg.norm(it.position - grasp.position) < C.same_place_distance):
+            return True
+    return False
 
 
 def transfer_height(arm, blocks, goal):
@@ -74,7 +90,7 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
     width = block.size[1]
     opening = min(width + C.opening_margin, arm.opening)
     # Of the tool, from the block's center.
-    offset = np.array([0, 0, block.size[2] / 2 - grip_depth(arm)])
+    offset = np.array([0, 0, block.size[2] / 2 - grip_depth(arm, block.size[2])])
     start = arm.tool_pose(block.position + offset, grasp_yaw, width)
     over_start = at_height(start, lift)
     end = arm.tool_pose(goal.position + offset + [0, 0, C.place_height_margin], place_yaw, width)
@@ -91,14 +107,17 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
         return []
     moves = [Action("follow", arm, it) for it in path]
     return [Action("open", arm, to=opening), *moves[:len(to_block)],
-            Action("grasp", arm, width=width), *moves[len(to_block):-2],
+            Action("grasp", arm, width=width, grasp=Grasp(block.position, arm.index, grasp_yaw)),
+            *moves[len(to_block):-2],
             Action("open", arm, to=opening), *moves[-2:], Action("observe")]
 
 
-def grip_depth(arm):
-    """Returns how far the tool of an arm is below the top of the block that it grasps [units]: the
-    fingers reach still lower, but not to the table."""
-    return max(C.grip_below_top, C.fingers_below_top - arm.reach)
+def grip_depth(arm, height):
+    """Returns how far the tool of an arm is below the top of a block of some height when it grasps
+    it [units]; negative above the top. The fingers reach still lower, but not to what the block
+    stands on."""
+    return min(max(C.grip_below_top, C.fingers_below_top - arm.reach),
+               height - C.fingers_above_bottom - arm.reach)
 
 
 def plan_path_through(arm, poses, others, q):
@@ -211,15 +230,17 @@ def move_line(arm, before, goal):
     return path if path and path.duration <= C.max_line_s else None
 
 
-def retreat(arm, q):
+def retreat(arm, q, can_rise):
     """Returns the actions of an arm that was stopped: opens the gripper, rises as far as possible,
     parks, and observes.
 
-    q: its joint angles [rad]
+    q:        its joint angles [rad]
+    can_rise: false if it was stopped while rising: then it parks directly
     """
     actions = [Action("open", arm, to=min(C.retreat_opening, arm.opening))]
     here = arm.forward(q)
-    for height in np.arange(C.retreat_height, here[2, 3] + C.retreat_step, -C.retreat_step):
+    heights = np.arange(C.retreat_height, here[2, 3] + C.retreat_step, -C.retreat_step)
+    for height in heights if can_rise else []:
         path, _ = arm.robot.move_line(arm.name, q, at_height(here, height), speed=C.retreat_speed)
         if path:
             actions.append(Action("follow", arm, path))

@@ -31,21 +31,66 @@ class Face:
     misfit: float  # relative difference between the area of its pixels and that of the rectangle
 
 
-def detect_blocks(picture, eye, like, container=None):
+def height_map(depth, eye):
+    """Returns the height above the table of the surface in each pixel, HxW [units]; 0 where there
+    is none.
+
+    depth: HxW, distance along the axis of the camera [units]; 0 where there is no surface
+    """
+    row, column = np.indices(depth.shape) + 0.5
+    K = eye.intrinsics
+    right, down, forward = eye.pose[2, :3]
+    rise = right * (column - K[0, 2]) / K[0, 0] + down * (row - K[1, 2]) / K[1, 1] + forward
+    return np.where(depth > 0, eye.pose[2, 3] + depth * rise, 0)
+
+
+def detect_blocks(picture, eye, like, container=None, heights=None):
     """Detects the blocks in a picture that look like given ones (Blocks or Steps), at any place and
-    height; some may lie in a container. Partly occluded blocks are not detected. Returns a list."""
+    height; some may lie in a container. Partly occluded blocks are not detected. Returns a list.
+
+    heights: as from height_map: separates tops of one color that meet in the picture; None if the
+             eye measures no depth
+    """
     table = table_color(picture)
     blocks = []
     for color in colors_to_detect(picture, like):
         sizes = block_sizes(like, color)
-        number = label_regions(color_mask(picture, color))
-        for region, size in enumerate(np.bincount(number.ravel())):
-            if region == 0 or size < C.min_top_pixels:
+        bottoms = [likely_bottoms(like, color, size, heights) for size in sizes]
+        number = label_regions(color_mask(picture, color), heights)
+        for region, count in enumerate(np.bincount(number.ravel())):
+            if region == 0 or count < C.min_top_pixels:
                 continue
             row, column = np.nonzero(number == region)
+            top, max_error = None, C.max_side_error
+            if heights is not None:
+                if not is_level(heights[row, column]):
+                    continue
+                top = np.median(heights[row, column])
+                if is_cut(row, column, top, heights):
+                    max_error = C.max_cut_side_error
             blocks += fit_blocks(row, column, eye, color, sizes, container,
-                                 lambda block: is_supported(block, picture, eye, table))
+                                 lambda block: is_supported(block, picture, eye, table), bottoms,
+                                 top, max_error)
     return blocks
+
+
+def is_cut(row, column, top, heights):
+    """Returns true if something higher hides a part of a top face, or the border of the picture
+    cuts it off: it touches pixels of higher surfaces."""
+    edge = np.pad(heights > top + C.height_step, 1, constant_values=True)
+    beside = np.zeros(edge.shape, bool)
+    for down, right in ((0, 1), (2, 1), (1, 0), (1, 2)):
+        beside[row + down, column + right] = True
+    return (beside & edge).sum() >= C.min_cut_pixels
+
+
+def likely_bottoms(like, color, size, heights):
+    """Returns the heights at which the bottom of a block of some color and size may be expected
+    [units]: on the table, where such blocks are or must go, and, without measured heights, on
+    whole layers."""
+    bottoms = [it.bottom for it in like if same_color(it.color, color) and same_size(size, it.size)]
+    layers = range(C.max_layers) if heights is None else [0]
+    return np.unique(np.round(100 * np.array([*layers, *bottoms])) / 100)
 
 
 def colors_to_detect(picture, like):
@@ -57,12 +102,12 @@ def colors_to_detect(picture, like):
     return distinct_colors(colors)
 
 
-def frequent_colors(picture):
+def frequent_colors(picture, min_pixels=C.frequent_color_pixels):
     """Returns the colors that more than a few pixels of a picture have, a list."""
     flat = np.round(picture * 255).astype(int).reshape(-1, 3)
     flat = flat[(flat > 0).all(axis=1) | (flat > C.bright_of_255).any(axis=1)]
     found, count = np.unique(flat @ [65536, 256, 1], return_counts=True)
-    frequent = found[count > C.frequent_color_pixels]
+    frequent = found[count > min_pixels]
     return distinct_colors([color_of_code(color) for color in frequent])
 
 
@@ -99,29 +144,34 @@ def color_mask(picture, color):
     return mask
 
 
-def label_regions(mask):
+def label_regions(mask, heights=None):
     """Labels the connected regions of a mask, HxW bool: 0 where it is false, otherwise numbers from
-    1."""
+    1. With heights, as from height_map, a step between two pixels separates regions."""
     number = np.zeros(mask.shape, int)
     rows = np.flatnonzero(mask.any(axis=1))
     if len(rows):
         # Most masks fill a small part of the picture.
         columns = np.flatnonzero(mask.any(axis=0))
         part = np.s_[rows[0]:rows[-1] + 1, columns[0]:columns[-1] + 1]
-        number[part] = labels_within(mask[part])
+        number[part] = labels_within(mask[part], None if heights is None else heights[part])
     return number
 
 
-def labels_within(mask):
+def labels_within(mask, heights):
     """Labels the connected regions of a mask."""
+    in_column = mask[1:] & mask[:-1]
+    side_by_side = mask[:, :-1] & mask[:, 1:]
+    if heights is not None:
+        in_column &= np.abs(np.diff(heights, axis=0)) < C.height_step
+        side_by_side &= np.abs(np.diff(heights, axis=1)) < C.height_step
+
     # Pixels that touch in a column are a run. Counting the beginnings of runs numbers them.
     begins = mask.copy()
-    begins[1:] &= ~mask[:-1]
+    begins[1:] &= ~in_column
     run = np.cumsum(begins.T).reshape(mask.T.shape).T * mask
     num_runs = run.max(initial=0)
 
     # Runs that touch side by side belong to one region (union-find): its first run represents it.
-    side_by_side = mask[:, :-1] & mask[:, 1:]
     left, right = run[:, :-1][side_by_side], run[:, 1:][side_by_side]
     touching = np.unique(left * (num_runs + 1) + right)
     first = list(range(num_runs + 1))
@@ -138,39 +188,58 @@ def labels_within(mask):
     return numbers[run]
 
 
-def fit_blocks(row, column, eye, color, sizes, container, is_possible):
+def fit_blocks(row, column, eye, color, sizes, container, is_possible, bottoms, top=None,
+               max_side_error=C.max_side_error):
     """Fits blocks to the pixels of a top face: one block of a color and one of some sizes, or equal
     blocks that touch in a row or a grid. Returns a list, empty if nothing fits.
 
     row, column: pixels, N numbers each
     container:   in which they may lie, or None
     is_possible: predicate: returns true if there can be such a Block at its place
+    bottoms:     for each size, the heights where the bottom is expected [units]
+    top:         measured height of the face [units], or None
+    max_side_error: greatest relative error of the sides
 
-    On a lower plane the same pixels would be a larger top, on a higher one a smaller. Blocks lie on
-    blocks, so only few planes are possible: the one at which the size of the top is right. Inside
-    the container, all planes are higher by its floor.
+    On a lower plane the same pixels would be a larger top, on a higher one a smaller. Without a
+    measured height, the plane is the one of the expected ones at which the size of the top is
+    right. Inside the container, all planes are higher by its floor. With a measured height, blocks
+    whose bottom would be where it is expected are preferred: the size of the top alone does not
+    distinguish a high block from a low one on a support.
     """
-    best = C.max_side_error  # relative error of the sides
+    best = max_side_error
     blocks = []
-    for max_count in (1, C.max_abreast):  # blocks side by side
-        for size in sizes:
-            for floor in range(C.max_layers):
-                top = size[2] + floor
-                face = fit_face(*onto_plane(row, column, eye, top))
-                if is_inside(container, face.center):
-                    top += container.floor
-                    face = fit_face(*onto_plane(row, column, eye, top))
+    for max_count, is_expected in ((1, True), (1, False), (C.max_abreast, True),
+                                   (C.max_abreast, False)):  # blocks side by side
+        for size, expected in zip(sizes, bottoms):
+            for plane in candidate_tops(size, expected, top, is_expected):
+                face = fit_face(*onto_plane(row, column, eye, plane))
+                if top is None and is_inside(container, face.center):
+                    plane += container.floor
+                    face = fit_face(*onto_plane(row, column, eye, plane))
                 count = np.clip(np.round(face.sides / size[:2]), 1, max_count)
                 max_error = max(*np.abs(face.sides / (count * size[:2]) - 1), face.misfit)
                 if max_error >= best:
                     continue
-                found = block_grid(face, count.astype(int), top, color, size)
-                if all(map(is_possible, found)):
+                found = block_grid(face, count.astype(int), plane, color, size)
+                if top is not None and is_expected or all(map(is_possible, found)):
                     best = max_error
                     blocks = found
         if blocks:
             break
     return blocks
+
+
+def candidate_tops(size, bottoms, top, is_expected):
+    """Returns the heights at which the top of a block may be [units], a list: its measured height,
+    or, if there is none, those at which its bottom is expected.
+
+    is_expected: whether to return the heights with an expected bottom, or the others
+    """
+    if top is None:
+        return [size[2] + bottom for bottom in bottoms] if is_expected else []
+    error = np.abs(top - size[2] - bottoms).min()
+    is_above_table = top - size[2] > -C.on_table
+    return [top] if (error < C.on_table) == is_expected and is_above_table else []
 
 
 def block_grid(face, count, top, color, size):
@@ -217,50 +286,85 @@ def table_color(picture):
     return color_of_code(colors[count.argmax()]) if len(colors) else np.full(3, np.nan)
 
 
-def detect_unknown_objects(picture, eye, known):
-    """Detects Blocks on the table that are none of the known ones; they belong to no step, but may
-    be in the way. Returns a list."""
+def detect_unknown_objects(picture, eye, known, heights=None):
+    """Detects Blocks that are none of the known ones; they belong to no step, but may be in the
+    way. Without heights, as from height_map, only those on the table. Returns a list."""
     table = table_color(picture)
     unknown = []
-    for color, row, column in segment_top_faces(picture, table):
-        if any(is_top_of(row, column, it, picture, eye) for it in known):
+    for color, row, column in segment_top_faces(picture, table, heights):
+        if any(is_top_of(row, column, it, picture, eye, heights) for it in known):
             continue
-        block = measure_block(color, row, column, picture, eye, table)
-        if block and not overlap([*block.position[:2], 0, 0, 0], footprint(known, 0)).any():
+        block = measure_block(color, row, column, picture, eye, table, heights)
+        if not block:
+            continue
+        beside = [it for it in known if it.top > block.bottom + C.on_table
+                  and it.bottom < block.top - C.on_table]
+        if not overlap([*block.position[:2], 0, 0, 0], footprint(beside, 0)).any():
             unknown.append(block)
     return unknown
 
 
-def is_top_of(row, column, block, picture, eye):
+def is_top_of(row, column, block, picture, eye, heights=None):
     """Returns true if a segmented top face contains the middle of a block's top."""
     pixel = pixel_at(picture, eye, [*block.position[:2], block.top])
-    return pixel is not None and ((row == pixel[0]) & (column == pixel[1])).any()
+    if pixel is None or not ((row == pixel[0]) & (column == pixel[1])).any():
+        return False
+    return heights is None or abs(heights[pixel] - block.top) < C.height_step
 
 
-def segment_top_faces(picture, table):
-    """Segments the flat areas of a picture that may be tops of blocks: those that are not, like the
-    sides of blocks, below a brighter area of the same hue. Returns a list of color, rows and
-    columns.
+def segment_top_faces(picture, table, heights=None):
+    """Segments the flat areas of a picture that may be tops of blocks: those at one height above
+    the table, or, without heights, those that are not, like the sides of blocks, below a brighter
+    area of the same hue. Returns a list of color, rows and columns.
 
     table: color of the table
     """
     codes = np.round(255 * picture).astype(int) @ [65536, 256, 1]
     tops = []
-    for code, count in zip(*np.unique(codes, return_counts=True)):
-        color = color_of_code(code)
-        is_large = count >= C.min_unknown_object_pixels
-        if code == 0 or not is_large or color_mask(color[None, None], table).all():
+    for color, mask in color_masks(picture, codes, heights is not None):
+        if color_mask(color[None, None], table).all():
             continue
-        number = label_regions(codes == code)
+        number = label_regions(mask, heights)
         for region, size in enumerate(np.bincount(number.ravel())):
             if region == 0 or size < C.min_unknown_object_pixels:
                 continue
             row, column = np.nonzero(number == region)
-            above = codes[np.maximum(row - 1, 0), column]
-            colors, often = np.unique(above[(above != code) & (row > 0)], return_counts=True)
-            if not len(colors) or not is_darker_shade(color, color_of_code(colors[often.argmax()])):
+            if (is_level(heights[row, column]) if heights is not None
+                    else not is_below_brighter(color, codes, row, column)):
                 tops.append((color, row, column))
     return tops
+
+
+def color_masks(picture, codes, is_tolerant):
+    """Yields the frequent colors of a picture and the masks of their pixels.
+
+    codes:       of the colors of the pixels
+    is_tolerant: whether the colors may differ a little; otherwise they are exact, to distinguish
+                 tops from sides
+    """
+    if is_tolerant:
+        for color in frequent_colors(picture, C.min_unknown_object_pixels):
+            yield color, color_mask(picture, color)
+        return
+    for code, count in zip(*np.unique(codes, return_counts=True)):
+        if code > 0 and count >= C.min_unknown_object_pixels:
+            yield color_of_code(code), codes == code
+
+
+def is_level(heights):
+    """Returns true if the heights of some pixels, N numbers, are those of one level area above the
+    table."""
+    ordered = np.sort(heights)
+    low, middle, high = (ordered[int(fraction * (len(ordered) - 1))] for fraction in (0.1, 0.5, 0.9))
+    return middle > C.on_table and high - low < C.height_step
+
+
+def is_below_brighter(color, codes, row, column):
+    """Returns true if an area of one color is below a brighter area of the same hue."""
+    above = codes[np.maximum(row - 1, 0), column]
+    colors, often = np.unique(above[(above != codes[row[0], column[0]]) & (row > 0)],
+                              return_counts=True)
+    return len(colors) > 0 and is_darker_shade(color, color_of_code(colors[often.argmax()]))
 
 
 def is_darker_shade(color, bright):
@@ -272,22 +376,45 @@ def is_darker_shade(color, bright):
     return least < fraction < greatest and difference < C.shade_tolerance
 
 
-def measure_block(color, row, column, picture, eye, table):
-    """Measures the Block on the table that has a top face, of any size; None if it is not entirely
-    visible."""
-    height = estimate_height(color, row, column, picture, eye, table)
-    if height is None:
+def measure_block(color, row, column, picture, eye, table, heights=None):
+    """Measures the Block that has a top face, of any size; None if it is not entirely visible.
+    Without heights, as from height_map, it must stand on the table."""
+    if heights is None:
+        top, ground = estimate_height(color, row, column, picture, eye, table), 0
+    else:
+        top = np.median(heights[row, column])
+        ground = ground_below(color, row, column, picture, eye, heights)
+    if top is None or ground is None or top - ground < C.on_table:
         return None
-    face = fit_face(*onto_plane(row, column, eye, height))
+    face = fit_face(*onto_plane(row, column, eye, top))
     if face.misfit > C.misfit:
         return None
-    return Block(color, np.append(face.sides, height), np.append(face.center, height / 2), face.yaw)
+    return Block(color, np.append(face.sides, top - ground),
+                 np.append(face.center, (top + ground) / 2), face.yaw)
+
+
+def ground_below(color, row, column, picture, eye, heights):
+    """Returns the height of what a block stands on [units]: below the edge of its top one of its
+    sides is visible, and below that the ground. None if something else hides its foot; so it is
+    with the floor of a box."""
+    top = np.median(heights[row, column])
+    point, step = edge_toward_nadir(row, column, eye)
+    row, column = np.floor(point[::-1]).astype(int)
+    while 0 <= row < heights.shape[0] and 0 <= column < heights.shape[1]:
+        if not is_darker_shade(picture[row, column], color):
+            ground = heights[row, column]
+            if ground > top - C.on_table:
+                return None
+            return ground if ground > C.on_table else 0
+        point = point + step
+        row, column = np.floor(point[::-1]).astype(int)
+    return None
 
 
 def estimate_height(color, row, column, picture, eye, table):
     """Estimates the height of a block on the table [units]: below the edge of its top one of its
     sides is visible, down to where the table begins. None if something else is there."""
-    u, v = edge_toward_nadir(row, column, eye)
+    (u, v), _ = edge_toward_nadir(row, column, eye)
     for trial in numbers_of(*C.height_trials):
         x, y, _ = onto_plane(np.array([v - 0.5]), np.array([u - 0.5]), eye, trial)
         pixel = pixel_at(picture, eye, [x[0], y[0], 0])
@@ -301,14 +428,15 @@ def estimate_height(color, row, column, picture, eye, table):
 
 def edge_toward_nadir(row, column, eye):
     """Returns the pixel where a top ends below its middle, on the line to the nadir, the image
-    point straight below the camera: u, v from the top left corner [pixels]."""
+    point straight below the camera: u, v from the top left corner [pixels]; and half a pixel along
+    this line."""
     nadir = to_pixel(eye.pose[:3, 3] - [0, 0, 1], eye)
     point = np.array([column.mean(), row.mean()]) + 0.5
     step = 0.5 * (nadir - point) / np.linalg.norm(nadir - point)
     pixels = set(zip(column.tolist(), row.tolist()))
     while tuple(np.floor(point).astype(int).tolist()) in pixels:
         point = point + step
-    return point
+    return point, step
 
 
 def detect_rims(picture, eye, color, height):
@@ -401,3 +529,35 @@ def pixel_at(picture, eye, point):
     column, row = np.floor(to_pixel(point, eye)).astype(int)
     inside = 0 <= row < picture.shape[0] and 0 <= column < picture.shape[1]
     return (row, column) if inside else None
+
+
+def is_top_hidden(block, others, eye):
+    """Returns true if others (Blocks or Steps) hide a part of a block's top from the eye: a line of
+    sight from its middle or near one of its corners passes through one of them."""
+    others = [it for it in others if it.top > block.top + C.on_table]
+    if not others:
+        return False
+    covered = footprint(others, 0)
+    tops = np.array([it.top for it in others])
+    bottoms = np.maximum([it.bottom for it in others], block.top)
+    c, s = np.cos(covered[:, 4]), np.sin(covered[:, 4])
+    for point in top_points(block):
+        for fraction in np.linspace(0, 1, C.sight_heights):
+            z = bottoms + fraction * (tops - bottoms)
+            along = (z - block.top) / (eye.pose[2, 3] - block.top)
+            x = point[0] + along * (eye.pose[0, 3] - point[0]) - covered[:, 0]
+            y = point[1] + along * (eye.pose[1, 3] - point[1]) - covered[:, 1]
+            if ((2 * abs(x * c + y * s) < covered[:, 2])
+                    & (2 * abs(y * c - x * s) < covered[:, 3])).any():
+                return True
+    return False
+
+
+def top_points(block):
+    """Returns the middle of a block's top and points near its corners, 5x3 [units]."""
+    along = C.top_fraction * block.size[0] * np.array([math.cos(block.yaw), math.sin(block.yaw), 0])
+    across = C.top_fraction * block.size[1] * np.array([-math.sin(block.yaw), math.cos(block.yaw),
+                                                        0])
+    middle = np.array([*block.position[:2], block.top])
+    return np.array([middle, middle + along + across, middle + along - across,
+                     middle - along - across, middle - along + across])

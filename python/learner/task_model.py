@@ -1,7 +1,7 @@
 """Infers from a demonstration what is to be done."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 from typing import Optional
 
@@ -24,6 +24,7 @@ class Step(Block):
     on: list  # numbers of the steps that it stands on; empty for the table
     displacement: Optional[np.ndarray] = None  # x y [units] of a dragged object, whose color and
     #                                            size are those of its handle
+    stays: bool = False  # true for an object that the demonstration did not move
 
     def __str__(self):
         return "%s (%.3g x %.3g x %.3g)" % (self.name, *self.size)
@@ -45,73 +46,116 @@ def is_dragged(goal):
 
 def infer_task(demo, attention):
     """Returns a list of Steps in the order shown, one for each object that takes part, and the
-    Container that some of them were put into, or None.
+    Container that some of them were put into, or None. Objects that were not moved but support
+    others come first.
 
     attention: the properties of objects that matter, if the demonstrator specified some, as in aux
     """
-    steps = []
-    pictures = {}  # cache
-    for n in participating_objects(demo):
-        name = demo.ids[n]
-        if was_dragged(demo.moves[n]):
-            steps.append(measure_handle(demo, n))
-            continue
-        color, size = measure_object(demo, n, pictures)
-        if not color_matters(attention, name):
-            color = None
-        _, x, y, z, _, _, degrees = demo.moves[n][-1]
-        yaw = math.radians(degrees)
-        if size[1] > BLOCKS.equal_sides * size[0]:
-            size = size[[1, 0, 2]]
-            yaw += math.pi / 2
-        step = Step(color, size, np.array([x, y, z]), yaw, name, [])
-        step.on = [k for k, lower in enumerate(steps) if stands_on(step, lower)]
-        steps.append(step)
+    moved = moved_objects(demo)
+    carried = [n for n in moved if not was_dragged(demo.moves[n])]
+    appearances = measure_objects(demo, carried)
+    placed = [step_of(demo, n, appearances[n], attention) if n in carried
+              else measure_handle(demo, n) for n in moved]
+    steps = supports_of(placed, [
+        replace(step_of(demo, n, appearances[n], attention), stays=True)
+        for n in range(len(demo.ids)) if n in appearances and n not in moved]) + placed
+    for k, step in enumerate(steps):
+        step.on = [i for i, lower in enumerate(steps[:k]) if stands_on(step, lower)]
     return steps, measure_container(demo, steps)
 
 
-def participating_objects(demo):
-    """Returns the numbers of the objects that take part, in the order of building: first the
-    objects that were not moved but support others, then the moved ones, in the order of their last
-    release."""
+def moved_objects(demo):
+    """Returns the numbers of the objects that hands moved, in the order of their last release."""
     last = {n: when for when, n in enumerate(demo.placed)}
-    moved = sorted(last, key=last.get)
-    if not moved:
+    if not last:
         raise ValueError("in this demonstration no hand moved anything")
-    final = np.array([rows[-1, 1:4] for rows in demo.moves])
-    below = []
-    for n in range(len(demo.ids)):
-        gap = final[moved] - final[n]
-        least, most = C.support_heights
-        is_above = np.hypot(gap[:, 0], gap[:, 1]) < C.support_distance
-        carries = (gap[:, 2] > least) & (gap[:, 2] < most) & is_above
-        if n not in moved and carries.any():
-            below.append(n)
-    return below + moved
+    return sorted(last, key=last.get)
 
 
-def measure_object(demo, n, pictures):
-    """Measures the appearance of an object of the demonstration in its pictures: the texts contain
-    the pose of each object in each picture, so its top can be found there.
+def supports_of(steps, others):
+    """Returns those of some other steps on which steps stand at the end, directly or on others: a
+    list, the lowest first."""
+    found = []
+    upper = list(steps)
+    while upper:
+        step = upper.pop()
+        below = [it for it in others if it not in found and stands_on(step, it)]
+        found += below
+        upper += below
+    return sorted(found, key=lambda step: (step.position[2], others.index(step)))
 
-    Returns its color, 3 numbers from 0 to 1, and its size along its own x, y and z axes [units].
+
+def step_of(demo, n, appearance, attention):
+    """Returns the Step of a carried object, at its final place; appearance: color and size along
+    its own axes."""
+    color, size = appearance
+    _, x, y, z, _, _, degrees = demo.moves[n][-1]
+    yaw = math.radians(degrees)
+    if size[1] > BLOCKS.equal_sides * size[0]:
+        size = size[[1, 0, 2]]
+        yaw += math.pi / 2
+    if not color_matters(attention, demo.ids[n]):
+        color = None
+    return Step(color, size, np.array([x, y, z]), yaw, demo.ids[n], [])
+
+
+def measure_objects(demo, needed):
+    """Measures the appearance of the objects of a demonstration in its pictures: the texts contain
+    the pose of each object in each picture, so its top can be found there. An object began on the
+    table or on a lower one; its height is twice the distance of its middle from there.
+
+    Returns a dict: number -> color, 3 numbers from 0 to 1, and size along its own x, y and z axes
+    [units]. Objects that are not among the needed ones are left out if no picture shows them.
     """
-    height = 2 * demo.moves[n][0, 3]  # it stood on the table at the start
-    for frame, *pose in select_frames(demo.moves[n]):
-        if frame not in pictures:
-            pictures[frame] = read_picture(demo, frame)
-        top = measure_top(pictures[frame], demo.eye, np.array(pose), height)
-        if top:
+    appearances = {}
+    at_start = []  # those measured so far, as Blocks at their first places
+    pictures = {}  # cache
+    for n in sorted(range(len(demo.ids)), key=lambda n: demo.moves[n][0, 3]):
+        found = measure_object(demo, n, at_start, pictures)
+        if found:
+            appearances[n] = found.color, found.size
+            at_start.append(found)
+        elif n in needed:
+            raise ValueError(f"no picture of the demonstration shows {demo.ids[n]} entirely")
+    return appearances
+
+
+def measure_object(demo, n, lower, pictures):
+    """Measures an object in the first frame that shows it entirely. Returns it as a Block at its
+    first place, or None.
+
+    lower:    Blocks that it may have stood on at the start
+    pictures: cache
+    """
+    _, *start, degrees = demo.moves[n][0][[0, 1, 2, 3, 6]]
+    frames = select_frames(demo, n)
+    # A lower block may be below: of a stack, the top of the whole could be that of a high block.
+    for bottom in sorted({0.0, *(it.top for it in lower if it.top < start[2])}, reverse=True):
+        height = 2 * (start[2] - bottom)
+        for frame, *pose in frames:
+            if frame not in pictures:
+                pictures[frame] = read_picture(demo, frame)
+            top = measure_top(pictures[frame], demo.eye, np.array(pose), height)
+            if not top:
+                continue
             color, sides = top
-            return color, np.append(sides, height)
-    raise ValueError(f"no picture of the demonstration shows {demo.ids[n]} entirely")
+            block = Block(color, np.append(sides, height), np.array(start), math.radians(degrees))
+            if bottom == 0 or any(stands_on(block, it) for it in lower):
+                return block
+    return None
 
 
-def select_frames(moves):
-    """Returns the rows of moves after which an object may be entirely visible: its first, and those
-    where it was highest."""
+def select_frames(demo, n):
+    """Returns the frames in which an object may be entirely visible, with its pose, in rows as of
+    demo.moves: its first, those where it was highest, and some in which others were moved, which
+    may have covered it before."""
+    moves = demo.moves[n]
     highest = np.argsort(-moves[:, 3], kind="stable")[:C.num_highest_frames]
-    return moves[[0, *highest]]
+    frames = np.unique(np.concatenate([rows[:, 0] for rows in demo.moves]))
+    chosen = np.arange(C.num_other_frames) * (len(frames) - 1) // (C.num_other_frames - 1)
+    others = [[frame, *moves[moves[:, 0] <= frame][-1, 1:]] for frame in frames[chosen]
+              if frame >= moves[0, 0]]
+    return np.array([moves[0], *moves[highest], *others])
 
 
 def measure_top(picture, eye, pose, height):

@@ -6,15 +6,24 @@ from typing import NamedTuple, Optional
 
 import numpy as np
 
-from arms import nearest_first
-from blocks import Block, has_equal_sides, is_same_kind, yaw_difference
-from clearance import container_walls, footprint, gripper_clearance, is_grasp_blocked, overlap
-from constants import CLEARANCE, PERCEPTION, TASK_PLANNING as C, numbers_of
-from execution import Action
+from beliefs import assumed_support, update_beliefs
+from blocks import Block, has_equal_sides, is_in_place, is_same_kind, yaw_difference
+from clearance import (container_walls, footprint, grasp_yaws, gripper_clearance, is_grasp_blocked,
+                       overlap)
+from constants import CLEARANCE, MOTION_PLANNING, PERCEPTION, TASK_PLANNING as C, numbers_of
+from execution import Action, Grasp
 from motion_planning import is_reachable, plan_pick_and_place
-from perception import (detect_blocks, detect_container, detect_unknown_objects, pixel_at,
-                        table_color, to_pixel)
-from task_model import Container, Step, is_dragged
+from perception import (detect_blocks, detect_unknown_objects, height_map, is_top_hidden,
+                        to_pixel)
+from building_site import choose_site
+from task_model import Container, Step
+
+
+class Claim(NamedTuple):
+    """What the learner believes about its result."""
+
+    done: bool  # whether everything is built
+    reason: str  # how accurately, or why not: one line
 
 
 @dataclass
@@ -33,7 +42,10 @@ class TaskState:
     placement_errors: dict = field(default_factory=dict)  # of a step's block: [units], [rad]
     num_blocked: int = 0  # number of successive steps for which no plan was found
     first_failure: str = ""  # why the first of them failed
-    summary: str = ""  # one line for people, at the end
+    left: list = field(default_factory=list)  # Blocks at the places from which they were put aside
+    grasp: Optional[Grasp] = None  # of the current actions; its block is the last of the known
+    failures: list = field(default_factory=list)  # Grasps that failed, not to be repeated
+    claim: Optional[Claim] = None  # about the result, at the end
 
     def __post_init__(self):
         self.done = [False] * len(self.steps)
@@ -49,26 +61,22 @@ class Move(NamedTuple):
 
 def choose_actions(state, sensor, eye, arms):
     """Updates the beliefs from a picture and plans the next actions: a list; [] when everything is
-    built or no plan is found (state.summary says which)."""
+    built or no plan is found (state.claim says which)."""
     picture = sensor.rgbVision / 255
-    # The place of the container is not known before a site is chosen.
-    container = state.container if state.has_site else None
-    seen = detect_blocks(picture, eye, state.steps + state.unknown_objects, container)
-    if not state.has_site or state.num_blocked > 0:
-        state.unknown_objects += detect_unknown_objects(picture, eye, seen + state.known)
-        seen = detect_blocks(picture, eye, state.steps + state.unknown_objects, container)
-    state.known = update_beliefs(state.known, seen, picture, eye)
+    heights = height_map(sensor.depthVision, eye)
+    observe(state, picture, heights, eye)
     if not state.has_site:
-        choose_site(state, arms, picture, eye)
-        if not state.has_site:
+        problem = choose_site(state, arms, picture, eye)
+        if problem:
+            give_up(state, f"before it began: {problem}")
             return []
 
     used = assess_progress(state)
     steps = open_steps(state)
     if not steps:
         distance, angle = np.max(list(state.placement_errors.values()), axis=0)
-        state.summary = "built, as seen within %.2f units and %.1f degrees" % (
-            distance, math.degrees(angle))
+        state.claim = Claim(True, "built, as seen within %.2f units and %.1f degrees" % (
+            distance, math.degrees(angle)))
         return []
 
     # The next step in the demonstrated order; while that is blocked, one of the other open steps.
@@ -81,25 +89,61 @@ def choose_actions(state, sensor, eye, arms):
         reason = f"blocks were put aside {C.max_temporary_placements} times already"
     else:
         free = [block for block in state.known if block not in used]
-        for move in propose_moves(state, step, free):
-            actions, place, reason = plan_move(state, step, move, eye, arms, sensor)
+        moves = uncovering_moves(state, free, eye) + propose_moves(state, step, free)
+        for move in moves + clearing_moves(state, moves, free):
+            if num_failures(state, move.block) >= C.max_failed_grasps:
+                reason = f"{C.max_failed_grasps} grasps of a block failed"
+                continue
+            actions, place, is_temporary, reason = plan_move(state, step, move, eye, arms, sensor)
             if not actions:
                 continue
-            if place:
+            if is_temporary:
                 state.num_temporary += 1
+                state.left.append(move.block)
             else:
                 state.attempts[k] += 1
             state.known.remove(move.block)
-            state.known += place
+            state.known.append(place)
             state.num_blocked = 0
+            state.grasp = next(action.grasp for action in actions if action.kind == "grasp")
             return actions
     if state.num_blocked == 0:
         state.first_failure = f"{step}: {reason}"
     state.num_blocked += 1
     if state.num_blocked > len(steps) + 1:
-        state.summary = f"gave up at {state.first_failure}"
+        give_up(state, f"at {state.first_failure}")
         return []
     return [Action("observe")]
+
+
+def observe(state, picture, heights, eye):
+    """Updates the known blocks from a picture."""
+    # The place of the container is not known before a site is chosen.
+    container = state.container if state.has_site else None
+    seen = detect_blocks(picture, eye, state.steps + state.unknown_objects, container, heights)
+    if not state.has_site or state.num_blocked > 0:
+        state.unknown_objects += detect_unknown_objects(picture, eye, seen + state.known, heights)
+        seen = detect_blocks(picture, eye, state.steps + state.unknown_objects, container, heights)
+    state.known = update_beliefs(state.known, seen, picture, eye, heights)
+
+
+def give_up(state, reason):
+    """Ends the task unfinished, for a reason: one line."""
+    state.claim = Claim(False, f"gave up {reason}")
+
+
+def remember_failure(state, actions):
+    """Remembers that the first of the remaining actions failed: its grasp is not repeated. Unless
+    the block was released already, it is not where it was to go."""
+    if any(action.kind == "open" for action in actions[1:]):
+        state.known.pop()
+    state.failures.append(state.grasp)
+
+
+def num_failures(state, block):
+    """Returns the number of failed grasps of a block at its place."""
+    return sum(np.linalg.norm(grasp.position - block.position) < MOTION_PLANNING.same_place_distance
+               for grasp in state.failures)
 
 
 def open_steps(state):
@@ -109,102 +153,6 @@ def open_steps(state):
             if not state.done[k] and all(state.done[lower] for lower in step.on)]
 
 
-def update_beliefs(known, seen, picture, eye):
-    """Returns the known blocks after an observation, a list: those seen, and those that were known
-    before and may be occluded now. A block is forgotten where the table is visible."""
-    table = table_color(picture)
-    now = list(seen)
-    for block in known:
-        distances = [np.linalg.norm(it.position - block.position) for it in now]
-        same = any(distance < C.same_block_distance for distance in distances)
-        if not same and not is_table_visible(picture, eye, block, table):
-            now.append(block)
-    return now
-
-
-def is_table_visible(picture, eye, block, table):
-    """Returns true if the pixel at the middle of a block's top shows the table, of a color."""
-    pixel = pixel_at(picture, eye, [*block.position[:2], block.top])
-    return pixel is not None and np.abs(picture[pixel] - table).max() < PERCEPTION.table_tolerance
-
-
-def choose_site(state, arms, picture, eye):
-    """Chooses the site of the building and moves the steps there: steps for a container to where it
-    is detected, dragged steps to the detected object, all others to a free site on the table. If
-    there is no such site, state.has_site stays false and state.summary says why."""
-    try:
-        carried = [step for step in state.steps if not is_dragged(step)]
-        if state.container:
-            carried, state.container = place_in_container(carried, state.container, picture, eye)
-        elif carried:
-            carried = place_on_table(carried, state.known, arms)
-        carried = iter(carried)
-        state.steps = [place_dragged(step, state.known) if is_dragged(step)
-                       else next(carried) for step in state.steps]
-        state.has_site = True
-    except NoSite as problem:
-        state.summary = str(problem)
-
-
-class NoSite(Exception):
-    """No site was found for the building."""
-
-
-def place_dragged(step, known):
-    """Moves a dragged step to the one known block that looks like it; rotates its displacement
-    likewise."""
-    found = [block for block in known if is_same_kind(block, step)]
-    if len(found) != 1:
-        raise NoSite(f"{len(found)} visible objects look like {step}")
-    rotation = yaw_difference(step, found[0].yaw)
-    displacement = rotated(step.displacement, rotation)
-    return replace(step, displacement=displacement, yaw=step.yaw + rotation,
-                   position=found[0].position + [*displacement, 0])
-
-
-def place_in_container(steps, container, picture, eye):
-    """Moves steps together with their container to where it is detected. Returns both."""
-    found, rotation = detect_container(picture, eye, container)
-    if not found:
-        raise NoSite(f"the container {container.name} is not visible")
-    moved = []
-    for step in steps:
-        displacement = rotated(step.position[:2] - container.position[:2], rotation)
-        position = np.append(found.position[:2] + displacement, step.position[2])
-        moved.append(replace(step, position=position, yaw=step.yaw + rotation))
-    return moved, found
-
-
-def rotated(v, angle):
-    """Returns a vector, x y, rotated by an angle [rad]."""
-    c, s = math.cos(angle), math.sin(angle)
-    return np.array([v[0] * c - v[1] * s, v[0] * s + v[1] * c])
-
-
-def place_on_table(steps, known, arms):
-    """Moves steps to the site with the lowest cost at which the nearest arm reaches each place."""
-    demonstrated = np.array([step.position[:2] for step in steps])
-    center = (demonstrated.min(axis=0) + demonstrated.max(axis=0)) / 2
-    sites = []
-    for y in numbers_of(*C.site_y):
-        for x in numbers_of(*C.site_x):
-            moved = shifted(steps, [x, y] - center)
-            blocked = [block for block in known if is_grasp_blocked(block, moved)]
-            # Far from the robot the building occludes little; close to it the arms reach more.
-            cost = C.far_site_cost * abs(y - C.best_site_y)
-            cost += C.side_site_cost * abs(x) + sum(block.size[0] for block in blocked)
-            sites.append((cost, moved))
-    for _, moved in sorted(sites, key=lambda site: site[0]):
-        if all(is_reachable(nearest_first(arms, step.position[0])[0], step) for step in moved):
-            return moved
-    raise NoSite("the building is not within reach anywhere on the table")
-
-
-def shifted(steps, displacement):
-    """Returns the steps displaced by x, y [units]."""
-    return [replace(step, position=step.position + [*displacement, 0]) for step in steps]
-
-
 def assess_progress(state):
     """Compares the known blocks with the steps: updates state.done and state.placement_errors.
     Returns the blocks that are in the place of a step, a list."""
@@ -212,11 +160,9 @@ def assess_progress(state):
     for k, step in enumerate(state.steps):
         state.done[k] = False
         for block in state.known:
-            distance = np.linalg.norm(block.position - step.position)
-            angle = abs(yaw_difference(step, block.yaw))
-            is_there = distance < C.position_tolerance and angle < C.yaw_tolerance_rad
-            if block not in used and is_same_kind(block, step) and is_there:
-                state.placement_errors[k] = distance, angle
+            if block not in used and is_in_place(block, step):
+                state.placement_errors[k] = (np.linalg.norm(block.position - step.position),
+                                             abs(yaw_difference(step, block.yaw)))
                 state.done[k] = True
                 used.append(block)
                 break
@@ -243,9 +189,53 @@ def propose_moves(state, step, free):
     moves += [Move(block) for block in obstructing if block in fits[1:]]
     moves += [Move(block, step) for block in fits if not set(obstructing) - {block}]
     # Then the blocks that lie on others: a matching block may be below them.
-    moves += [Move(block) for block in free if block.position[2] > block.size[2]]
+    moves += [Move(block) for block in free if block.bottom > PERCEPTION.on_table]
     # A block with others on top has to wait.
     return [move for move in moves if not has_objects_on(move.block, free)]
+
+
+def uncovering_moves(state, free, eye):
+    """Returns the moves of blocks that lie on others which were never seen and which the building
+    would hide, as long as blocks are missing: a list of Moves."""
+    def is_missing(step):
+        fits = [block for block in state.known if is_same_kind(block, step)]
+        users = [it for it in state.steps if fits and is_same_kind(fits[0], it)]
+        return len(fits) < len(users) or not fits
+
+    if not any(map(is_missing, state.steps)):
+        return []
+    return [Move(block) for block in free
+            if not has_objects_on(block, free) and not is_support_known(block, state.known)
+            and any(is_top_hidden(it, state.steps, eye) for it in assumed_support(block))]
+
+
+def clearing_moves(state, moves, free):
+    """Returns the moves of blocks that leave no room for the fingers at the blocks of other moves:
+    a list of Moves, first of those that are alone in the way, then of the closest."""
+    alone, closest = [], []
+    for block in distinct(move.block for move in moves):
+        others = [it for it in state.known if it is not block]
+        if grasp_yaws(block, others):
+            continue
+        beside = sorted((it for it in free if it is not block and is_close(it, block)
+                         and not has_objects_on(it, free)),
+                        key=lambda it: np.linalg.norm(it.position - block.position))
+        closest += beside[:1]
+        alone += [it for it in beside[:C.max_beside]
+                  if grasp_yaws(block, [other for other in others if other is not it])]
+    return [Move(block) for block in distinct(alone + closest)]
+
+
+def is_close(block, place):
+    """Returns true if a block is so close to a place that fingers may touch both."""
+    distance = np.linalg.norm(block.position - place.position)
+    return distance < C.near_distance + block.size[0] / 2
+
+
+def is_support_known(block, known):
+    """Returns true if a block lies on a known one."""
+    below = [it for it in known if abs(it.top - block.bottom) < C.max_sinking]
+    return overlap(footprint([block], 0)[0], footprint(below, 0)).any()
 
 
 def is_obstructing(block, step):
@@ -261,7 +251,7 @@ def distinct(blocks):
 
 def has_objects_on(block, others):
     """Returns true if one of the others lies on a block."""
-    higher = [it for it in others if it.position[2] > block.position[2] + C.min_height_difference]
+    higher = [it for it in others if it.bottom > block.top - C.max_sinking]
     [covered] = footprint([block], 0)
     return overlap(covered, footprint(higher, 0)).any()
 
@@ -270,9 +260,8 @@ def plan_move(state, step, move, eye, arms, sensor):
     """Plans one move: straight to its goal, if it has one and an arm reaches both places; otherwise
     to a temporary place, if necessary where a later step will be.
 
-    Returns actions; the block at its temporary place, which may be hidden there, in a list (empty
-    for a block that is built in, because there it must be seen); and the reason if there are no
-    actions.
+    Returns actions; the block where it will be, and whether that is a temporary place; and the
+    reason if there are no actions.
     """
     others = [block for block in state.known if block is not move.block]
     others += assumed_support(move.block) + container_walls(state.container)
@@ -281,53 +270,51 @@ def plan_move(state, step, move, eye, arms, sensor):
     sites = [state.steps + container]
     if move.goal:
         sites.append(standing)
-        actions, reason = plan_pick_and_place(arms, move.block, move.goal, others, sensor)
+        actions, reason = plan_pick_and_place(arms, move.block, move.goal, others, sensor,
+                                              state.failures)
         if actions:
-            return actions, [], None
+            place = replace(move.block, position=move.goal.position, yaw=move.goal.yaw)
+            return actions, place, False, None
     elif is_obstructing(move.block, step):
         sites.append(standing + [step])
-    return plan_temporary_placement(arms, eye, move.block, others, sites, sensor, move.goal)
+    left = []
+    if not move.goal:
+        left = [it for it in [*state.left, move.block] if is_same_kind(move.block, it)]
+    actions, place, reason = plan_temporary_placement(arms, eye, move.block, others, sites, sensor,
+                                                      move.goal, state.failures, left)
+    return actions, place, True, reason
 
 
-def assumed_support(block):
-    """Returns the support of a block that does not stand on the table, as one Block from the table
-    to its bottom: something must carry it, even if it is hidden. A list, empty for a block on the
-    table."""
-    if block.bottom < C.min_support_height:
-        return []
-    x, y, _ = block.position
-    return [replace(block, size=np.append(block.size[:2], block.bottom),
-                    position=np.array([x, y, block.bottom / 2]))]
-
-
-def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal):
+def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, failures, left):
     """Plans the actions that bring a block to a free place on the table, within the eye's view.
 
-    others: obstacles, as Blocks
-    sites:  lists of blocks to keep clear of, existing or planned; the first list that leaves a
-            place counts
-    goal:   target to which another arm must move it from there at once (a handover), or None; a
-            single arm takes it again itself
-    Returns actions, that place in a list, and None; or [], [] and a reason if there is none.
+    others:   obstacles, as Blocks
+    sites:    lists of blocks to keep clear of, existing or planned; the first list that leaves a
+              place counts
+    goal:     target to which an arm must be able to move it from there, or None
+    failures: Grasps that are not to be repeated
+    left:     places to which it does not return, as Blocks
+    Returns actions, the block at that place, and None; or [], None and a reason if there is none.
     """
-    candidates = candidate_arms(arms, block, goal)
-    if not candidates:
-        return [], [], "no arm reaches it"
+    if not can_reach(arms, block):
+        return [], None, "no arm reaches it"
     reason = "there is no free place on the table"
     for site in sites:
-        attempts = C.max_place_attempts
+        tried = []
         for place in free_placements(arms, block, others + site, goal):
-            if (not is_in_view(place, eye) or is_grasp_blocked(place, site)
-                    or not can_hand_over(candidates, arms, place, goal)):
+            has_yaw = [it for it in tried if it.yaw == place.yaw]
+            if (is_near(place, left + has_yaw) or not is_in_view(place, eye)
+                    or is_grasp_blocked(place, site) or is_top_hidden(place, site, eye)
+                    or blocks_grasps(place, others) or not can_reach(arms, place)):
                 continue
             if goal is None or plan_pick_and_place(arms, place, goal, others, sensor)[0]:
-                actions, reason = plan_pick_and_place(arms, block, place, others, sensor)
+                actions, reason = plan_pick_and_place(arms, block, place, others, sensor, failures)
                 if actions:
-                    return actions, [place], None
-            attempts -= 1
-            if attempts == 0:
+                    return actions, place, None
+            tried.append(place)
+            if len(tried) == C.max_place_attempts:
                 break
-    return [], [], reason
+    return [], None, reason
 
 
 def free_placements(arms, block, taken, goal):
@@ -361,6 +348,21 @@ def free_placements(arms, block, taken, goal):
             for i in best]
 
 
+def is_near(place, left):
+    """Returns true if a place is close to one of some others."""
+    return any(np.linalg.norm(it.position - place.position) < C.near_place_distance for it in left)
+
+
+def blocks_grasps(place, others):
+    """Returns true if a block at a place would leave no room for the fingers at one of the others
+    that can be grasped without it."""
+    for block in (it for it in others if is_close(it, place)):
+        rest = [it for it in others if it is not block]
+        if grasp_yaws(block, rest) and not grasp_yaws(block, [*rest, place]):
+            return True
+    return False
+
+
 def is_in_view(place, eye):
     """Returns true if the whole top of a block at a place is in the eye's picture."""
     along = place.size[0] / 2 * np.array([math.cos(place.yaw), math.sin(place.yaw), 0])
@@ -370,26 +372,6 @@ def is_in_view(place, eye):
     pixels = np.array([to_pixel(corner, eye) for corner in corners])
     margin = C.picture_margin_pixels
     return ((pixels > margin) & (pixels < 2 * eye.intrinsics[:2, 2] - margin)).all()
-
-
-def candidate_arms(arms, block, goal):
-    """Returns the arms that reach a block, a list; with a goal, only those of which another arm
-    reaches the goal."""
-    return [arm for arm in arms if is_reachable(arm, block)
-            and (goal is None or can_reach(others_than(arm, arms), goal))]
-
-
-def can_hand_over(candidates, arms, place, goal):
-    """Returns true if one of the candidates reaches a place; with a goal, also another arm for the
-    handover."""
-    return any(is_reachable(arm, place)
-               and (goal is None or can_reach(others_than(arm, arms), place))
-               for arm in candidates)
-
-
-def others_than(arm, arms):
-    """Returns the other arms; a single arm continues itself."""
-    return [it for it in arms if it is not arm] or [arm]
 
 
 def can_reach(arms, place):

@@ -167,6 +167,42 @@ void TheBoxIsPacked(const Json& end) {
   ExpectAligned(end, "Magenta", "Case", {1.4, 0, 0.25});
 }
 
+void TheCubesAreSortedBySize(const Json& end) {
+  ExpectAligned(end, "Medium", "Large", {1.8, 0, -0.15});
+  ExpectAligned(end, "Small", "Large", {3.3, 0, -0.275});
+  ExpectAligned(end, "Tiny", "Large", {4.6, 0, -0.4});
+}
+
+void ThePyramidStands(const Json& end) {
+  ExpectAligned(end, "Red2", "Red1", {1.01, 0, 0});
+  ExpectAligned(end, "Red3", "Red1", {2.02, 0, 0});
+  ExpectAligned(end, "Red4", "Red1", {0.505, 0, 1});
+  ExpectAligned(end, "Red5", "Red1", {1.515, 0, 1});
+  ExpectAligned(end, "Red6", "Red1", {1.01, 0, 2});
+}
+
+void TheWallStands(const Json& end) {
+  ExpectAligned(end, "Brick2", "Brick1", {2.02, 0, 0});
+  ExpectAligned(end, "Brick3", "Brick1", {4.04, 0, 0});
+  ExpectAligned(end, "Brick4", "Brick1", {1.01, 0, 0.5});
+  ExpectAligned(end, "Brick5", "Brick1", {3.03, 0, 0.5});
+  ExpectAligned(end, "Brick6", "Brick1", {2.02, 0, 1});
+}
+
+void TheTowerStandsOnThePedestal(const Json& end) {
+  const std::map<std::string, Vector> places{
+      {"Pedestal", {1.4, 1, 0.75}}, {"RedBlock", {1.4, 1, 2}}, {"GreenBlock", {1.4, 1, 3}}};
+  for (const auto& [object, position] : places) {
+    ExpectNear(PositionOf(end, object), position, kMillimeter, object);
+    ExpectNear(RotationOf(end, object), {0, 0, 20}, kOneDegree, object);
+  }
+}
+
+void TheTowerIsTakenApart(const Json& end) {
+  ExpectAligned(end, "GreenBlock", "RedBlock", {1.6, 0, 0});
+  ExpectAligned(end, "BlueBlock", "RedBlock", {3.2, 0, 0});
+}
+
 void TheBlocksHaveDroppedThroughTheHatch(const Json& end) {
   ExpectAligned(end, "HatchDoor", "Hatch", {3.3, 0, 0.3});
   for (const char* block : {"Cherry", "Sky"}) {
@@ -222,6 +258,11 @@ const std::vector<Example>& AllExamples() {
       {"bridge", "--no-robot", TheBridgeStands},
       {"box", "", TheBoxIsPacked},
       {"box", "--no-robot", TheBoxIsPacked},
+      {"sizes", "--no-robot", TheCubesAreSortedBySize},
+      {"pyramid", "--no-robot", ThePyramidStands},
+      {"bricks", "--no-robot", TheWallStands},
+      {"pedestal", "--no-robot", TheTowerStandsOnThePedestal},
+      {"unstack", "--no-robot", TheTowerIsTakenApart},
       {"hatch", "", TheBlocksHaveDroppedThroughTheHatch},
       {"hatch", "--no-robot", TheBlocksHaveDroppedThroughTheHatch},
       {"cover", "--no-robot", TheFuseIsReplacedAndTheCoverClosed},

@@ -29,6 +29,9 @@ function decideOn(folder, aux)
   end
   state = initialTaskState(steps, container);
   sensor.rgbVision = double(imread(fullfile(folder, 'look.png'))) / 255;
+  file = fopen(fullfile(folder, 'look.depth'));
+  sensor.depthVision = fread(file, [size(sensor.rgbVision, 2), Inf], 'double')';
+  fclose(file);
   eye = eyeOf(fullfile(folder, 'shown'));
   aux.cameraIntrinsics = eye.intrinsics;
   aux.cameraPose = eye.pose;
@@ -49,6 +52,7 @@ function decideOn(folder, aux)
   for step = state.steps
     show('site', [step.position, step.yaw]);
   end
+  if ~isempty(state.claim), printf('claim %s\n', state.claim.reason); end
   for k = 1:numel(actions)
     showAction(actions{k});
   end

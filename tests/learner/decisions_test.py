@@ -29,7 +29,9 @@ CASES = {
     "baxter": [("tower", ["--seed", "1"]), ("tower", ["--seed", "2", "--level", "distractors"]),
                ("tower", ["--seed", "4", "--level", "stacked"]), ("row", ["--seed", "1"]),
                ("bridge", ["--seed", "3"]), ("um", ["--seed", "2", "--level", "touching"]),
-               ("box", ["--seed", "1"]), ("hatch", [])],
+               ("um", ["--seed", "202", "--level", "mixed"]),
+               ("box", ["--seed", "1"]), ("hatch", []), ("sizes", []), ("pyramid", []),
+               ("bricks", []), ("pedestal", []), ("unstack", [])],
     "tern": [("tower", ["--seed", "1", "--robot", "tern"])],
 }
 TOLERANCE = 1e-6  # of units and radians
@@ -74,6 +76,7 @@ def prepare(smile, source, name, task, layout):
     scene. Returns the folder of both."""
     case = Path(name)
     case.mkdir()
+    robot = layout[layout.index("--robot"):] if "--robot" in layout else []
     scene = f"{source}/scenes/{task}_robot.xml"
     shown = Path(f"shown_{task}")
     if not shown.exists():
@@ -85,8 +88,9 @@ def prepare(smile, source, name, task, layout):
         subprocess.run([smile, "layout", scene, *layout, "--out", case / "scene.xml"], check=True,
                        stdout=subprocess.DEVNULL)
         scene = case / "scene.xml"
-    subprocess.run([smile, "render", scene, "--camera", "eye", "--no-robot", "--size", "640x480",
-                    "--out", case / "look.png"], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([smile, "run", scene, "--brain", f"{source}/tests/learner/look.py", *robot],
+                   check=True, stdout=subprocess.DEVNULL,
+                   env=os.environ | {"LOOK": str(case.resolve())})
     print(f"{case}: {task} {' '.join(layout)}")
     return str(case)
 
@@ -107,13 +111,16 @@ def decisions(case, aux):
         "arms": [SimpleNamespace(**arm) for arm in aux["arms"]],
         "cameraIntrinsics": demo.eye.intrinsics, "cameraPose": demo.eye.pose}))
     lines += [fact("arm", arm.name, *arm.parked, arm.reach, *arm.foot) for arm in arms]
-    sensor = SimpleNamespace(rgbVision=picture,
+    depth = np.fromfile(f"{case}/look.depth").reshape(picture.shape[:2])
+    sensor = SimpleNamespace(rgbVision=picture, depthVision=depth,
                              arms=[SimpleNamespace(joints=arm.parked) for arm in arms])
     actions = choose_actions(building, sensor, demo.eye, arms_for(steps, arms))
     known = sorted(([*it.position, *it.color, *it.size, it.yaw] for it in building.known),
                    key=lambda row: [round(number, 4) for number in row[:3]])
     lines += [fact("known", *row) for row in known]
     lines += [fact("site", *step.position, step.yaw) for step in building.steps]
+    if building.claim:
+        lines.append(fact("claim", building.claim.reason))
     for action in actions:
         arm = [action.arm.name] if action.arm else []
         lines.append(fact("action", action.kind, *arm, action.to, action.width))

@@ -1,0 +1,28 @@
+function yes = isTopHidden(block, others, eye)
+% Returns true if others, blocks or steps, hide a part of a block's top from the eye: a line of sight from
+% its middle or near one of its corners passes through one of them.
+  yes = false;
+  if isempty(others), return; end
+  c = constants().perception;
+  top = block.position(3) + block.size(3) / 2;
+  places = vertcat(others.position);
+  sizes = vertcat(others.size);
+  tops = places(:, 3) + sizes(:, 3) / 2;
+  higher = tops > top + c.on_table;
+  if ~any(higher), return; end
+  covered = footprint(others(higher), 0);
+  bottoms = max(places(higher, 3) - sizes(higher, 3) / 2, top);
+  % A row for each of the others, a column for each height.
+  z = bottoms + linspace(0, 1, c.sight_heights) .* (tops(higher) - bottoms);
+  along = (z - top) / (eye.pose(3, 4) - top);
+  yaw_cos = cos(covered(:, 5));
+  yaw_sin = sin(covered(:, 5));
+  for point = topPoints(block)'
+    x = point(1) + along * (eye.pose(1, 4) - point(1)) - covered(:, 1);
+    y = point(2) + along * (eye.pose(2, 4) - point(2)) - covered(:, 2);
+    is_inside = 2 * abs(x .* yaw_cos + y .* yaw_sin) < covered(:, 3) & ...
+                2 * abs(y .* yaw_cos - x .* yaw_sin) < covered(:, 4);
+    yes = any(is_inside(:));
+    if yes, return; end
+  end
+end

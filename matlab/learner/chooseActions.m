@@ -17,7 +17,7 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
   [state, used] = assessProgress(state);
   open = openSteps(state);
   if isempty(open)
-    reason = sprintf('built, as seen within %.2f units and %.1f degrees', ...
+    reason = sprintf('as seen within %.2f units and %.1f degrees', ...
                      max(state.placementErrors, [], 1) .* [1, 180 / pi]);
     state.claim = struct('done', true, 'reason', reason);
     return

@@ -20,7 +20,9 @@ elseif ~strcmp(status, 'busy')
   end
 end
 if ~isempty(state.claim)
-  fprintf('%5.1f s: %s\n', sensor.simTime, state.claim.reason);
+  if state.claim.done, word = 'done'; else, word = 'gave up'; end
+  aux.claim = [word, ': ', state.claim.reason];
+  fprintf('%5.1f s: %s\n', sensor.simTime, aux.claim);
   aux.exit = true;
   actions = {struct('kind', 'observe')};
 end

@@ -62,5 +62,6 @@ def step(sensor, motor, aux):
         else:
             give_up(aux.state, "because the arm is stuck")
     if aux.state.claim:
-        print(f"{sensor.simTime:5.1f} s: {aux.state.claim.reason}")
+        aux.claim = f"{'done' if aux.state.claim.done else 'gave up'}: {aux.state.claim.reason}"
+        print(f"{sensor.simTime:5.1f} s: {aux.claim}")
         aux.exit = True

@@ -75,7 +75,7 @@ def choose_actions(state, sensor, eye, arms):
     steps = open_steps(state)
     if not steps:
         distance, angle = np.max(list(state.placement_errors.values()), axis=0)
-        state.claim = Claim(True, "built, as seen within %.2f units and %.1f degrees" % (
+        state.claim = Claim(True, "as seen within %.2f units and %.1f degrees" % (
             distance, math.degrees(angle)))
         return []
 
@@ -129,7 +129,7 @@ def observe(state, picture, heights, eye):
 
 def give_up(state, reason):
     """Ends the task unfinished, for a reason: one line."""
-    state.claim = Claim(False, f"gave up {reason}")
+    state.claim = Claim(False, reason)
 
 
 def remember_failure(state, actions):

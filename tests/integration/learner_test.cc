@@ -40,6 +40,7 @@ TEST_P(LearnerWithAnotherRobot, BuildsTheTowerWithASingleArm) {
   const Answer answer = Imitate("--robot tern --seed 1");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   EXPECT_TRUE(answer.json()["success"]);
+  EXPECT_EQ(answer.json()["claim_right"], true);
   EXPECT_LT(answer.json()["mean_error_mm"], 5);
 }
 
@@ -96,6 +97,7 @@ TEST_P(LearnerOf, DoesItInASceneItHasNeverSeen) {
                               layout + " --brain " + Shipped(brain));
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   EXPECT_TRUE(answer.json()["success"]);
+  EXPECT_EQ(answer.json()["claim_right"], true);
   EXPECT_LT(answer.json()["mean_error_mm"], 5);
 }
 

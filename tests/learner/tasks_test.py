@@ -37,7 +37,7 @@ def main(smile, source):
                                   "--no-pictures", "--timeout", "60", "--out", f"done{k}", *layout],
                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
             result = json.loads(Path(f"done{k}/result.json").read_text())
-            claim = ": built, as seen" if layout else ": gave up at GreenBlock"
+            claim = ": done: as seen" if layout else ": gave up: at GreenBlock"
             assert result["success"] == bool(layout) and claim in run.stdout, f"{task}: {run.stdout}"
             assert not layout or result["mean_error_mm"] < 5
             print(task, *layout, "with", brain)

@@ -65,6 +65,18 @@ record presses controls "$scripts/presses.jsonl" --no-robot --no-symbols
 record firm_shapes everything "$scripts/shapes.jsonl" --no-robot --no-symbols
 record firm_robot tower "$scripts/robot.jsonl"
 record firm_lidbox lidbox examples/scenes/lidbox.jsonl --no-robot --no-symbols
+record firm_presses controls "$scripts/presses.jsonl" --no-robot --no-symbols
+record firm_scissors scissors "$scripts/firm_scissors.jsonl" --no-robot --no-symbols
+
+# Robots at work: a gripper presses a switch, and closes on a tool that cuts; other grippers and numbers of arms.
+record robot_press tower "$scripts/robot_press.jsonl" --robot tern
+record robot_cut tower "$scripts/robot_cut.jsonl" --robot tern
+record three_arms tower "$scripts/three_arms.jsonl" --robot tests/robots/three_arms.urdf
+if [[ ! -e $golden/jaws ]]; then
+  # Its side file is made here, in a folder of its own.
+  XDG_DATA_HOME=$scratch/data "$program" robots add five tests/robots/five.urdf >"$scratch/out.txt"
+  XDG_DATA_HOME=$scratch/data record jaws tower "$scripts/jaws.jsonl" --robot five
+fi
 
 # Recordings made of others: begun, undone and redone in the middle; continued from an earlier step; edited; imported.
 golden branches run scenes/tower.xml --commands "$scripts/branches.jsonl" --recordings "$scratch" --no-pictures --no-robot

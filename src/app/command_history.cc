@@ -23,6 +23,11 @@ struct HistoryOptions {
 };
 
 Json ToJson(const recording::Recording& recording, const std::vector<recording::Segment>& steps) {
+  std::vector<Json> effects(steps.size(), Json::array());
+  for (const recording::SegmentEffect& effect : recording::EffectsOf(recording, steps)) {
+    effects[effect.step].push_back(
+        {{"at", SecondsInto(recording, effect.tick)}, {"words", effect.words}});
+  }
   Json list = Json::array();
   for (std::size_t i = 0; i < steps.size(); ++i) {
     list.push_back({{"step", i},
@@ -31,9 +36,21 @@ Json ToJson(const recording::Recording& recording, const std::vector<recording::
                     {"deed", sim::ToJson(steps[i].summary)},
                     {"begin", SecondsInto(recording, steps[i].begin.tick)},
                     {"end", SecondsInto(recording, steps[i].end.tick)},
-                    {"on_way", steps[i].is_on_path}});
+                    {"on_way", steps[i].is_on_path},
+                    {"effects", std::move(effects[i])}});
   }
   return {{"title", recording.info.title}, {"steps", list}};
+}
+
+/// Prints what contact and tools did within a step, below it and in its column.
+void PrintEffects(const recording::Recording& recording,
+                  const std::vector<recording::SegmentEffect>& effects, std::size_t step,
+                  const std::string& indentation) {
+  for (const recording::SegmentEffect& effect : effects) {
+    if (effect.step != step) continue;
+    std::printf("%s      %7.2f s    %s\n", indentation.c_str(), SecondsInto(recording, effect.tick),
+                Printable(effect.words).c_str());
+  }
 }
 
 /// Prints the tree of steps: for each step first the branches that were left, one column farther
@@ -46,15 +63,17 @@ void PrintTree(const recording::Recording& recording,
     std::size_t step = 0;
     int depth = 0;
   };
+  const std::vector<recording::SegmentEffect> effects = recording::EffectsOf(recording, steps);
   std::vector<Row> rows{{}};  // to be printed, the next one last
   while (!rows.empty()) {
     const Row row = rows.back();
     rows.pop_back();
     const recording::Segment& step = steps[row.step];
-    std::printf("%s%s %3zu  %7.2f s  %s%s\n",
-                std::string(2 * std::min(row.depth, kMaxDepth), ' ').c_str(),
-                step.is_on_path ? "*" : "-", row.step, SecondsInto(recording, step.begin.tick),
-                Printable(WordsOf(step)).c_str(), step.is_on_path ? "" : " (undone)");
+    const std::string indentation(2 * std::min(row.depth, kMaxDepth), ' ');
+    std::printf("%s%s %3zu  %7.2f s  %s%s\n", indentation.c_str(), step.is_on_path ? "*" : "-",
+                row.step, SecondsInto(recording, step.begin.tick), Printable(WordsOf(step)).c_str(),
+                step.is_on_path ? "" : " (undone)");
+    PrintEffects(recording, effects, row.step, indentation);
     // The continuation stays in the same column: the child on the path, or else the newest one. It
     // is pushed first, so that it is printed last.
     const auto& next = children[row.step];

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -15,7 +16,10 @@
 #include "catalog/robot_catalog.h"
 #include "catalog/robot_check.h"
 #include "catalog/robot_guess.h"
+#include "math/angles.h"
 #include "picture/recording_renderer.h"
+#include "robot/kinematics.h"
+#include "scene/bounds.h"
 
 namespace smile::app {
 namespace {
@@ -43,10 +47,35 @@ int List() {
   return all_are_read ? kDone : kInputWrong;
 }
 
+/// Returns a view that a robot in its start pose fills, from its front and right.
+std::string ViewOfRobot(const model::Model& model) {
+  constexpr double kFieldOfView_deg = 40;
+  /// Of the half diagonal of its box, which no robot fills.
+  constexpr double kFill = 0.85;
+  const robot::RobotModel& robot = *model.robot();
+  const RigidTransform& X_WBase = model.robot_base_pose();
+  scene::Bounds bounds = scene::BoundsOf(robot.base_solids, X_WBase);
+  const auto X_WL = robot::LinkPoses(robot, X_WBase, robot.q_start);
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    bounds.Add(scene::BoundsOf(robot.links[i].solids, X_WL[i]));
+  }
+  if (bounds.is_empty()) return "nice";
+  const double distance =
+      kFill * bounds.size().norm() / 2 / std::sin(DegreesToRadians(kFieldOfView_deg / 2));
+  const Vector3 p_WQ = bounds.center();
+  const Vector3 p_WC = p_WQ + distance * Vector3(0.7, 0.8, 0.45).normalized();
+  const auto text = [&](const Vector3& p_W) {
+    const Vector3 p = p_W / model.scene().meters_per_unit;
+    return NumberText(p.x()) + "," + NumberText(p.y()) + "," + NumberText(p.z());
+  };
+  return text(p_WC) + ":" + text(p_WQ) + ":" + NumberText(kFieldOfView_deg);
+}
+
 /// Draws a robot in its start pose at an empty table, and prints the path of the picture.
 void DrawRobot(const model::RobotPlacement& robot, const std::filesystem::path& out) {
   const model::Model model(scene::SceneSpec{.name = "robot"}, robot);
-  const picture::RenderRequest request{.camera = "nice", .width_px = 960, .height_px = 720};
+  const picture::RenderRequest request{
+      .camera = ViewOfRobot(model), .width_px = 960, .height_px = 720};
   picture::RecordingRenderer renderer(model, request, nullptr);
   for (const auto& path : picture::WriteChannels(out, renderer.Take(recording::StartOf(model), {}),
                                                  request.channels)) {

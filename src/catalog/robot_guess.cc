@@ -71,7 +71,8 @@ class Guesser {
 
   RobotGuess Guess() {
     root_["format"] = 2;
-    const robot::RobotModel bare = Read();
+    robot::RobotModel bare = Read();
+    FreeFollowersOfArms(&bare);
     FindArms(bare);
     FindHead(bare);
     Place();
@@ -86,10 +87,44 @@ class Guesser {
     robot::RobotReaderOptions options = options_;
     options.side_file.clear();
     options.side_file_text = ToText(root_, 2);
-    return robot::ReadRobot(urdf_, options);
+    try {
+      return robot::ReadRobot(urdf_, options);
+    } catch (const InputError& error) {
+      // The side file is one of this program, which nobody can look at.
+      std::filesystem::path side_file = urdf_;
+      side_file.replace_extension(".robot.json");
+      std::vector<Diagnostic> diagnostics = error.diagnostics();
+      for (Diagnostic& diagnostic : diagnostics) {
+        if (diagnostic.file == side_file.string()) diagnostic.file = urdf_.string();
+      }
+      throw InputError(std::move(diagnostics));
+    }
   }
   [[noreturn]] void Fail(const std::string& message) const {
     throw InputError({urdf_.string(), 0, "", message});
+  }
+
+  /// Lets joints move by themselves that mimic one of an arm: planners move the joints of an arm
+  /// only. An arm may be longer then, and have further followers.
+  void FreeFollowersOfArms(robot::RobotModel* model) {
+    while (true) {
+      const internal::Structure structure = internal::StructureOf(*model);
+      Json freed = Json::array();
+      for (const scene::LinkSpec& link : model->links) {
+        const bool follows_arm =
+            link.mimic && std::ranges::any_of(structure.arms, [&](const ArmChain& arm) {
+              return std::ranges::count(arm.joints, link.mimic->leader) > 0;
+            });
+        if (!follows_arm) continue;
+        freed.push_back(link.joint_name);
+        notes_.push_back("joint " + link.joint_name + " mimics " +
+                         model->links[link.mimic->leader].joint_name +
+                         " of an arm: the mimic is ignored, the joint moves by itself");
+      }
+      if (freed.empty()) return;
+      for (const Json& joint : freed) root_["ignore_mimics"].push_back(joint);
+      *model = Read();
+    }
   }
 
   void FindArms(const robot::RobotModel& model) {

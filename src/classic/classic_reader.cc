@@ -178,6 +178,10 @@ class Consistency {
     if (found != object_of_.end()) return found->second;
     Fail(Quoted(control) + " is not a control, expected its initialization before");
   }
+  void Follow(ClassicEffect* effect) {
+    if (!effect->control.empty()) effect->object = ObjectOf(effect->control);
+    if (!effect->by.empty()) RequirePresent(effect->by);
+  }
   void Follow(ClassicAction* action) {
     using enum sim::EventKind;
     if (action->kind == kReleased || action->kind == kDestroyed) {

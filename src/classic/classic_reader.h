@@ -55,11 +55,21 @@ struct ClassicAction {
   std::vector<std::string> properties;
 };
 
+/// A press by contact, or the use of a tool without a command of a hand. It begins no segment.
+struct ClassicEffect {
+  sim::EventKind kind = sim::EventKind::kPressed;  ///< or kUsed
+  std::string arm;                                 ///< whose gripper did it; empty: no arm
+  std::string by;                                  ///< object that pressed, or tool; may be empty
+  std::string control;                             ///< that was pressed
+  std::string verb, part;                          ///< what the tool did, and in words to what
+  std::string object;                              ///< that has the control
+};
+
 struct ClassicLine {
   int number = 0;           ///< in its file; 1 is the first
   std::uint64_t frame = 0;  ///< for an action: the following one
   std::variant<ClassicCreate, ClassicDelete, ClassicMove, ClassicControl, ClassicControlChange,
-               ClassicAction>
+               ClassicAction, ClassicEffect>
       what;
 };
 

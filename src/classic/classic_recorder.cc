@@ -145,6 +145,16 @@ std::string ClassicRecorder::FieldsOf(const sim::Event& event) const {
   }
 }
 
+std::string ClassicRecorder::FieldsOfEffect(const sim::Event& event) {
+  const std::string by = event.arm.empty() ? event.by : event.arm + std::string(kGripperSuffix);
+  if (event.kind == sim::EventKind::kPressed) {
+    return std::string(kPressWord) + "," + event.control + (by.empty() ? "" : "," + by);
+  }
+  const std::string user = event.arm.empty() ? std::string(kTurningHand) : by;
+  return std::string(ClassicWordFor(event.kind)) + "," + user +
+         Joined({event.by, event.state, event.part});
+}
+
 void ClassicRecorder::BeginWithoutHand(const sim::Event& event) {
   ++state_.segment;
   OpenSegment();
@@ -185,6 +195,12 @@ void ClassicRecorder::Note(const sim::Event& event) {
     case kControlChanged:
       WriteLine("changeControlState," + event.control + "," + event.state);
       state_.has_news = true;
+      break;
+    case kPressed:
+      WriteLine(FieldsOfEffect(event));
+      break;
+    case kUsed:
+      if (!event.hand) WriteLine(FieldsOfEffect(event));
       break;
     case kFell:
       // A fallen object gets a last position with the next frame, then it is deleted from the view.

@@ -87,6 +87,9 @@ class ClassicRecorder {
   model::ObjectIndex IndexOf(const std::string& object) const;
   /// Returns the fields of a hand's action, without the frame: `grasp,LeftHand,b01`.
   std::string FieldsOf(const sim::Event& event) const;
+  /// Returns the fields of what contact or a tool did without a command:
+  /// `press,Power,left_gripper`.
+  static std::string FieldsOfEffect(const sim::Event& event);
   /// Opens a segment with objects that were added or removed, one line for each.
   void BeginWithoutHand(const sim::Event& event);
   void WriteLine(const std::string& fields);

@@ -33,6 +33,12 @@ inline constexpr std::array<ClassicWord, 9> kClassicWords{{{"grasp", sim::EventK
                                                            {"loosen", sim::EventKind::kLoosened},
                                                            {"attend", sim::EventKind::kAttended},
                                                            {"use", sim::EventKind::kUsed}}};
+/// Word of the classic format for a press by contact.
+inline constexpr std::string_view kPressWord = "press";
+/// What follows the name of an arm that pressed a control or used a tool.
+inline constexpr std::string_view kGripperSuffix = "_gripper";
+/// Name of a hand that turned a tool without a command to use it.
+inline constexpr std::string_view kTurningHand = "hand";
 /// Returns the word for an event; empty if the format has none.
 std::string_view ClassicWordFor(sim::EventKind kind);
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "base/wording.h"
@@ -91,6 +92,8 @@ class Fields {
   explicit Fields(std::string_view line) : fields_(SplitFields(line)) {}
 
   std::size_t remaining() const { return fields_.size() - next_; }
+  /// Returns the next field, which stays; there must be one.
+  const std::string& Next() const { return fields_[next_]; }
   const std::string& Take(std::string_view what) {
     if (remaining() == 0) Malformed("ends too early, expected " + std::string(what));
     return fields_[next_++];
@@ -152,6 +155,45 @@ ClassicMove TakeMove(Fields* fields) {
   return move;
 }
 
+/// Takes what a tool did, and to what.
+void TakeUse(Fields* fields, std::string* verb, std::string* part) {
+  *verb = fields->Take("what the tool did");
+  if (*verb != "cut" && *verb != "fasten" && *verb != "loosen") {
+    Malformed("found " + Quoted(*verb) + ", expected cut, fasten or loosen");
+  }
+  *part = fields->Take("what the tool worked on");
+}
+
+/// Splits `left_gripper` into its arm; nullopt for other texts.
+std::optional<std::string> ArmIn(const std::string& text) {
+  if (text.size() <= kGripperSuffix.size() || !text.ends_with(kGripperSuffix)) return std::nullopt;
+  return text.substr(0, text.size() - kGripperSuffix.size());
+}
+
+ClassicEffect TakePress(Fields* fields) {
+  ClassicEffect press{.kind = EventKind::kPressed, .control = fields->TakeId("a control")};
+  if (fields->remaining() == 0) return press;
+  const std::string by = fields->TakeId("what pressed it");
+  if (const auto arm = ArmIn(by)) {
+    press.arm = *arm;
+  } else {
+    press.by = by;
+  }
+  return press;
+}
+
+/// A use by a gripper or by a turning hand; nullopt if it is the action of a hand.
+std::optional<ClassicEffect> TakeUseWithoutCommand(Fields* fields) {
+  const std::string user = fields->remaining() > 0 ? fields->Next() : "";
+  const auto arm = ArmIn(user);
+  if (!arm && user != kTurningHand) return std::nullopt;
+  ClassicEffect use{.kind = EventKind::kUsed, .arm = arm.value_or("")};
+  fields->TakeId("a gripper");
+  use.by = fields->TakeId("a tool");
+  TakeUse(fields, &use.verb, &use.part);
+  return use;
+}
+
 ClassicAction TakeAction(EventKind kind, Fields* fields) {
   ClassicAction action{.kind = kind, .hand = fields->TakeHand()};
   switch (kind) {
@@ -175,11 +217,7 @@ ClassicAction TakeAction(EventKind kind, Fields* fields) {
       break;
     case EventKind::kUsed:
       action.object = fields->TakeId("a tool");
-      action.verb = fields->Take("what the tool did");
-      if (action.verb != "cut" && action.verb != "fasten" && action.verb != "loosen") {
-        Malformed("found " + Quoted(action.verb) + ", expected cut, fasten or loosen");
-      }
-      action.part = fields->Take("what the tool worked on");
+      TakeUse(fields, &action.verb, &action.part);
       break;
     case EventKind::kAttended:
       action.object = fields->TakeId("an object");
@@ -210,10 +248,14 @@ decltype(ClassicLine::what) TakeWhat(const std::string& event, Fields* fields) {
     change.state = fields->Take("a state");
     return change;
   }
+  if (event == kPressWord) return TakePress(fields);
   // Collected for the message about an unknown event.
-  std::vector<std::string_view> known{"create", "delete", "move", "initializeControl",
-                                      "changeControlState"};
+  std::vector<std::string_view> known{
+      "create", "delete", "move", "initializeControl", "changeControlState", kPressWord};
   for (const ClassicWord& action : kClassicWords) {
+    if (event == action.word && action.kind == EventKind::kUsed) {
+      if (auto use = TakeUseWithoutCommand(fields)) return *std::move(use);
+    }
     if (event == action.word) return TakeAction(action.kind, fields);
     known.push_back(action.word);
   }

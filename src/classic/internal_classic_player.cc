@@ -143,6 +143,18 @@ void ClassicPlayer::Follow(const ClassicAction& action) {
   (is_hold ? now_.holds : now_.events).push_back(std::move(event));
 }
 
+void ClassicPlayer::Follow(const ClassicEffect& effect) {
+  sim::Event event{.kind = effect.kind,
+                   .arm = effect.arm,
+                   .part = effect.part,
+                   .control = effect.control,
+                   .state = effect.verb};
+  if (!effect.by.empty()) event.by = NameOf(effect.by);
+  // Which object a tool worked on is in words only, so the event has the tool, as that of a hand.
+  event.object = effect.object.empty() ? event.by : NameOf(effect.object);
+  now_.events.push_back(std::move(event));
+}
+
 void ClassicPlayer::FollowBond(const ClassicAction& action, sim::Event* event) {
   const auto host = model_.FindHost(action.host);
   if (!host) Fail("the scene has no host point " + Quoted(action.host));

@@ -42,6 +42,7 @@ class ClassicPlayer {
   void Follow(const ClassicControl& control);
   void Follow(const ClassicControlChange& change);
   void Follow(const ClassicAction& action);
+  void Follow(const ClassicEffect& effect);
   /// Returns the id in the scene, which may differ from the id in the recording.
   const std::string& NameOf(const std::string& object) const;
   model::ControlIndex FindControl(const std::string& id) const;

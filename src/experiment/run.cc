@@ -15,6 +15,7 @@
 #include "brain/brain_log.h"
 #include "experiment/brain_setup.h"
 #include "experiment/content_hash.h"
+#include "experiment/refusal_reporter.h"
 #include "experiment/world_description.h"
 #include "picture/rendered_eye.h"
 #include "task/comparison.h"
@@ -37,7 +38,9 @@ class LiveRun {
       : plan_(plan),
         callbacks_(callbacks),
         simulation_(plan.scene, plan.robot),
+        refusals_(&callbacks),
         brain_log_(RecordingOf(plan)) {
+    simulation_.AddListener(&refusals_);
     // Found first, so that a missing brain does not leave an empty recording behind.
     if (!plan.brain.empty()) FindBrain();
     const bool records = !plan.record.empty() || plan.continuation || StartsRecordings();
@@ -69,7 +72,7 @@ class LiveRun {
     const auto start = Clock::now();
     // Counts the time of the run, which advances evenly even if an undo sets the simulation's back.
     while (!IsOver()) {
-      simulation_.Tick();
+      refusals_.Tick(&simulation_);
       passed_ += 1.0 / sim::kTicksPerSecond;
       ReportProgress();
       if (plan_.is_realtime) WaitUntil(start + std::chrono::duration<double>(passed_));
@@ -247,6 +250,7 @@ class LiveRun {
   std::optional<picture::RenderedEye> eye_;
   std::optional<recorder::RecordingController> controller_;
   sim::Simulation simulation_;
+  RefusalReporter refusals_;
   std::uint64_t first_tick_ = 0;
   std::optional<std::uint64_t> brain_end_tick_;
   std::int64_t farewell_ticks_ = 0;  ///< remaining after the end of the brain

@@ -118,6 +118,7 @@ JsonShape EventUpdateShape() {
                       {"part", TextShape(), kOptional},
                       {"control", TextShape(), kOptional},
                       {"state", TextShape(), kOptional},
+                      {"words", TextShape(), kOptional, "what contact or a tool did, in words"},
                       {"guest", TextShape(), kOptional},
                       {"host", TextShape(), kOptional},
                       {"tightness", NumberShape(), kOptional},

@@ -10,6 +10,7 @@
 #include "recording/commanded_events.h"
 #include "recording/imported_history.h"
 #include "recording/trace_reader.h"
+#include "sim/event_words.h"
 
 namespace smile::recording {
 namespace {
@@ -137,6 +138,22 @@ std::vector<Segment> HistoryOf(const Recording& recording) {
       recording, TraceReader(recording).LastTick().value_or(recording.info.start.tick));
   Summaries(recording, &steps).AddToSteps();
   return steps;
+}
+
+std::vector<SegmentEffect> EffectsOf(const Recording& recording,
+                                     const std::vector<Segment>& history) {
+  std::vector<SegmentEffect> effects;
+  for (const TracedEvent& traced : TraceReader(recording).Events()) {
+    const std::optional<std::string> words = sim::WordsOf(traced.event);
+    if (!words) continue;
+    SegmentEffect effect{.tick = traced.tick, .words = *words};
+    // An action is carried out after the events of its tick, so these belong to the step before.
+    for (std::size_t step = 1; step < history.size(); ++step) {
+      if (history[step].is_on_path && history[step].begin.tick < traced.tick) effect.step = step;
+    }
+    effects.push_back(std::move(effect));
+  }
+  return effects;
 }
 
 std::vector<Segment> OnPath(const std::vector<Segment>& history) {

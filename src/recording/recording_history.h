@@ -32,6 +32,19 @@ struct Segment {
 /// @throws InputError if the recording's trace cannot be read.
 std::vector<Segment> HistoryOf(const Recording& recording);
 
+/// What contact or a tool did within a step without a command, in words; see sim::WordsOf().
+struct SegmentEffect {
+  std::size_t step = 0;
+  std::uint64_t tick = 0;
+  std::string words;  ///< `Power pressed by left gripper`
+};
+
+/// Returns these effects on the recording's path, in order.
+/// @param history  of the recording, from HistoryOf().
+/// @throws InputError if the recording's trace cannot be read.
+std::vector<SegmentEffect> EffectsOf(const Recording& recording,
+                                     const std::vector<Segment>& history);
+
 /// Returns the same segments from the log alone, without summaries. Only for recordings that have
 /// commands.
 /// @param last_tick  of the recording; its last segment ends there.

@@ -31,9 +31,12 @@ constexpr std::array<std::string_view, 5> kNoArmNames{"both", "any", "all", "hea
 constexpr double kMaxPayload = 1e5;  // [kg], the limit for links
 
 // Known members; others are refused, since a misspelled one would be ignored otherwise.
-constexpr std::array<std::string_view, 14> kFileMembers{
-    "format", "urdf_hashes", "kinematics_hashes", "frames", "arms",  "grippers", "gripper",
-    "head",   "limits",      "never_collide",     "poses",  "start", "look",     "stands"};
+constexpr std::array<std::string_view, 15> kFileMembers{
+    "format",        "urdf_hashes",   "kinematics_hashes",
+    "ignore_mimics", "frames",        "arms",
+    "grippers",      "gripper",       "head",
+    "limits",        "never_collide", "poses",
+    "start",         "look",          "stands"};
 constexpr std::array<std::string_view, 10> kArmMembers{
     "joints",         "tool", "fingers", "jaws",   "suction",
     "closed_opening", "pads", "flange",  "prefix", "payload"};
@@ -89,6 +92,11 @@ class SideFileReader {
 
   void Read(const JsonNode& root) {
     follows_mimics_ = root.Member("format").Number() >= 2;
+    if (root.Has("ignore_mimics")) {
+      for (const JsonNode& joint : root.Member("ignore_mimics").ItemsUpTo(kMaxPlaces)) {
+        IgnoreMimic(joint);
+      }
+    }
     if (root.Has("frames")) {
       for (const auto& [name, frame] : root.Member("frames").MembersUpTo(kMaxPlaces)) {
         ReadFrame(name, frame);
@@ -220,6 +228,15 @@ class SideFileReader {
     ExpectOnArm(model_.frames[frame].link, arm, node);
     return frame;
   }
+  /// Lets a joint move by itself that mimics another one in the URDF.
+  void IgnoreMimic(const JsonNode& joint) {
+    const std::string name = joint.String();
+    if (std::erase_if(built_.mimics, [&](const Mimic& one) { return one.joint == name; }) > 0) {
+      return;
+    }
+    joint.Fail("found " + Quoted(name) + ", expected a joint that mimics another one");
+  }
+
   /// Checks that a link, or the joint that carries it, moves with all joints of the arm so far:
   /// planners treat an arm as one chain.
   void ExpectOnArm(int link, const Arm& arm, const JsonNode& node) const {
@@ -594,6 +611,11 @@ SideFile::SideFile(const FoundFile& file, const std::string& gripper) : file_(fi
   const double format = root.Member("format").Number();
   if (format != 1 && format != 2) {
     root.Member("format").Fail("found " + NumberText(format) + ", expected 1 or 2");
+  }
+  if (root.Has("gripper") && !root.Has("grippers")) {
+    const JsonNode chosen = root.Member("gripper");
+    chosen.Fail("found " + Quoted(chosen.String()) +
+                ", but there are no grippers, expected the member grippers");
   }
   if (root.Has("grippers")) {
     const std::string wanted = gripper.empty() ? root.Member("gripper").String() : gripper;

@@ -144,7 +144,8 @@ class Connector {
     if (guest->type != host->type) {
       refuse("type=\"" + guest->type + "\"", "\"" + host->type + "\", the type of " + name);
     }
-    if (guest->initial_tightness > static_cast<int>(host->stages.size())) {
+    // A host without stages has a finding of its own.
+    if (!host->stages.empty() && guest->initial_tightness > static_cast<int>(host->stages.size())) {
       refuse("initBondTightness=\"" + std::to_string(guest->initial_tightness) + "\"",
              "1 to " + std::to_string(host->stages.size()) + ", the stages of " + name);
     }

@@ -1,5 +1,7 @@
 #include "studio/event_message.h"
 
+#include "sim/event_words.h"
+
 namespace smile::studio {
 
 Json EventMessage(const sim::Event& event, std::uint64_t tick, const model::Model& model) {
@@ -15,6 +17,7 @@ Json EventMessage(const sim::Event& event, std::uint64_t tick, const model::Mode
   add("part", event.part);
   add("control", event.control);
   add("state", event.state);
+  add("words", sim::WordsOf(event).value_or(""));
   if (event.guest && event.host) {
     message["guest"] = model.guest(*event.guest).point->id;
     message["host"] = model.host(*event.host).point->id;

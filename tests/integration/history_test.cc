@@ -44,6 +44,21 @@ TEST_F(HistoryAsUsed, AScriptStartsUndoesRedoesAndFinishes) {
   EXPECT_FALSE(Exists("kept/take/3.txt"));
 }
 
+TEST_F(HistoryAsUsed, NamesWhatContactAndTheToolsOfARobotDid) {
+  const std::filesystem::path golden =
+      std::filesystem::path(SMILE_SOURCE_DIR) / "tests/golden/recordings";
+  const Answer press = Smile("history '" + (golden / "robot_press").string() + "'");
+  EXPECT_NE(press.out.find("Power pressed by arm gripper\n"), std::string::npos) << press.out;
+  const Json steps =
+      Smile("history '" + (golden / "robot_cut").string() + "' --json").json()["steps"];
+  ASSERT_EQ(steps.size(), 3u);
+  EXPECT_TRUE(steps[0]["effects"].empty());
+  ASSERT_EQ(steps[1]["effects"].size(), 1u);
+  EXPECT_EQ(steps[1]["effects"][0]["words"],
+            "arm gripper cuts String between link 0 and 1 with Snips");
+  EXPECT_GT(steps[1]["effects"][0]["at"].get<double>(), 1);
+}
+
 TEST_F(HistoryAsUsed, ACheckoutContinuesFromAnyStepAndKeepsAllOthers) {
   Write("thoughts.jsonl", kSecondThoughts);
   Write("more.jsonl", R"({"hand":"right","do":"grasp","object":"b"}

@@ -21,10 +21,12 @@ struct RobotProgram {
   const char* scene;  ///< in scenes/, without .xml
   int seed;           ///< of the layout
   Claim claim;
+  const char* robot = "baxter";
 };
 std::string NameOf(const RobotProgram& program) {
   const std::string brain = program.brain;
-  return brain.substr(0, brain.find('/')) + "_" + std::filesystem::path(brain).stem().string();
+  return brain.substr(0, brain.find('/')) + "_" + std::filesystem::path(brain).stem().string() +
+         "_" + program.robot;
 }
 void PrintTo(const RobotProgram& program, std::ostream* out) { *out << NameOf(program); }
 
@@ -84,11 +86,13 @@ class RobotPrograms : public ProgramTest, public ::testing::WithParamInterface<R
 TEST_P(RobotPrograms, DoTheirTaskWhereverItsObjectsStand) {
   const RobotProgram& program = GetParam();
   ASSERT_EQ(Smile("layout '" + Shipped("scenes/" + std::string(program.scene) + ".xml") +
-                  "' --level fixtures --out scene.xml --seed " + std::to_string(program.seed))
+                  "' --level fixtures --out scene.xml --robot " + program.robot + " --seed " +
+                  std::to_string(program.seed))
                 .exit_code,
             0);
-  const Answer run = Smile("run scene.xml --brain '" + Shipped(program.brain) +
-                           "' --timeout 60 --record run --no-pictures --json");
+  const Answer run =
+      Smile("run scene.xml --robot " + std::string(program.robot) + " --brain '" +
+            Shipped(program.brain) + "' --timeout 60 --record run --no-pictures --json");
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.json().at("brain").at("status"), "exited") << run.err;
   program.claim(run.json());
@@ -99,6 +103,12 @@ INSTANTIATE_TEST_SUITE_P(
     All, RobotPrograms,
     ::testing::Values(
         RobotProgram{"python/examples/drive/drive.py", "drive_robot", 7, TheFailedDriveIsReplaced},
+        RobotProgram{"python/examples/drive/drive.py", "drive_robot", 11, TheFailedDriveIsReplaced,
+                     "tern"},
+        RobotProgram{"python/examples/scissors/scissors.py", "scissors_robot", 2,
+                     TheWeightIsInTheBox, "tern"},
+        RobotProgram{"matlab/examples/drive", "drive_robot", 11, TheFailedDriveIsReplaced, "tern"},
+        RobotProgram{"matlab/examples/scissors", "scissors_robot", 2, TheWeightIsInTheBox, "tern"},
         RobotProgram{"matlab/examples/drive", "drive_robot", 8, TheFailedDriveIsReplaced},
         RobotProgram{"python/examples/scissors/scissors.py", "scissors_robot", 7,
                      TheWeightIsInTheBox},

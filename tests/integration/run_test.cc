@@ -29,6 +29,17 @@ TEST_F(Run, AScriptStacksABlock) {
   EXPECT_NEAR(position[2].get<double>(), 1.5, 0.01);
 }
 
+TEST_F(Run, WarnsOfWhatARobotUsesInVain) {
+  const std::filesystem::path source(SMILE_SOURCE_DIR);
+  const Answer answer =
+      Smile("run '" + (source / "scenes/tower.xml").string() + "' --robot tern --commands '" +
+            (source / "tests/golden/scripts/robot_cut.jsonl").string() + "'");
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_NE(answer.err.find("warning: refused at "), std::string::npos) << answer.err;
+  EXPECT_NE(answer.err.find(" s: there is nothing that 'Snips' can cut"), std::string::npos)
+      << answer.err;
+}
+
 TEST_F(Run, RecordingPacingAndProcessesNeverChangeTheHash) {
   const auto hash = [this](const std::string& arguments) {
     return Smile("run pair.xml --commands stack.jsonl --json --seconds " + arguments)

@@ -211,6 +211,8 @@ export interface EventMessage {
   part?: string;
   control?: string;
   state?: string;
+  /** what contact or a tool did, in words */
+  words?: string;
   guest?: string;
   host?: string;
   tightness?: number;

@@ -76,6 +76,8 @@ function onUpdate(update: Update): void {
       break;
     case "event":
       for (const listener of eventListeners) listener(update);
+      // What contact and tools do without a command would otherwise go unnoticed.
+      if (update.words !== undefined) notify(update.words);
       break;
     case "console":
       consoleLines.value = [...(update.all ? [] : consoleLines.value), ...update.lines].slice(-MAX_CONSOLE_LINES);

@@ -1,6 +1,9 @@
 // Tools in a hand: the page shows when one is in place, and what it can do there.
 
 import assert from "node:assert/strict";
+import { mkdtemp, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { Browser } from "./workbench.mjs";
 
@@ -46,4 +49,24 @@ test("a mark and a text show what scissors can cut, while the string is between 
     assert.equal(await hint.textContent(), "");
     assert.equal(await mark(), null);
   }
+});
+
+test("a notice names what pressed a switch", async (t) => {
+  const folder = await mkdtemp(join(tmpdir(), "smile-press-"));
+  t.after(() => rm(folder, { recursive: true }));
+  const scene = join(folder, "panel.xml");
+  await writeFile(
+    scene,
+    `<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+      <composite id="Panel" location="(0,-2,0.5)" mass="2"><block location="(0,0,0)" xspan="3" yspan="2" zspan="1"/>
+        <toggleSwitch id="Power" location="(0,0,0.5)" xspan="2" yspan="1.2" zspan="0.35" angle="16"/></composite>
+      <block id="Weight" location="(3,-2,0.3)" xspan="0.6" yspan="0.6" zspan="0.6"/></tabletop>`,
+  );
+  const { page, witness, person } = await browser.workplace(t, { studio: [scene, "--no-robot", "--no-pictures"] });
+  await person.grasp("Weight");
+  await person.typePlace({ x: 3, y: -2, z: 2.5 });
+  await person.typePlace({ x: 0.6, y: -2, z: 2.5 });
+  await witness.until(() => witness.positionOf("Weight")[0] < 0.7, "the weight is above the switch");
+  await person.typePlace({ x: 0.6, y: -2, z: 1.2 });
+  await page.getByText("Power pressed by Weight", { exact: true }).first().waitFor();
 });

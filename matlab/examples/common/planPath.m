@@ -4,8 +4,8 @@ function [arm, motions] = planPath(robot, aside, path)
 %   path     Kx2 cell: 'line' or 'joints', and the pose to which the tool then moves
 %   arm      number of the arm; [] if no arm can follow the path
 %   motions  1xK cell
-  distances = zeros(1, 2);
-  for k = 1:2
+  distances = zeros(1, numel(robot.arms));
+  for k = 1:numel(robot.arms)
     hand = smileForward(robot, robot.arms{k}, aside(k, :));
     distances(k) = norm(path{1, 2}(1:3, 4) - hand(1:3, 4));
   end

@@ -3,5 +3,9 @@ function starts = startAngles(robot, arm, aside)
   rand('twister', 1);
   low = robot.minJointAngles(arm, :);
   high = robot.maxJointAngles(arm, :);
-  starts = [aside(arm, :); robot.poses.untucked(arm, :); low + rand(10, 7) .* (high - low)];
+  starts = aside(arm, :);
+  for name = {'untucked', 'ready'}
+    if isfield(robot.poses, name{1}), starts(end + 1, :) = robot.poses.(name{1})(arm, :); end
+  end
+  starts = [starts; low + rand(10, numel(low)) .* (high - low)];
 end

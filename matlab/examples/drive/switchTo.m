@@ -6,11 +6,18 @@ function actions = switchTo(wanted, x, side, attempts, rack, robot, aside, senso
   actions = {};
   if strcmp(lamp, wanted), return, end
   if attempts == 0, error('the lamp is %s, expected %s', lamp, wanted); end
-  % Closed fingers, which reach 0.75 below the tool, push the button.
+  % Closed fingers push the button, from as high as the arm can.
   button = movedPlace(rack, x + 0.42 * side, -1.5);
-  above = poseAt(pointAt(button, 0, 0, 2.2 + 0.75), button.x);
-  down = poseAt(pointAt(button, 0, 0, 0.4 + 0.75), button.x);
-  [arm, motions] = planPath(robot, aside, {'joints', above; 'line', down; 'line', above});
+  tip = tipLength(robot, 1);
+  for height = [2.2, 1]
+    for across = [1, -1]
+      above = poseAt(pointAt(button, 0, 0, height + tip), across * button.x);
+      down = poseAt(pointAt(button, 0, 0, 0.4 + tip), across * button.x);
+      [arm, motions] = planPath(robot, aside, {'joints', above; 'line', down; 'line', above});
+      if ~isempty(arm), break, end
+    end
+    if ~isempty(arm), break, end
+  end
   if isempty(arm), error('no arm reaches the switch'); end
   actions = [grip(arm, -1, -Inf), follow(arm, motions), grip(arm, 1, Inf), ...
              goAside(robot, arm, motions, aside), ...

@@ -68,9 +68,15 @@ class Arm:
     def start_postures(self):
         random = np.random.default_rng(1)  # the same postures each time
         yield self.q
-        yield self.robot.pose(self.name, "untucked")
+        yield from self.over_table()
         for _ in range(START_POSTURES):
             yield random.uniform(*self.limits)
+
+    def over_table(self):
+        """Yields the named postures with the fingers down over the table."""
+        for name in "untucked", "ready":
+            if self.robot.pose(self.name, name) is not None:
+                yield self.robot.pose(self.name, name)
 
     def motion(self, how, pose, q, q_start):
         """Returns a motion from the angles q to a pose, or None."""
@@ -78,6 +84,17 @@ class Arm:
             return self.robot.move_line(self.name, q, pose, tool_speed=4)[0]
         goal = self.robot.inverse(self.name, pose, q_start, max_iterations=300)
         return None if goal is None else self.move(q, goal)
+
+    def tip(self, table):
+        """Returns how far the fingers reach below the tool: it is as low as they allow it."""
+        q_start = next(self.over_table())
+        pose = self.robot.forward(self.name, q_start)
+        for pose[2, 3] in np.arange(0, 2, 0.02):
+            q = self.robot.inverse(self.name, pose, q_start, max_iterations=300)
+            if q is not None and not self.robot.first_invalid(
+                    self.robot.move_joints(self.name, [q]), table=table):
+                return pose[2, 3]
+        raise RuntimeError("the tool cannot point down over the table")
 
     def move(self, q, goal):
         return self.robot.move_joints(self.name, [q, goal], speed=0.7)

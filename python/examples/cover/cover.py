@@ -12,7 +12,7 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 from common.arm import plan, pose_at
-from common.baxter import TABLE, arms_of, init
+from common.robot import TABLE, arms_of, init
 from common.task import advance, look
 from screws import plan_drive
 from sight import find_bin, find_housing, find_screwdriver, find_spare, find_stand

@@ -1,9 +1,9 @@
-"""Opens a drawer, a door and a lid, and turns a dial: scenes/desk.xml.
+"""Opens a drawer, a door and a lid, pushes the door to, and turns a dial: scenes/desk.xml.
 
     smile run scenes/desk.xml --robot tern --brain python/examples/desk/desk.py
 
 The gripper takes each handle from above. Then the tool moves as the handle can: along a line, or
-about the axis of a hinge.
+about the axis of a hinge. To push, the closed fingers go down before it instead.
 """
 import numpy as np
 from smile.motion import robot_of
@@ -38,10 +38,14 @@ def about(pose, center, axis, angle):
 # Handles and hinges as the scene has them: the pose in which each is taken, and the way it moves.
 DRAWER, DOOR, LID, DIAL = (tool([-3, -2.4, 1.2], np.pi / 2), tool([3.3, -0.6, 2], 0),
                            tool([-0.9, 0.2, 1.5], 0), tool([3.4, -3.4, 0.7], np.pi))
+# Before the open door, with the closed fingers along it.
+PUSH = about(tool([3, -0.6, 1.6], 0), np.array([1.6, -0.6, 0]), Z, -1.3)[-1]
 TASKS = {"drawer": [DRAWER, at(DRAWER[:3, 3] - [0, 1.5, 0], DRAWER[:3, :3])],
          "dial": about(DIAL, np.array([3.4, -3.4, 0]), Z, 1.5),
          "door": about(DOOR, np.array([1.6, -0.6, 0]), Z, -1.0),
+         "door back": about(PUSH, np.array([1.6, -0.6, 0]), Z, 0.8),
          "lid": about(LID, np.array([-0.9, -1.5, 1]), X, 1.0)}
+PUSHES = {"door back"}  # with closed fingers
 
 
 def init(aux):
@@ -63,11 +67,14 @@ def work(robot, arm, q, motor):
     """The whole task. Each `yield` waits for the next step and returns its sensor values."""
     ready = robot.pose(arm.name, "ready")
     for name, poses in TASKS.items():
+        if name in PUSHES:
+            yield from grip(-0.5, motor)
         above = at(poses[0][:3, 3] + ABOVE * Z, poses[0][:3, :3])
         to_handle = joints_along(robot, arm.name, [above, poses[0]], ready)
         yield from follow(robot.move_joints(arm.name, [q, *to_handle[:1]]), motor)
         yield from follow(robot.move_joints(arm.name, to_handle, speed=0.3), motor)
-        yield from grip(-0.5, motor)
+        if name not in PUSHES:
+            yield from grip(-0.5, motor)
         way = joints_along(robot, arm.name, poses, to_handle[-1])
         yield from follow(robot.move_joints(arm.name, way, speed=0.2), motor)
         print("moved the", name)

@@ -12,7 +12,7 @@ from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 from common.arm import plan, pose_at
-from common.baxter import TABLE, arms_of, init
+from common.robot import TABLE, arms_of, init
 from common.task import advance, look
 from sight import SLOT_DEPTH, SLOTS, SWITCH_DEPTH, find_bin, find_rack, find_spare, lamp_at
 
@@ -21,7 +21,7 @@ RELEASED = 1.3         # opening of the gripper when the drive, 0.9 wide, is fre
 DROP = 0.02            # height above its place from which a drive is released
 SLOT, BIN = 0.3, 0.15  # heights of the bottoms of a slot and of the bin
 CARRY = 2.2            # height of the bottom of a drive that passes over others
-TIP = 0.75             # from the tool to the ends of the fingers
+LOW = 1                # height of closed fingers over a button, if they cannot be as high as that
 BUTTON = 0.4           # height that closed fingers go down to, to press the raised button
 BUTTON_SIDE = 0.42     # from the middle of a switch to the middle of the fingers
 ATTEMPTS = 4           # to bring a lamp into the wanted state
@@ -63,9 +63,14 @@ def switch(wanted, x, rack, arms, aux):
 
 def press(button, arms):
     """Presses a button with closed fingers."""
-    above, down = [pose_at(button.at(0, 0, height + TIP), button.x) for height in (CARRY, BUTTON)]
-    planned = plan(arms, [("joints", above), ("line", down), ("line", above)], TABLE)
-    if not planned:
+    tip = arms[0].tip(TABLE)
+    for height, side in itertools.product([CARRY, LOW], [1, -1]):
+        above, down = [pose_at(button.at(0, 0, z + tip), side * button.x) for z in (height, BUTTON)]
+        planned = plan(arms, [("joints", above), ("line", down), ("line", above)], TABLE)
+        if planned:
+            break
+        yield  # a step for each plan, so that none takes long
+    else:
         raise RuntimeError("no arm reaches the switch")
     arm, motions = planned
     yield from arm.close()

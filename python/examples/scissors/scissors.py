@@ -14,7 +14,7 @@ import numpy as np
 
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 from common.arm import plan, pose_at
-from common.baxter import TABLE, arms_of, init
+from common.robot import TABLE, arms_of, init
 from common.task import advance, look
 from sight import find_scissors, find_string, is_hanging
 

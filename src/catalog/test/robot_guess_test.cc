@@ -61,6 +61,41 @@ class RobotGuessTest : public MadeRobots {
   }
 };
 
+TEST_F(RobotGuessTest, IgnoresAMimicOfAnArmAndSaysSo) {
+  // A rod beside the arm, and a joint of the arm itself.
+  const std::string rod =
+      LinkText("rod") + JointText("rod", "revolute", "a1", "rod", "0 0.1 0.1", "0 1 0",
+                                  R"(lower="-2" upper="2")", "<mimic joint=\"a2\"/>");
+  const std::string level = LinkText("a7") + JointText("a7", "revolute", "a6", "a7", "0 0 0.14",
+                                                       "0 0 1", R"(lower="-2" upper="2")",
+                                                       "<mimic joint=\"a3\" multiplier=\"-1\"/>");
+  const RobotGuess guess = Guess(ChainText("a", 6) + level + rod);
+  for (const std::string note :
+       {"joint rod mimics a2 of an arm: the mimic is ignored, the joint moves by itself",
+        "joint a7 mimics a3 of an arm: the mimic is ignored, the joint moves by itself"}) {
+    EXPECT_EQ(std::ranges::count(guess.notes, note), 1) << note;
+  }
+  const robot::RobotModel model = Read(guess);
+  ASSERT_EQ(model.arms.size(), 1u);
+  EXPECT_GE(model.arms[0].joints.size(), 6u);
+}
+
+TEST_F(RobotGuessTest, NamesTheUrdfWhoseMimicHasNoRange) {
+  const std::string rod =
+      LinkText("rod") + JointText("rod", "revolute", "a1", "rod", "0 0.1 0.1", "0 1 0",
+                                  R"(lower="3" upper="4")", "<mimic joint=\"a2\"/>");
+  try {
+    Guess(ChainText("a", 6) + rod);
+    ADD_FAILURE() << "took it";
+  } catch (const InputError& error) {
+    EXPECT_EQ(
+        std::string(error.what()),
+        (folder_ / "r.urdf").string() +
+            ": joint \"rod\" mimics \"a2\", and its limits leave that one no motion, expected "
+            "wider limits");
+  }
+}
+
 TEST_F(RobotGuessTest, FindsAnArmWithTwoFingersAndAReadyPose) {
   const RobotGuess guess = Guess(ChainText("a", 6) + Fingers());
   const robot::RobotModel model = Read(guess);

@@ -87,6 +87,34 @@ TEST(ClassicReader, ReadsEveryKindOfLine) {
   EXPECT_EQ(fasten.tightness, 2);
 }
 
+TEST(ClassicReader, ReadsWhatContactAndToolsDidWithoutACommand) {
+  const ClassicRecording work = ReadClassicTexts(std::vector<ClassicText>{
+      {"0.txt",
+       "0,create,Panel\n0,create,Shears\n0,initializeControl,Power,toggleSwitch,Panel,0\n"
+       "1,press,Power,left_gripper\n2,press,Power,Shears\n3,press,Power\n"
+       "4,use,left_gripper,Shears,cut,String between link 4 and 5\n"
+       "5,use,hand,Shears,fasten,Panel\n"}});
+  const auto words = [&](std::size_t line) {
+    const auto& effect = At<ClassicEffect>(work, 0, line);
+    return effect.arm + "," + effect.by + "," + effect.control + "," + effect.object + "," +
+           effect.verb + "," + effect.part;
+  };
+  EXPECT_EQ(words(3), "left,,Power,Panel,,");
+  EXPECT_EQ(words(4), ",Shears,Power,Panel,,");
+  EXPECT_EQ(words(5), ",,Power,Panel,,");
+  EXPECT_EQ(words(6), "left,Shears,,,cut,String between link 4 and 5");
+  EXPECT_EQ(words(7), ",Shears,,,fasten,Panel");
+  const auto refused = [](const std::string& line) {
+    return Refusal({{"0.txt", "0,create,a\n" + line + "\n"}});
+  };
+  EXPECT_EQ(refused("0,press,Power,left_gripper"),
+            "0.txt:2: \"Power\" is not a control, expected its initialization before");
+  EXPECT_EQ(refused("0,use,left_gripper,b,cut,a"),
+            "0.txt:2: \"b\" does not exist, expected a create line before");
+  EXPECT_EQ(refused("0,use,left_gripper,a,saw,b"),
+            "0.txt:2: found \"saw\", expected cut, fasten or loosen");
+}
+
 TEST(ClassicReader, ReadsReleasesAndDestructionsThatAreRecorded) {
   const ClassicRecording evening = ReadClassicTexts(kEvening);
   EXPECT_EQ(At<ClassicAction>(evening, 2, 0).object, "Cup");

@@ -73,6 +73,22 @@ TEST_F(ClassicRecorderTest, AMotionBetweenTwoFramesHasALine) {
   EXPECT_NE(text.find(",move,a,"), std::string::npos) << text;
 }
 
+TEST_F(ClassicRecorderTest, NamesWhatPressedAControlAndBeginsNoSegmentWithIt) {
+  constexpr const char* kSwitch =
+      R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <composite id="Panel" location="(0,-2,0.5)" mass="2"><block location="(0,0,0)" xspan="3" yspan="2" zspan="1"/>
+    <toggleSwitch id="Power" location="(0,0,0.5)" xspan="2" yspan="1.2" zspan="0.35" angle="16"/></composite>
+  <block id="Weight" location="(0.6,-2,2.4)" xspan="0.6" yspan="0.6" zspan="0.6"/>
+</tabletop>)xml";
+  const auto demo = Record(R"({"do":"wait","seconds":1})", false, nullptr, kSwitch);
+  const auto lines = Lines(demo / "0.txt");
+  const auto press = std::ranges::find_if(
+      lines, [](const std::string& line) { return line.ends_with(",press,Power,Weight"); });
+  ASSERT_LT(press, lines.end() - 1);
+  EXPECT_TRUE((press + 1)->ends_with(",changeControlState,Power,1")) << *(press + 1);
+  EXPECT_FALSE(std::filesystem::exists(demo / "1.txt"));
+}
+
 constexpr const char* kThrowAway = R"({"hand":"left","do":"grasp","object":"a"}
 {"hand":"left","do":"attend","properties":["color","size"]}
 {"do":"wait","seconds":0.3}

@@ -19,7 +19,7 @@ class EditProperty : public recorder::RecordingFixture,
  protected:
   /// Hands that do anything; some of it before the recording begins, some of it undone.
   recording::Recording RecordAtRandom() {
-    const std::string xml = scene_xml::WriteScene(sim::EverythingScene::Make());
+    const std::string xml = scene_xml::WriteScene(sim::EverythingScene::MakeWithTools());
     sim::Simulation simulation(*scene_xml::ReadSceneText(xml, "everything.xml").scene);
     sim::RandomHands hands(GetParam(), /*changes_objects=*/true);
     recorder::RecordingController controller(&simulation, {.recording = {.frames_per_second = 12}});
@@ -33,6 +33,7 @@ class EditProperty : public recorder::RecordingFixture,
       (void)simulation.Apply(undoes ? sim::Command(sim::Undo()) : hands.Next(simulation));
       Wait(&simulation);
     }
+    simulation.Tick();  // what was done last shows in its hash
     final_hash_ = simulation.state_hash();
     return recording::OpenRecording(root_ / "demo");
   }

@@ -14,6 +14,7 @@
 #include "recording_fixture.h"
 #include "replay/replay.h"
 #include "scene_xml/scene_writer.h"
+#include "sim/test/event_counter.h"
 #include "sim/test/everything_scene.h"
 #include "sim/test/random_hands.h"
 #include "sim/test/undo_books.h"
@@ -50,7 +51,7 @@ class UndoTest : public RecordingFixture {
  protected:
   /// As in a scene file: connected objects are together.
   static scene::SceneSpec Everything() {
-    const std::string xml = scene_xml::WriteScene(sim::EverythingScene::Make());
+    const std::string xml = scene_xml::WriteScene(sim::EverythingScene::MakeWithTools());
     return *scene_xml::ReadSceneText(xml, "everything.xml").scene;
   }
 
@@ -218,6 +219,7 @@ int NumberFrom(const char* variable, int usual) {
 TEST_F(UndoTest, RandomSessionsReplayIdenticallyAndUndoExactly) {
   const int num_sessions = NumberFrom("SMILE_SESSIONS", 1);
   const int num_ticks = NumberFrom("SMILE_SESSION_SECONDS", 6) * sim::kTicksPerSecond;
+  sim::EventCounter counter;
   for (int session = 1; session <= num_sessions; ++session) {
     SCOPED_TRACE("session " + std::to_string(session));
     const auto demo = root_ / ("session" + std::to_string(session));
@@ -226,6 +228,7 @@ TEST_F(UndoTest, RandomSessionsReplayIdenticallyAndUndoExactly) {
     simulation.AddListener(&recorder);
     sim::UndoBooks books(simulation);
     simulation.AddListener(&books);
+    simulation.AddListener(&counter);
     sim::RandomHands hands(static_cast<unsigned>(session), /*changes_objects=*/true);
     std::mt19937 random(static_cast<unsigned>(session));
     for (int i = 0; i < num_ticks; ++i) {
@@ -246,6 +249,8 @@ TEST_F(UndoTest, RandomSessionsReplayIdenticallyAndUndoExactly) {
     ASSERT_EQ(report.hash, simulation.state_hash());
     ExpectOneHistory(simulation.history(), recording);
   }
+  EXPECT_GT(counter.num_events[sim::EventKind::kUsed], 0);
+  EXPECT_GT(counter.num_events[sim::EventKind::kPressed], 0);
 }
 
 TEST_F(UndoTest, TheLogKeepsWhatWasUndone) {

@@ -84,8 +84,8 @@ TEST_F(SideFile, ComplaintsNameThePlace) {
   EXPECT_EQ(
       ComplaintAbout(WithArm(R"(, "posse": {})")),
       "r.robot.json: unknown member \"posse\", expected format, urdf_hashes, kinematics_hashes, "
-      "frames, arms, grippers, gripper, head, limits, never_collide, poses, start, look or stands; "
-      "did you mean "
+      "ignore_mimics, frames, arms, grippers, gripper, head, limits, never_collide, poses, start, "
+      "look or stands; did you mean "
       "\"poses\"?");
   EXPECT_EQ(ComplaintAbout(R"({"format": 1, "arms": {"a": {"joints": ["spin"], "tool": "arm"}}})"),
             "r.robot.json: <arms/a/joints/0>: found \"spin\", expected a joint that moves");
@@ -98,6 +98,13 @@ TEST_F(SideFile, ComplaintsNameThePlace) {
             "that move relative to each other");
   EXPECT_EQ(ComplaintAbout(WithArm(R"(, "start": "nowhere")")),
             "r.robot.json: <start>: found \"nowhere\", expected one of the poses");
+  EXPECT_EQ(
+      ComplaintAbout(WithArm(R"(, "gripper": "nix")")),
+      "r.robot.json: <gripper>: found \"nix\", but there are no grippers, expected the member "
+      "grippers");
+  EXPECT_EQ(ComplaintAbout(WithArm(R"(, "ignore_mimics": ["turn"])")),
+            "r.robot.json: <ignore_mimics/0>: found \"turn\", expected a joint that mimics another "
+            "one");
 }
 
 TEST_F(SideFile, RefusesPayloadsThatAreNone) {

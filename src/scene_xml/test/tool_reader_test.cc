@@ -80,6 +80,11 @@ TEST(ToolReader, RefusesAScrewWithoutStagesAtItsHole) {
   EXPECT_EQ(FaultOf(SceneText("<composite location='(0,0,0)'>"
                               "<hostBondPoint id='H' type='M4'/></composite>")),
             "test.xml:3: <hostBondPoint id=\"H\">: found 0 tightness elements, expected 1 to 256");
+  // A guest in it has no finding of its own.
+  EXPECT_EQ(FaultOf(SceneText("<composite location='(0,0,0)'><hostBondPoint id='H' type='M4'/>"
+                              "</composite><composite location='(0,0,2)'><guestBondPoint "
+                              "type='M4' initBondHostId='H' initBondTightness='1'/></composite>")),
+            "test.xml:3: <hostBondPoint id=\"H\">: found 0 tightness elements, expected 1 to 256");
 }
 
 }  // namespace

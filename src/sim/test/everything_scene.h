@@ -30,13 +30,34 @@ class EverythingScene {
     return scene;
   }
 
-  /// Appends `weight`, which falls on the dial, and `shears` of a long reach, which cut the chain
-  /// from anywhere.
-  static void AddWeightAndShears(scene::SceneSpec* scene) {
+  /// Appends `weight`, which falls on the dial, and tools of a long reach, which act from anywhere
+  /// and at angles up to 90 degrees: `shears` cut the chain, `driver` turns the screw by a stage
+  /// every 60 degrees, and `key` loosens it.
+  static void AddTools(scene::SceneSpec* scene) {
     scene->objects.push_back(Simple("weight", scene::Block{{0.04, 0.04, 0.04}}, {0.1, 0.3, 0.2}));
-    scene->objects.push_back(Simple("shears", scene::Block{{0.1, 0.04, 0.02}}, {0, -0.1, 0.02}));
-    scene->objects.back().tool = scene::ToolSpec{
-        .action = scene::ToolAction::kCut, .axis = {1, 0, 0}, .edge = 0.1, .reach = 5};
+    const auto add_tool = [scene](const char* id, const Vector3& p_WB, scene::ToolSpec tool) {
+      tool.reach = 5;
+      if (tool.action != scene::ToolAction::kCut) tool.angle = DegreesToRadians(90.0);
+      scene->objects.push_back(Simple(id, scene::Block{{0.1, 0.04, 0.02}}, p_WB));
+      scene->objects.back().tool = tool;
+    };
+    add_tool("shears", {0, -0.1, 0.02},
+             {.action = scene::ToolAction::kCut, .axis = {1, 0, 0}, .edge = 0.1});
+    add_tool("driver", {0.2, -0.1, 0.02},
+             {.action = scene::ToolAction::kDrive, .type = "ph2", .turn = DegreesToRadians(60.0)});
+    add_tool("key", {0.4, -0.1, 0.02}, {.action = scene::ToolAction::kLoosen, .type = "hex"});
+    for (scene::ObjectSpec& object : scene->objects) {
+      if (object.id() != "screw") continue;
+      auto& screw = std::get<scene::Composite>(object.whole.shape);
+      screw.guests[0].accepts = {{.type = "ph2", .p_GS = {0, 0, 0.12}},
+                                 {.type = "hex", .p_GS = {0, 0, 0.11}, .axis = {1, 0, 0}}};
+    }
+  }
+  /// Returns the scene with tools.
+  static scene::SceneSpec MakeWithTools() {
+    scene::SceneSpec scene = Make();
+    AddTools(&scene);
+    return scene;
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "event_counter.h"
 #include "everything_scene.h"
 #include "random_hands.h"
 #include "simulation_fixture.h"
@@ -18,10 +19,13 @@ TEST_P(HistoryProperty, EveryUndoAndRedoIsExact) {
   // Another scene, without the block beside the table.
   scene::SceneSpec other = EverythingScene::Make();
   other.objects.pop_back();
+  EverythingScene::AddTools(&other);
   const Load load{std::make_shared<const scene::SceneSpec>(other)};
-  Simulation simulation(EverythingScene::Make());
+  Simulation simulation(EverythingScene::MakeWithTools());
   UndoBooks books(simulation);
   simulation.AddListener(&books);
+  EventCounter counter;
+  simulation.AddListener(&counter);
   RandomHands hands(GetParam(), /*changes_objects=*/true);
   std::mt19937 random(GetParam());
   for (int i = 0; i < 150; ++i) {
@@ -40,6 +44,8 @@ TEST_P(HistoryProperty, EveryUndoAndRedoIsExact) {
   }
   EXPECT_GT(books.num_undone(), 5);
   EXPECT_GT(books.num_redone(), 0);
+  EXPECT_GT(counter.num_events[EventKind::kUsed], 0);
+  EXPECT_GT(counter.num_events[EventKind::kPressed], 0);
   // What is done in a scene leads to the present state, and ids and ticks ascend along the way.
   const std::vector<TimedCommand> way = simulation.history().CommandsDone();
   EXPECT_TRUE(std::ranges::is_sorted(way, {}, &TimedCommand::tick));

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "event_counter.h"
 #include "everything_scene.h"
 #include "random_hands.h"
 #include "simulation_fixture.h"
@@ -14,31 +15,21 @@ class MechanismsProperty : public SimulationFixture,
 
 INSTANTIATE_TEST_SUITE_P(Seeds, MechanismsProperty, testing::Range(11u, 16u));
 
-/// Counts events by kind.
-struct Counter : Listener {
-  void OnEvent(const Simulation&, const Event& event) override { ++num_events[event.kind]; }
-  std::map<EventKind, int> num_events;
-};
-
 TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
   struct Moment {
     SimulationState state;
     std::uint64_t hash;
     Command command;
   };
-  scene::SceneSpec scene = EverythingScene::Make();
-  EverythingScene::AddWeightAndShears(&scene);
+  const scene::SceneSpec scene = EverythingScene::MakeWithTools();
   Simulation simulation(scene);
   RandomHands hands(GetParam());
   std::vector<Moment> moments;
   std::map<std::size_t, int> num_done;  // of each kind of command
-  Counter counter;
+  EventCounter counter;
   simulation.AddListener(&counter);
-  for (int i = 0; i < 80; ++i) {
-    Command command = hands.Next(simulation);
-    // Now and then the shears.
-    if (i % 16 == 5) command = Grasp{.hand = HandName::kRight, .object = "shears"};
-    if (i % 16 == 6) command = Use{.hand = HandName::kRight};
+  for (int i = 0; i < 120; ++i) {
+    const Command command = hands.Next(simulation);
     moments.push_back({simulation.Save(), simulation.state_hash(), command});
     const std::uint64_t before = simulation.state_hash();
     if (simulation.Apply(command)) {
@@ -58,6 +49,7 @@ TEST_P(MechanismsProperty, EverythingDoneCanBeTakenBackAndDoneAgain) {
   EXPECT_GT(counter.num_events[EventKind::kFell], 0);
   EXPECT_GT(counter.num_events[EventKind::kAttended], 0);
   EXPECT_GT(counter.num_events[EventKind::kPressed], 0);
+  EXPECT_GT(counter.num_events[EventKind::kUsed], 0);
   const std::uint64_t end = simulation.state_hash();
 
   for (auto moment = moments.rbegin(); moment != moments.rend(); ++moment) {

@@ -3,6 +3,7 @@
 #include "math/angles.h"
 #include "motion/inverse_kinematics.h"
 #include "scene_xml/scene_reader.h"
+#include "sim/event_words.h"
 #include "simulation_fixture.h"
 
 namespace smile::sim {
@@ -74,6 +75,7 @@ TEST_F(PressTest, ARobotPressesTheSwitchThatTheDriveTaskBeginsWith) {
   EXPECT_EQ(log.presses[0].control, "RackSwitch2");
   EXPECT_EQ(log.presses[0].arm, "right");
   EXPECT_EQ(log.presses[0].by, "");
+  EXPECT_EQ(WordsOf(log.presses[0]), "RackSwitch2 pressed by right gripper");
   // The switch itself, and its light from failed to off.
   ASSERT_EQ(log.changes.size(), 2u);
   EXPECT_EQ(log.changes[1].control, "RackLight2");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -22,7 +23,7 @@ class RandomHands {
     using enum HandName;
     const HandName hand = Pick(std::vector{kLeft, kLeft, kLeft, kRight, kRight, kRight, kBoth});
     const std::string object = AnObject(simulation);
-    switch (random_() % 15) {
+    switch (random_() % 17) {
       case 0:
       case 1:
         // The panel stays: without it there are no controls.
@@ -58,7 +59,13 @@ class RandomHands {
                       .properties = {Pick(kProperties), Pick(kProperties)}};
       case 12:
         return Grasp{.hand = hand == kLeft ? kRight : kLeft, .object = HeldBy(hand, simulation)};
-      case 13:  // off the table
+      case 13:
+      case 14:
+        if (const auto holder = HandWithTool(simulation)) {
+          return Use{.hand = *holder, .loosens = random_() % 2 == 0};
+        }
+        return Grasp{.hand = hand, .object = ATool(simulation)};
+      case 15:  // off the table
         return MoveTo{.hand = hand, .p_WH = {Uniform(2) < 0 ? -1.3 : 1.3, Uniform(0.4), 0.2}};
       default:
         if (random_() % 4 == 0) return Destroy{.hand = hand};
@@ -67,13 +74,26 @@ class RandomHands {
   }
 
  private:
-  /// Returns the id of an object that is no tool.
   std::string AnObject(const Simulation& simulation) {
     std::vector<std::string> ids;
-    for (const world::Object& object : simulation.tabletop().objects()) {
-      if (!object.spec->tool) ids.push_back(object.id());
-    }
+    for (const world::Object& object : simulation.tabletop().objects()) ids.push_back(object.id());
     return Pick(ids);
+  }
+  /// Returns the id of a tool; of any object in a scene without tools.
+  std::string ATool(const Simulation& simulation) {
+    std::vector<std::string> ids;
+    for (const world::Object& object : simulation.tabletop().objects()) {
+      if (object.spec->tool) ids.push_back(object.id());
+    }
+    return ids.empty() ? AnObject(simulation) : Pick(ids);
+  }
+  static std::optional<HandName> HandWithTool(const Simulation& simulation) {
+    for (const HandName hand : demonstrator::kHandNames) {
+      const world::Object* held =
+          simulation.tabletop().Find(simulation.demonstrator().hand(hand).held);
+      if (held != nullptr && held->spec->tool) return hand;
+    }
+    return std::nullopt;
   }
   static std::string HeldBy(HandName hand, const Simulation& simulation) {
     const world::Object* held =

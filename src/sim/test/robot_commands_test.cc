@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "event_counter.h"
 #include "everything_scene.h"
 #include "motion/trajectory_shape.h"
 #include "random_hands.h"
@@ -329,17 +330,43 @@ class RobotCommandsProperty : public SimulationFixture,
 "start": "ready"})"});
     return kTern;
   }
+  static const robot::RobotModel& Tern() {
+    static const robot::RobotModel kTern = robot::ReadRobot(DataFile("robots/tern.urdf"));
+    return kTern;
+  }
+  /// Adds `snips`, which stand on the table between the fingers and cut the chain from there.
+  static void AddToolBetweenFingers(const robot::RobotModel& model, scene::SceneSpec* scene) {
+    const Simulation empty(*scene, RobotPlacement{.model = model});
+    const RigidTransform X_WG = empty.robot()->ToolPose(0);
+    const Vector3 p_WG = X_WG.translation(), across = X_WG.rotation().col(1);
+    const Eigen::AngleAxisd turn(std::atan2(across.y(), across.x()), Vector3::UnitZ());
+    scene::ObjectSpec snips = BlockAt("snips", Vector3::Zero(), 0.03);
+    const double height = p_WG.z() + 0.005;
+    snips.whole.shape = scene::Block{{0.03, 0.03, height}};
+    snips.whole.X_PE = RigidTransform(Quaternion(turn), Vector3(p_WG.x(), p_WG.y(), height / 2));
+    snips.tool = scene::ToolSpec{
+        .action = scene::ToolAction::kCut, .axis = {1, 0, 0}, .edge = 0.05, .reach = 5};
+    scene->objects.push_back(snips);
+  }
+  static Command CloseAtSpeed(double speed) {
+    return MoveGripper{.arm = "all", .velocity = -speed};
+  }
 };
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RobotCommandsProperty, testing::Range(31u, 35u));
+INSTANTIATE_TEST_SUITE_P(Seeds, RobotCommandsProperty, testing::Range(31u, 36u));
 
 TEST_P(RobotCommandsProperty, EveryMotionCanBeUndoneAndRedone) {
-  // The last two have three arms, and a gripper of jaws with a coupling of joints.
+  // The last three have three arms, a gripper of jaws with a coupling of joints, and two fingers
+  // with a tool between them.
+  const bool has_tool = GetParam() == 35;
   const robot::RobotModel model = GetParam() == 33   ? robot::ThreeArms().Model()
                                   : GetParam() == 34 ? TernWithJaws()
+                                  : has_tool         ? Tern()
                                                      : Baxter();
+  scene::SceneSpec scene = EverythingScene::MakeWithTools();
+  if (has_tool) AddToolBetweenFingers(model, &scene);
   const auto make = [&] {
-    return std::make_unique<Simulation>(EverythingScene::Make(), RobotPlacement{.model = model});
+    return std::make_unique<Simulation>(scene, RobotPlacement{.model = model});
   };
   struct Moment {
     SimulationState state;
@@ -352,21 +379,38 @@ TEST_P(RobotCommandsProperty, EveryMotionCanBeUndoneAndRedone) {
   RandomHands hands(GetParam());
   RandomRobot robot(GetParam());
   std::mt19937 random(GetParam());
+  EventCounter counter;
+  simulation->AddListener(&counter);
   std::vector<Moment> moments;
   int num_following = 0;
-  for (int i = 0; i < 60; ++i) {
-    const Command command = random() % 5 == 0   ? Command(Undo())
+  // The grasp is no use of the tool; squeezing it again is one.
+  std::vector<Command> script;
+  if (has_tool) {
+    script = {Grasp{.hand = HandName::kLeft, .object = "ball"},
+              CloseAtSpeed(0.1),
+              CloseAtSpeed(0),
+              CloseAtSpeed(0.1),
+              Undo(),
+              Redo()};
+  }
+  for (std::size_t i = 0; i < 80; ++i) {
+    const Command command = i < script.size()   ? script[i]
+                            : random() % 5 == 0 ? Command(Undo())
                             : random() % 3 == 0 ? hands.Next(*simulation)
                                                 : robot.Next(*simulation);
-    if (!std::holds_alternative<Undo>(command)) {
+    if (!std::holds_alternative<Undo>(command) && !std::holds_alternative<Redo>(command)) {
       moments.push_back({simulation->Save(), simulation->state_hash(), command});
     }
     const std::uint64_t before = simulation->state_hash();
     if (simulation->Apply(command)) {
       EXPECT_EQ(simulation->state_hash(), before) << "a refused command changed something";
     }
-    for (int tick = 0; tick < 4; ++tick) simulation->Tick();
+    for (int tick = i < script.size() ? 120 : 4; tick > 0; --tick) simulation->Tick();
     num_following += simulation->is_robot_following() ? 1 : 0;
+  }
+  if (has_tool) {
+    EXPECT_GT(counter.num_events[EventKind::kGripperHolds], 0);
+    EXPECT_GT(counter.num_events[EventKind::kUsed], 0);
   }
   EXPECT_GT(books.num_undone(), 2);
   EXPECT_GT(num_following, 5);

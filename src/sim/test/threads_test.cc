@@ -15,7 +15,7 @@ namespace {
 /// also add and remove objects, and a robot with random commands. It is saved and restored now and
 /// then.
 std::vector<std::uint64_t> HashesOfARun(unsigned seed) {
-  Simulation simulation(EverythingScene::Make(),
+  Simulation simulation(EverythingScene::MakeWithTools(),
                         RobotPlacement{.model = robot::ReadRobot(DataFile("robots/baxter.urdf"))});
   RandomHands hands(seed, /*changes_objects=*/true);
   RandomRobot robot(seed);

@@ -1,6 +1,7 @@
 // Tools in hands and grippers: recorded as events, described, undone.
 
 #include "math/angles.h"
+#include "sim/event_words.h"
 #include "simulation_fixture.h"
 
 namespace smile::sim {
@@ -136,6 +137,11 @@ TEST_F(ToolsSimulationTest, ARobotClosesTheScissorsWithItsGripperAndTurnsADriver
     }
     EXPECT_EQ(log.uses[0].arm, "left");
     EXPECT_FALSE(log.uses[0].hand.has_value());
+    if (cuts) {
+      EXPECT_EQ(WordsOf(log.uses[0]), "left gripper cuts " + log.uses[0].part + " with Tool");
+    } else {
+      EXPECT_EQ(WordsOf(log.uses[0]), "left gripper fastens screw with Tool");
+    }
   }
 }
 

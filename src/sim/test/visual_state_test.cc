@@ -15,10 +15,8 @@ class VisualStateProperty : public SimulationFixture,
 INSTANTIATE_TEST_SUITE_P(Seeds, VisualStateProperty, testing::Range(31u, 35u));
 
 TEST_P(VisualStateProperty, EqualsTheComputedOne) {
-  scene::SceneSpec scene = EverythingScene::Make();
-  EverythingScene::AddWeightAndShears(&scene);
   const Load load{std::make_shared<const scene::SceneSpec>(EverythingScene::Make())};
-  Simulation simulation(std::move(scene), RobotPlacement{.model = Baxter()});
+  Simulation simulation(EverythingScene::MakeWithTools(), RobotPlacement{.model = Baxter()});
   // Queried after each change, or after many.
   VisualStateWatcher watcher(GetParam(), /*mean_gap=*/GetParam() % 2 == 0 ? 1 : 40);
   simulation.AddListener(&watcher);

@@ -102,23 +102,28 @@ function GripperRow({ gripper, opening }: { gripper: RobotDescription["grippers"
         onPress={() => move(-GRIPPER_SPEED)}
         onRelease={() => move(0)}
       />
-      <div class="grow">
-        <Slider
-          label={words.gripper(gripper.arm)}
-          shortLabel={words.gripperOf(gripper.arm)}
-          value={opening}
-          min={0}
-          max={gripper.stroke}
-          step={0.01}
-          digits={2}
-          unit={texts.units}
-          disabled={!mayAct.value}
-          onInput={(value) => goTo(`${gripper.arm}_gripper`, value * meters)}
-        />
-        <div class="limits" aria-hidden="true">
-          {words.limits(0, gripper.stroke, 2)}
+      {gripper.stroke > 0 ? (
+        <div class="grow">
+          <Slider
+            label={words.gripper(gripper.arm)}
+            shortLabel={words.gripperOf(gripper.arm)}
+            value={opening}
+            min={0}
+            max={gripper.stroke}
+            step={0.01}
+            digits={2}
+            unit={texts.units}
+            disabled={!mayAct.value}
+            onInput={(value) => goTo(`${gripper.arm}_gripper`, value * meters)}
+          />
+          <div class="limits" aria-hidden="true">
+            {words.limits(0, gripper.stroke, 2)}
+          </div>
         </div>
-      </div>
+      ) : (
+        // A suction cup has no opening: it takes and releases.
+        <div class="grow">{words.gripperOf(gripper.arm)}</div>
+      )}
       <HoldButton
         label={words.openGripper(gripper.arm)}
         icon="plus"

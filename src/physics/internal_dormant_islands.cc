@@ -307,6 +307,7 @@ void DormantIslands::Return(std::span<btRigidBody* const> bodies) {
 
 void DormantIslands::ReturnFixture(btRigidBody& body) {
   if (!IsLeftOut(&body)) return;
+  NoteChange();
   Put(islands_.find(KeyOf(body)));
   world_.SortObjects();
 }

@@ -342,7 +342,7 @@ void WorldObjects::RestoreState(const Snapshot& snapshot, ByteReader* in) {
           }};
   RestoreContacts(contacts, owners, engine_.world, engine_.broadphase);
   // The next save and the next way back to this snapshot take these states as they are.
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+  for (const std::size_t i : NumbersThatMayDifferFrom(snapshot)) {
     Body::Dynamics& dynamics = bodies_[i]->dynamics();
     if (dynamics.known_state() != snapshot.bodies[i].state) {
       dynamics.KeepState(snapshot.bodies[i].state);
@@ -365,11 +365,27 @@ void WorldObjects::ReturnPartnersIn(std::span<const SavedManifold> contacts) {
   }
 }
 
+/// Returns the places of the bodies that may have changed since the last snapshot, or may be others
+/// in that than in this one. The others are in this one's state.
+std::vector<std::size_t> WorldObjects::NumbersThatMayDifferFrom(const Snapshot& snapshot) const {
+  std::vector<std::size_t> numbers = entries_.MayDifferFrom(snapshot.bodies);
+  if (entries_.size() != bodies_.size()) {
+    numbers.resize(bodies_.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  } else if (numbers.size() < bodies_.size()) {
+    std::ranges::copy(NumbersChangedSince(entries_moment_), std::back_inserter(numbers));
+    std::ranges::sort(numbers);
+    const auto repeated = std::ranges::unique(numbers);
+    numbers.erase(repeated.begin(), repeated.end());
+  }
+  return numbers;
+}
+
 /// Returns the places of the bodies that are not in the snapshot's state, as far as that is known
 /// without reading it.
 std::vector<std::size_t> WorldObjects::NumbersOfBodiesToRestore(const Snapshot& snapshot) const {
   std::vector<std::size_t> numbers;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+  for (const std::size_t i : NumbersThatMayDifferFrom(snapshot)) {
     const auto& saved = snapshot.bodies[i].state;
     const Body::Dynamics& dynamics = bodies_[i]->dynamics();
     if (dynamics.known_state() == saved) continue;
@@ -409,6 +425,12 @@ WorldObjects::Replacement WorldObjects::ReplacementFor(const Snapshot& snapshot)
                !Is(*articulations_[i], snapshot.articulations[i])) {
       throw std::invalid_argument("snapshot: it is of a world without this robot");
     }
+  }
+  // If the snapshot's bodies are those of the last one, but for a few, only these are compared.
+  if (entries_.size() == bodies_.size() && snapshot.bodies.size() == bodies_.size() &&
+      std::ranges::all_of(entries_.MayDifferFrom(snapshot.bodies),
+                          [&](std::size_t i) { return Is(*bodies_[i], snapshot.bodies[i]); })) {
+    return result;
   }
   // Both lists are sorted by id: merge them. A body that is unchanged stays.
   auto old = bodies_.begin();

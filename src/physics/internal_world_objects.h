@@ -96,6 +96,7 @@ class WorldObjects {
   btCollisionObject* FindObject(int order) const;
   int OwnerOf(const btCollisionObject* a, const btCollisionObject* b) const;
   std::vector<OwnedManifold> ManifoldsOf(std::span<const std::size_t> bodies) const;
+  std::vector<std::size_t> NumbersThatMayDifferFrom(const Snapshot& snapshot) const;
   std::vector<std::size_t> NumbersOfBodiesToRestore(const Snapshot& snapshot) const;
   void ReturnPartnersIn(std::span<const SavedManifold> contacts);
   void NumberBodiesFrom(std::size_t first);

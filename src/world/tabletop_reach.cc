@@ -29,9 +29,9 @@ std::optional<Refusal> Tabletop::RefuseToReach(const Object& object) const {
 std::optional<Refusal> Tabletop::RefuseToReach(std::string_view id) const {
   // The most specific reason first: this object, a part of another one, and last a spelling
   // suggestion.
+  if (const auto index = model_->FindObject(id)) return RefuseToReach(objects_[*index]);
   std::vector<std::string_view> known;
   for (const Object& object : objects_) {
-    if (object.id() == id) return RefuseToReach(object);
     if (IsPresent(object)) known.push_back(object.id());
   }
   for (const Object& object : objects_) {

@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "app/bench_scenes.h"
 
@@ -81,13 +81,8 @@ double CpuSeconds(clockid_t clock) {
 }
 
 struct Cost {
-  double wall = std::numeric_limits<double>::infinity();  ///< [s]
-  double cpu = std::numeric_limits<double>::infinity();   ///< of all threads [s]
-
-  void TakeLess(const Cost& other) {
-    wall = std::min(wall, other.wall);
-    cpu = std::min(cpu, other.cpu);
-  }
+  double wall = 0;  ///< [s]
+  double cpu = 0;   ///< of all threads [s]
 };
 
 Cost CostOf(const std::function<void()>& run) {
@@ -98,27 +93,35 @@ Cost CostOf(const std::function<void()>& run) {
           .cpu = CpuSeconds(CLOCK_PROCESS_CPUTIME_ID) - cpu_start};
 }
 
+double MedianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
 /// Measures two simulations on two threads. Reports how many times as fast they are as one after
-/// the other on one thread, by the shortest times of each; and the same by CPU time, which does not
-/// depend on what else the machine does: twice the CPU time on one thread by that on two.
+/// the other on one thread, and the same by CPU time: twice the CPU time on one thread by that on
+/// two. Both are medians over the iterations, of which each compares two adjacent runs: the speed
+/// of the processor changes from one iteration to another.
 void TwoOnTwoThreads(benchmark::State& state, const Workload& workload) {
   const auto works = workload.make();
-  Cost one_thread, two_threads;
+  std::vector<double> speed_ups, speed_ups_by_cpu_time;
   for (auto _ : state) {
-    one_thread.TakeLess(CostOf([&] {
+    const Cost one_thread = CostOf([&] {
       works.first();
       works.second();
-    }));
-    const Cost cost = CostOf([&] {
+    });
+    const Cost two_threads = CostOf([&] {
       std::thread other(works.second);
       works.first();
       other.join();
     });
-    two_threads.TakeLess(cost);
-    state.SetIterationTime(cost.wall);
+    speed_ups.push_back(one_thread.wall / two_threads.wall);
+    speed_ups_by_cpu_time.push_back(2 * one_thread.cpu / two_threads.cpu);
+    state.SetIterationTime(two_threads.wall);
   }
-  state.counters["speed_up"] = one_thread.wall / two_threads.wall;
-  state.counters["speed_up_by_cpu_time"] = 2 * one_thread.cpu / two_threads.cpu;
+  state.counters["speed_up"] = MedianOf(std::move(speed_ups));
+  state.counters["speed_up_by_cpu_time"] = MedianOf(std::move(speed_ups_by_cpu_time));
 }
 
 }  // namespace

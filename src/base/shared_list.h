@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <iterator>
 #include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,10 @@ class SharedList {
   void Set(std::vector<Numbered> changes);
 
   bool operator==(const SharedList& other) const { return std::ranges::equal(*this, other); }
+
+  /// Returns the indices of the elements that may differ from those of another list, in ascending
+  /// order: if the two share a list of all, those that were set since, otherwise all of this list.
+  std::vector<std::size_t> MayDifferFrom(const SharedList& other) const;
 
   /// Returns how many elements it keeps besides those that it shares with another list.
   std::size_t NumBeside(const SharedList& other) const {
@@ -68,6 +73,23 @@ void SharedList<T>::Set(std::vector<Numbered> changes) {
   for (Numbered& element : own_) all[element.first] = std::move(element.second);
   all_ = std::make_shared<const std::vector<T>>(std::move(all));
   own_.clear();
+}
+
+template <class T>
+std::vector<std::size_t> SharedList<T>::MayDifferFrom(const SharedList& other) const {
+  std::vector<std::size_t> indices;
+  if (all_ != other.all_) {
+    indices.resize(size());
+    std::iota(indices.begin(), indices.end(), std::size_t{0});
+    return indices;
+  }
+  for (const auto* own : {&own_, &other.own_}) {
+    for (const Numbered& element : *own) indices.push_back(element.first);
+  }
+  std::ranges::sort(indices);
+  const auto repeated = std::ranges::unique(indices);
+  indices.erase(repeated.begin(), repeated.end());
+  return indices;
 }
 
 template <class T>

@@ -9,7 +9,9 @@
 namespace smile::physics {
 
 Body::Body(BodyId id, std::shared_ptr<const BodySpec> spec)
-    : id_(id), spec_(std::move(spec)), dynamics_(std::make_unique<Dynamics>(id, *spec_)) {}
+    : id_(id), spec_(std::move(spec)), dynamics_(std::make_unique<Dynamics>(id, *spec_)) {
+  dynamics_->bullet().setUserPointer(this);
+}
 
 Body::~Body() = default;
 

@@ -25,6 +25,10 @@ class Body::Dynamics {
   /// Returns the vector from the center of mass to the body's origin, along the world's axes [m].
   Vector3 p_BcmB_W() const;
 
+  /// Place among the bodies of a World, by id.
+  std::size_t place() const { return place_; }
+  void set_place(std::size_t place) { place_ = place; }
+
   bool is_carried() const { return is_carried_; }
   void set_is_carried(bool is_carried) { is_carried_ = is_carried; }
 
@@ -64,6 +68,7 @@ class Body::Dynamics {
   RigidTransform X_BcmB_;  ///< B in the frame of its center of mass and principal axes of inertia
   CollisionShape collision_;
   btRigidBody bullet_;
+  std::size_t place_ = 0;
   bool is_carried_ = false;
   bool is_kinematic_ = false;
   double load_mass_ = 0, load_moment_ = 0;  ///< set in each step

@@ -13,6 +13,8 @@ static_assert(sizeof(btScalar) == sizeof(double), "Bullet must be the double-pre
 
 namespace smile::physics {
 
+class Body;
+
 inline btVector3 ToBullet(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 inline Vector3 FromBullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -45,5 +47,10 @@ auto All(Array& array) {
 /// Returns an object's place in the order of creation, which is stored as its user index. Pairs,
 /// islands, contacts and world arrays are all sorted by it.
 inline int OrderOf(const btCollisionObject* object) { return object->getUserIndex(); }
+
+/// Returns the body of a Bullet object; null for a link.
+inline Body* BodyOf(const btCollisionObject* object) {
+  return static_cast<Body*>(object->getUserPointer());
+}
 
 }  // namespace smile::physics

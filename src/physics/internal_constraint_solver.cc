@@ -14,7 +14,7 @@
 namespace smile::physics {
 namespace {
 
-impulses::Body BodyOf(btSolverBody* body) {
+impulses::Body ImpulsesBodyOf(btSolverBody* body) {
   impulses::Body result{.inverse_mass = body->m_invMass[0],
                         .p_WBcm = FromBullet(body->m_worldTransform.getOrigin()),
                         .v = FromBullet(body->m_linearVelocity),
@@ -104,11 +104,16 @@ void ConstraintSolver::FindManifolds(std::span<btPersistentManifold*> of_bodies,
 
 void ConstraintSolver::ReadBodies() {
   bodies_.clear();
-  for (btSolverBody& body : All(m_tmpSolverBodyPool)) bodies_.push_back(BodyOf(&body));
+  for (btSolverBody& body : All(m_tmpSolverBodyPool)) bodies_.push_back(ImpulsesBodyOf(&body));
 }
 
 void ConstraintSolver::convertJoints(btTypedConstraint** joints, int num_joints,
                                      const btContactSolverInfo& info) {
+  const auto place = [](const btTypedConstraint* joint) {
+    return static_cast<const JointConstraint*>(joint)->place();
+  };
+  // Rows that are not held are solved in this order.
+  std::ranges::stable_sort(std::span(joints, static_cast<std::size_t>(num_joints)), {}, place);
   btMultiBodyConstraintSolver::convertJoints(joints, num_joints, info);
   joints_.Begin();
   held_rows_.clear();

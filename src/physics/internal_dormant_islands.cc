@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <set>
 
 #include "base/demand.h"
 #include "base/state_hash.h"
 #include "physics/internal_collision_object.h"
 #include "physics/internal_exact_world.h"
+#include "physics/internal_joint_constraint.h"
 #include "physics/internal_stateless_broadphase.h"
 
 // Bullet visits every object, pair and contact several times a step, awake or not. Leaving out
@@ -16,10 +18,15 @@
 // 1. A body that has been asleep for two steps no longer changes: its predicted pose and its box
 //    have been computed with velocity zero, so computing them again gives the same bits.
 // 2. Bullet wakes a body only through a pair of overlapping boxes, through a joint, or from
-//    outside. Pairs with what can move, and joints, keep an island in the world; boxes are searched
+//    outside. Pairs and joints with what can move keep an island in the world; boxes are searched
 //    in each step before pairs are made; and what acts from outside returns the island first
 //    (Body::WakeUp) or all of them (World).
-// 3. The order of work is that of the objects' creation, with or without others in between.
+// 3. The order of work is that of the objects' creation, with or without others in between; that
+//    of joints is OrderJoints().
+//
+// An island keeps all pairs of its bodies, also those with static bodies: whatever is near it was
+// in the world when it was left out. A static body that is left out has therefore no pairs itself,
+// and returns with an island that has a pair with it.
 
 namespace smile::physics {
 namespace {
@@ -38,11 +45,20 @@ void SetKey(int key, btRigidBody* body) { body->setUserIndex3(key); }
 constexpr int kPresent = -1;
 bool IsLeftOut(const btCollisionObject* object) { return KeyOf(*object) != kPresent; }
 
+/// Returns true for a static body; links of kinematic robots that never move are none.
+bool IsFixture(const btCollisionObject& object) {
+  return object.isStaticObject() && BodyOf(&object) != nullptr;
+}
+
 std::uint64_t HashOf(const btRigidBody& body) {
   StateHash hash;
   hash.Add(static_cast<std::uint64_t>(OrderOf(&body)));
   AddMotion(body, &hash);
   return hash.value();
+}
+
+void SetPlace(int place, btTypedConstraint* joint) {
+  static_cast<JointConstraint*>(joint)->set_place(place);
 }
 
 btManifoldArray ManifoldsOf(const btBroadphasePair& pair) {
@@ -97,6 +113,7 @@ void DormantIslands::LeaveOut() {
     hash_ += island.hash;
   }
   TakePairs(&leaving);
+  TakeJoints(&leaving);
   dispatcher_.TakeManifolds([](const btPersistentManifold& manifold) {
     return IsLeftOut(manifold.getBody0()) || IsLeftOut(manifold.getBody1());
   });
@@ -109,17 +126,20 @@ void DormantIslands::LeaveOut() {
 /// whose islands should be examined now.
 bool DormantIslands::CountStepsAsleep() {
   bool is_time = false;
-  for (btRigidBody* body : All(world_.getNonStaticRigidBodies())) {
-    const int steps = body->isActive() ? 0 : std::max(0, StepsAsleep(*body)) + 1;
+  for (btCollisionObject* object : All(world_.getCollisionObjectArray())) {
+    btRigidBody* body = btRigidBody::upcast(object);
+    if (body == nullptr || BodyOf(body) == nullptr) continue;
+    const bool is_active = body->isActive() && !body->isStaticObject();
+    const int steps = is_active ? 0 : std::max(0, StepsAsleep(*body)) + 1;
     SetStepsAsleep(steps, body);
     is_time = is_time || (steps > 0 && steps % kRetryPeriod == kSettled);
   }
   return is_time;
 }
 
-/// Returns the islands that need not be in the world, by keys that are not in use.
-DormantIslands::Islands DormantIslands::FindIslandsToLeave() const {
-  // Islands by Bullet's tags, which are those of the last step.
+/// Returns the islands that must be in the world, by Bullet's tags, which are those of the last
+/// step.
+std::set<int> DormantIslands::FindTagsThatStay() const {
   std::set<int> staying;
   const auto stay = [&staying](const btCollisionObject& object) {
     staying.insert(object.getIslandTag());
@@ -128,16 +148,23 @@ DormantIslands::Islands DormantIslands::FindIslandsToLeave() const {
     const btRigidBody* body = btRigidBody::upcast(object);
     if (body == nullptr || StepsAsleep(*body) < kSettled) stay(*object);
   }
-  for (int i = 0; i < world_.getNumConstraints(); ++i) {
-    stay(world_.getConstraint(i)->getRigidBodyA());
-    stay(world_.getConstraint(i)->getRigidBodyB());
-  }
-  for (const btBroadphasePair& pair : All(broadphase_.pairs())) {
-    const btCollisionObject &a = *ObjectOf(pair.m_pProxy0), &b = *ObjectOf(pair.m_pProxy1);
-    // A kinematic object moves without being part of an island.
+  // A kinematic object moves without being part of an island.
+  const auto stay_beside_kinematic = [&stay](const auto& a, const auto& b) {
     if (a.isKinematicObject()) stay(b);
     if (b.isKinematicObject()) stay(a);
+  };
+  for (const btTypedConstraint* joint : world_.joints()) {
+    stay_beside_kinematic(joint->getRigidBodyA(), joint->getRigidBodyB());
   }
+  for (const btBroadphasePair& pair : All(broadphase_.pairs())) {
+    stay_beside_kinematic(*ObjectOf(pair.m_pProxy0), *ObjectOf(pair.m_pProxy1));
+  }
+  return staying;
+}
+
+/// Returns the islands that need not be in the world, by keys that are not in use.
+DormantIslands::Islands DormantIslands::FindIslandsToLeave() const {
+  const std::set<int> staying = FindTagsThatStay();
   Islands leaving;
   std::map<int, int> key_of_tag;
   for (btRigidBody* body : All(world_.getNonStaticRigidBodies())) {
@@ -146,6 +173,17 @@ DormantIslands::Islands DormantIslands::FindIslandsToLeave() const {
     const int next_key = next_key_ + static_cast<int>(key_of_tag.size());
     leaving[key_of_tag.emplace(tag, next_key).first->second].bodies.push_back(body);
   }
+  std::set<const btCollisionObject*> near;
+  for (const btBroadphasePair& pair : All(broadphase_.pairs())) {
+    const btCollisionObject &a = *ObjectOf(pair.m_pProxy0), &b = *ObjectOf(pair.m_pProxy1);
+    if (a.isStaticObject() && staying.contains(b.getIslandTag())) near.insert(&a);
+    if (b.isStaticObject() && staying.contains(a.getIslandTag())) near.insert(&b);
+  }
+  int next_key = next_key_ + static_cast<int>(key_of_tag.size());
+  for (btCollisionObject* object : All(world_.getCollisionObjectArray())) {
+    if (!IsFixture(*object) || near.contains(object)) continue;
+    leaving[next_key++].bodies.push_back(btRigidBody::upcast(object));
+  }
   return leaving;
 }
 
@@ -153,7 +191,8 @@ DormantIslands::Islands DormantIslands::FindIslandsToLeave() const {
 void DormantIslands::TakePairs(Islands* leaving) {
   next_key_ = leaving->rbegin()->first + 1;
   for (btBroadphasePair& pair : All(broadphase_.pairs())) {
-    const int key = std::max(KeyOf(*ObjectOf(pair.m_pProxy0)), KeyOf(*ObjectOf(pair.m_pProxy1)));
+    const btCollisionObject &a = *ObjectOf(pair.m_pProxy0), &b = *ObjectOf(pair.m_pProxy1);
+    const int key = KeyOf(a.isStaticObject() ? b : a);
     if (key == kPresent) continue;
     leaving->at(key).pairs.push_back(pair);
     // The algorithm has the contacts; it must not end with the pair.
@@ -164,6 +203,61 @@ void DormantIslands::TakePairs(Islands* leaving) {
       broadphase_.getOverlappingPairCache()->removeOverlappingPair(pair.m_pProxy0, pair.m_pProxy1,
                                                                    &dispatcher_);
     }
+  }
+}
+
+/// Moves the joints of the leaving islands from the world to the islands.
+void DormantIslands::TakeJoints(Islands* leaving) {
+  for (btTypedConstraint* joint : world_.joints()) {
+    const btRigidBody &a = joint->getRigidBodyA(), &b = joint->getRigidBodyB();
+    const int key = KeyOf(a.isStaticObject() ? b : a);
+    if (key == kPresent) continue;
+    Island& island = leaving->at(key);
+    island.joints.push_back(joint);
+    joints_left_out_.emplace(joint->getUserConstraintId(), OrderOf(island.bodies.front()));
+  }
+  world_.TakeJoints([this](const btTypedConstraint* joint) {
+    return joints_left_out_.contains(joint->getUserConstraintId());
+  });
+}
+
+/// Returns for each of Bullet's tags the order of the object that had it before islands were found.
+/// The tag of an island is that of its first object.
+std::vector<int> DormantIslands::FirstOrders() const {
+  std::vector<int> orders;
+  for (const btCollisionObject* object : All(world_.getCollisionObjectArray())) {
+    if (!object->isStaticOrKinematicObject()) orders.push_back(OrderOf(object));
+  }
+  return orders;
+}
+
+void DormantIslands::OrderJoints() {
+  for (btTypedConstraint* joint : world_.joints()) SetPlace(0, joint);
+  if (joints_left_out_.empty() || world_.joints().size() < 2) return;
+  // Bullet sorts all joints by their islands. Its quicksort is not stable, so that the joints of
+  // one island come in an order that depends on all others: sort as if none were left out.
+  struct Entry {
+    int first_order;  ///< of the island
+    btTypedConstraint* present;
+  };
+  btAlignedObjectArray<Entry> all;
+  const std::vector<int> first_orders = FirstOrders();
+  auto left_out = joints_left_out_.begin();
+  const auto add_left_out_before = [&](int id) {
+    for (; left_out != joints_left_out_.end() && left_out->first < id; ++left_out) {
+      all.push_back({left_out->second, nullptr});
+    }
+  };
+  for (btTypedConstraint* joint : world_.joints()) {
+    add_left_out_before(joint->getUserConstraintId());
+    const int tag_a = joint->getRigidBodyA().getIslandTag();
+    const int tag = tag_a >= 0 ? tag_a : joint->getRigidBodyB().getIslandTag();
+    all.push_back({tag >= 0 ? first_orders[static_cast<std::size_t>(tag)] : -1, joint});
+  }
+  add_left_out_before(std::numeric_limits<int>::max());
+  all.quickSort([](const Entry& a, const Entry& b) { return a.first_order < b.first_order; });
+  for (int i = 0; i < all.size(); ++i) {
+    if (all[i].present != nullptr) SetPlace(i, all[i].present);
   }
 }
 
@@ -211,6 +305,13 @@ void DormantIslands::Return(std::span<btRigidBody* const> bodies) {
   if (!is_sorted) world_.SortObjects();
 }
 
+void DormantIslands::ReturnFixture(btRigidBody& body) {
+  if (!IsLeftOut(&body)) return;
+  NoteChange();
+  Put(islands_.find(KeyOf(body)));
+  world_.SortObjects();
+}
+
 void DormantIslands::ReturnAll() {
   NoteChange();
   while (!islands_.empty()) Put(islands_.begin());
@@ -228,7 +329,15 @@ void DormantIslands::Put(Islands::iterator place) {
     world_.PutObject(body);
     broadphase_.PutProxy(body->getBroadphaseHandle());
   }
+  for (btTypedConstraint* joint : island.joints) {
+    joints_left_out_.erase(joint->getUserConstraintId());
+    world_.PutJoint(joint);
+  }
   for (const btBroadphasePair& pair : island.pairs) {
+    for (const btBroadphaseProxy* proxy : {pair.m_pProxy0, pair.m_pProxy1}) {
+      // A static body, which has no pairs of its own.
+      if (IsLeftOut(ObjectOf(proxy))) Put(islands_.find(KeyOf(*ObjectOf(proxy))));
+    }
     btBroadphasePair* fresh =
         broadphase_.getOverlappingPairCache()->addOverlappingPair(pair.m_pProxy0, pair.m_pProxy1);
     // What may collide changes only when all islands are in the world.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -17,7 +18,8 @@ namespace smile::physics {
 class StatelessBroadphase;
 
 /// Islands that are left out of Bullet's world while they sleep and nothing comes near, so that a
-/// step costs what is awake and not what there is.
+/// step costs what is awake and not what there is. A static body (a fixture) that nothing in the
+/// world comes near is an island of its own.
 ///
 /// Leaving out changes no bit of any result: a step does not change a sleeping island, and an
 /// island returns, with its pairs and contacts, before the first step that could. Which islands are
@@ -34,15 +36,20 @@ class DormantIslands {
   /// Returns the sum of the hashes of all bodies. Takes a time that depends on those in the world,
   /// and none if nothing has happened since all sleep.
   std::uint64_t HashOfBodies();
-  /// Call after each step: leaves out islands that sleep, have no joints, and are near nothing that
-  /// can move.
+  /// Call after each step: leaves out islands that sleep and are near nothing that can move, with
+  /// their joints, and fixtures that nothing in the world is near.
   void LeaveOut();
+  /// Call in each step when islands are known: notes with each joint its place in the order in
+  /// which Bullet solves them, which depends on all joints.
+  void OrderJoints();
   /// Call when all bounding boxes are known: returns the islands that the box of an object in the
   /// world overlaps, unless the two never collide.
   void ReturnReached();
   /// Returns the islands of bodies that are about to change, or all islands if one is static. Those
   /// that are in the world stay there.
   void Return(std::span<btRigidBody* const> bodies);
+  /// Returns a static body that does not change, for contacts that it gets.
+  void ReturnFixture(btRigidBody& body);
   /// Returns all islands, for changes of what there is or of what may collide.
   void ReturnAll();
 
@@ -62,7 +69,8 @@ class DormantIslands {
 
  private:
   struct Island {
-    std::vector<btRigidBody*> bodies;
+    std::vector<btRigidBody*> bodies;  ///< in their order
+    std::vector<btTypedConstraint*> joints;
     std::uint64_t hash = 0;               ///< sum over the bodies, as they were left out
     std::vector<btDbvtNode*> boxes;       ///< in boxes_, of the bodies
     std::vector<btBroadphasePair> pairs;  ///< their algorithms have the contact manifolds
@@ -73,8 +81,11 @@ class DormantIslands {
   void ForEachPresent(Visit visit) const;
   void NoteChange();
   bool CountStepsAsleep();
+  std::set<int> FindTagsThatStay() const;
   Islands FindIslandsToLeave() const;
   void TakePairs(Islands* leaving);
+  void TakeJoints(Islands* leaving);
+  std::vector<int> FirstOrders() const;
   void Put(Islands::iterator island);
 
   ExactWorld& world_;
@@ -83,6 +94,8 @@ class DormantIslands {
   Islands islands_;         ///< by the number of their period, which their bodies contain
   int next_key_ = 0;        ///< above all numbers ever in use
   std::uint64_t hash_ = 0;  ///< sum of the hashes of the bodies that are left out
+  /// Joints that are left out, by their ids, each with the order of the first body of its island.
+  std::map<int, int> joints_left_out_;
   /// What is known while all sleep, until something happens.
   bool all_sleep_ = false;
   std::optional<std::uint64_t> hash_of_bodies_;

@@ -62,12 +62,13 @@ void ExactWorld::SortObjects() {
   };
   if (sort(m_collisionObjects)) NumberObjects();
   sort(m_nonStaticRigidBodies);
+  std::ranges::sort(joints(), {}, &btTypedConstraint::getUserConstraintId);
 }
 
 void ExactWorld::PutObject(btRigidBody* body) {
   body->setWorldArrayIndex(m_collisionObjects.size());
   m_collisionObjects.push_back(body);
-  m_nonStaticRigidBodies.push_back(body);
+  if (!body->isStaticObject()) m_nonStaticRigidBodies.push_back(body);
 }
 
 /// Tells the objects their places: Bullet finds them in its array by these.
@@ -174,6 +175,7 @@ void ExactWorld::calculateSimulationIslands() {
   }
   for (int i = 0; i < count; ++i) islands.getElement(i).m_id = smallest_in_island_[root[i]];
   getSimulationIslandManager()->storeIslandActivationState(getCollisionWorld());
+  dormant_islands_->OrderJoints();
   SortManifolds();
   if (!close_fits_.empty()) EaseCloseFits();
   LimitDepths();

@@ -61,6 +61,15 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   void TakeObjects(Predicate is_taken);
   /// Puts a body back that was left out. Call SortObjects() afterwards.
   void PutObject(btRigidBody* body);
+  /// Joints between bodies, by id; each is a JointConstraint.
+  std::span<btTypedConstraint*> joints() { return All(m_constraints); }
+  /// Leaves out the joints for which `is_taken` is true.
+  template <class Predicate>
+  void TakeJoints(Predicate is_taken) {
+    KeepOthers(is_taken, &m_constraints);
+  }
+  /// Puts a joint back that was left out. Call SortObjects() afterwards.
+  void PutJoint(btTypedConstraint* joint) { m_constraints.push_back(joint); }
   /// Sets whether the normals of contacts turn with the bodies, as far as both turn. Bullet leaves
   /// a point that stays anchored the normal with which it was found.
   void SetTurnsNormals(bool turns_normals) { turns_normals_ = turns_normals; }
@@ -94,6 +103,14 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
   void calculateSimulationIslands() override;
 
  private:
+  template <class Predicate, class Array>
+  static void KeepOthers(Predicate is_taken, Array* array) {
+    const Array all = *array;
+    array->resize(0);
+    for (auto* one : All(all)) {
+      if (!is_taken(one)) array->push_back(one);
+    }
+  }
   void NumberObjects();
   void UniteTrees(btUnionFind* islands);
   void NoteRotations();
@@ -116,15 +133,8 @@ class ExactWorld : public btMultiBodyDynamicsWorld {
 
 template <class Predicate>
 void ExactWorld::TakeObjects(Predicate is_taken) {
-  const auto keep_others = [&is_taken](auto* objects) {
-    auto all = *objects;
-    objects->resize(0);
-    for (auto* object : All(all)) {
-      if (!is_taken(object)) objects->push_back(object);
-    }
-  };
-  keep_others(&m_collisionObjects);
-  keep_others(&m_nonStaticRigidBodies);
+  KeepOthers(is_taken, &m_collisionObjects);
+  KeepOthers(is_taken, &m_nonStaticRigidBodies);
   NumberObjects();
 }
 

@@ -3,6 +3,7 @@
 
 #include "physics/internal_joint_action.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -16,16 +17,38 @@ namespace {
 
 using mechanics::JointGroups;
 
-JointGroups RigidGroupsOf(const WorldObjects& objects, const JointSet& joints) {
+/// What a step can move: bodies and joints apart from dormant islands, by id.
+struct Present {
+  std::vector<Body*> bodies;  ///< with static ones that joints connect them with
+  std::vector<Joint> joints;
+};
+
+Present PresentOf(const WorldObjects& objects, const JointSet& joints) {
+  Present present;
+  objects.ForEachPresent([&present](Body& body) { present.bodies.push_back(&body); });
+  joints.ForEachPresent([&](const Joint& joint, const JointConstraint&) {
+    present.joints.push_back(joint);
+    const auto [a, b] = *BodyPairOf(joint.spec);
+    for (const BodyId id : {a, b}) {
+      if (objects.body(id).is_static()) present.bodies.push_back(&objects.body(id));
+    }
+  });
+  std::ranges::sort(present.bodies, {}, &Body::id);
+  const auto repeated = std::ranges::unique(present.bodies);
+  present.bodies.erase(repeated.begin(), repeated.end());
+  return present;
+}
+
+JointGroups RigidGroupsOf(const Present& present) {
   std::vector<JointGroups::Member> members;
-  for (const auto& body : objects.bodies()) members.push_back({body->id(), body->is_static()});
-  return {members, joints.joints(), /*only_fixed=*/true};
+  for (const Body* body : present.bodies) members.push_back({body->id(), body->is_static()});
+  return {members, present.joints, /*only_fixed=*/true};
 }
 
 /// Returns the inverse mass [1/kg] of each group as loaded now; 0 for an anchored group.
-std::vector<double> InverseMassesOf(const JointGroups& rigid, const WorldObjects& objects) {
-  std::vector<double> masses(objects.bodies().size(), 0.0);
-  for (const auto& one : objects.bodies()) {
+std::vector<double> InverseMassesOf(const JointGroups& rigid, const Present& present) {
+  std::vector<double> masses(present.bodies.size(), 0.0);
+  for (const Body* one : present.bodies) {
     masses[rigid.group_of(one->id())] += one->dynamics().loaded_mass();
   }
   for (std::size_t i = 0; i < masses.size(); ++i) {
@@ -37,14 +60,14 @@ std::vector<double> InverseMassesOf(const JointGroups& rigid, const WorldObjects
 
 /// Loads each carried body with all bodies of its group, whatever joints lie between them.
 void LoadByJoints(const WorldObjects& objects, const JointSet& joints) {
-  const auto& bodies = objects.bodies();
+  const auto [bodies, present_joints] = PresentOf(objects, joints);
   std::vector<mechanics::LoadMember> members;
-  for (const auto& one : bodies) {
+  for (const Body* one : bodies) {
     const scene::MassProperties& mass = one->spec().mass;
     members.push_back({one->id(), one->is_static(), one->is_carried(), &mass,
                        one->pose_in_world() * mass.center});
   }
-  const auto loads = mechanics::CarriedLoads(members, joints.joints());
+  const auto loads = mechanics::CarriedLoads(members, present_joints);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     // What hangs on a carried body must follow it, even if it is asleep.
     if (loads[i].is_with_carried) bodies[i]->WakeUp();
@@ -68,29 +91,29 @@ void LoadCarriedBodies(const WorldObjects& objects, const JointSet& joints) {
 void DampSliders(const WorldObjects& objects, const JointSet& joints, double step_seconds) {
   std::optional<JointGroups> rigid;  // computed when a slider moves
   std::vector<double> inverse_masses;
-  for (const Joint& joint : joints.joints()) {
+  joints.ForEachPresent([&](const Joint& joint, JointConstraint& constraint) {
     const auto* slider = std::get_if<SliderJointSpec>(&joint.spec);
-    if (slider == nullptr) continue;
+    if (slider == nullptr) return;
     const bool is_carried =
         objects.body(slider->a).is_carried() || objects.body(slider->b).is_carried();
-    JointConstraint& constraint = joints.constraint(joint.id);
     constraint.HoldUnless(is_carried);
-    if (slider->damping >= 1 && !is_carried) continue;
+    if (slider->damping >= 1 && !is_carried) return;
     const double speed = constraint.sliding_speed();
-    if (speed == 0) continue;
+    if (speed == 0) return;
     const double kept =
         mechanics::FractionKept(*slider, constraint.offset(), speed, is_carried, step_seconds);
-    if (kept == 1) continue;
+    if (kept == 1) return;
     if (!rigid) {
-      rigid = RigidGroupsOf(objects, joints);
-      inverse_masses = InverseMassesOf(*rigid, objects);
+      const Present present = PresentOf(objects, joints);
+      rigid = RigidGroupsOf(present);
+      inverse_masses = InverseMassesOf(*rigid, present);
     }
     // Equal and opposite impulses change the sliding speed by impulse (1/m_A + 1/m_B), where the
     // masses are those of everything rigidly fixed to either side.
     const double inverse_mass =
         inverse_masses[rigid->group_of(slider->a)] + inverse_masses[rigid->group_of(slider->b)];
     if (inverse_mass > 0) constraint.Push(speed * (kept - 1) / inverse_mass);
-  }
+  });
 }
 
 }  // namespace smile::physics

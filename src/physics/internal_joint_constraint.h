@@ -37,6 +37,10 @@ class JointConstraint : public btTypedConstraint {
   /// Reports the impulse of a row after a step [N s] or [N m s]; decides which limits count as
   /// pressed.
   void NoteImpulse(int row, double impulse);
+  /// Place in the order in which Bullet solves the joints of an island; those of equal place are in
+  /// order.
+  int place() const { return place_; }
+  void set_place(int place) { place_ = place; }
   double held_offset() const { return held_offset_; }
   void Save(ByteWriter* out) const;
   void Restore(ByteReader* in);
@@ -61,6 +65,7 @@ class JointConstraint : public btTypedConstraint {
   Kind kind_ = Kind::kBall;
   btTransform X_AcmJ_, X_BcmK_;
   SliderJointSpec rail_;
+  int place_ = 0;
   bool is_held_ = false;
   double held_offset_ = 0;
   std::array<double, 7> return_speeds_{};  ///< in this step

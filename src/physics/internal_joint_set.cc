@@ -20,7 +20,10 @@ namespace smile::physics {
 JointSet::JointSet(const WorldObjects& objects, HeldBodies& held_bodies, Engine& engine)
     : objects_(objects), held_bodies_(held_bodies), engine_(engine) {}
 
-JointSet::~JointSet() { RemoveAll(); }
+JointSet::~JointSet() {
+  engine_.dormant_islands.ReturnAll();
+  RemoveAll();
+}
 
 void JointSet::Check(const JointSpec& spec) const {
   CheckJoint(

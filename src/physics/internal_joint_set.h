@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <vector>
@@ -24,8 +25,16 @@ class JointSet {
   const std::vector<Joint>& joints() const { return joints_; }
   /// Returns true if there is a joint other than a weld.
   bool has_constraints() const { return !constraints_.empty(); }
-  /// Returns the constraint of a joint between bodies.
-  JointConstraint& constraint(JointId id) const { return *constraints_.at(id); }
+  /// Calls visit(const Joint&, JointConstraint&) for each joint between bodies, by id, except those
+  /// of dormant islands.
+  template <class Visit>
+  void ForEachPresent(Visit visit) const {
+    for (btTypedConstraint* present : engine_.world.joints()) {
+      const JointId id{static_cast<std::uint32_t>(present->getUserConstraintId())};
+      visit(*std::ranges::lower_bound(joints_, id, {}, &Joint::id),
+            static_cast<JointConstraint&>(*present));
+    }
+  }
 
   /// See World. All of these wake the bodies.
   JointId Add(const JointSpec& spec);

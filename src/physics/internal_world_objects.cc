@@ -27,12 +27,12 @@ auto FindById(Things& things, Id id) {
   return found != things.end() && (*found)->id() == id ? found : things.end();
 }
 
-/// Inserts an element into a list sorted by id, and returns it.
+/// Inserts an element into a list sorted by id, and returns an iterator to it.
 template <class Things, class Thing>
-Thing& InsertById(Things& things, std::unique_ptr<Thing> thing) {
+auto InsertById(Things& things, std::unique_ptr<Thing> thing) {
   const auto place = std::lower_bound(things.begin(), things.end(), thing->id(),
                                       [](const auto& other, auto id) { return other->id() < id; });
-  return **things.insert(place, std::move(thing));
+  return things.insert(place, std::move(thing));
 }
 
 BodyId IdOf(const btCollisionObject* object) {
@@ -110,8 +110,15 @@ ArticulationId WorldObjects::AddArticulation(const scene::ArticulationSpec& spec
   return id;
 }
 
+/// Notes the places of bodies after one came or went.
+void WorldObjects::NumberBodiesFrom(std::size_t first) {
+  for (std::size_t i = first; i < bodies_.size(); ++i) bodies_[i]->dynamics().set_place(i);
+}
+
 void WorldObjects::Insert(std::unique_ptr<Body> fresh) {
-  Body& body = InsertById(bodies_, std::move(fresh));
+  const auto place = InsertById(bodies_, std::move(fresh));
+  NumberBodiesFrom(static_cast<std::size_t>(place - bodies_.begin()));
+  Body& body = **place;
   entries_ = {};
   btRigidBody& bullet = body.dynamics().bullet();
   body.dynamics().set_dormant_islands(&engine_.dormant_islands);
@@ -123,7 +130,7 @@ void WorldObjects::Insert(std::unique_ptr<Body> fresh) {
 
 void WorldObjects::Insert(std::unique_ptr<Articulation> fresh) {
   // Base and links are separate collision objects, whose orders follow that of the articulation.
-  Articulation& articulation = InsertById(articulations_, std::move(fresh));
+  Articulation& articulation = **InsertById(articulations_, std::move(fresh));
   const Articulation::Links& links = articulation.links();
   ExactWorld& world = engine_.world;
   const int base_order = static_cast<int>(articulation.id().value);
@@ -154,10 +161,11 @@ void WorldObjects::RemoveBody(BodyId id) {
 
 void WorldObjects::Erase(const Body& gone) {
   entries_ = {};
-  const auto found = FindById(bodies_, gone.id());
-  engine_.world.removeRigidBody(&(*found)->dynamics().bullet());
+  const std::size_t place = gone.dynamics().place();
+  engine_.world.removeRigidBody(&bodies_[place]->dynamics().bullet());
   engine_.world.SortObjects();
-  bodies_.erase(found);
+  bodies_.erase(bodies_.begin() + static_cast<std::ptrdiff_t>(place));
+  NumberBodiesFrom(place);
   ++num_removals_;
 }
 
@@ -206,10 +214,7 @@ void WorldObjects::WakeNear(const Body& body) {
 std::vector<std::size_t> WorldObjects::NumbersChangedSince(const Moment& moment) const {
   std::vector<std::size_t> numbers;
   engine_.dormant_islands.ForEachChangedSince(moment, [&](const btRigidBody& bullet) {
-    const auto found = FindById(bodies_, IdOf(&bullet));
-    // Others are links.
-    if (found != bodies_.end())
-      numbers.push_back(static_cast<std::size_t>(found - bodies_.begin()));
+    if (const Body* body = BodyOf(&bullet)) numbers.push_back(body->dynamics().place());
   });
   std::ranges::sort(numbers);
   return numbers;
@@ -324,6 +329,7 @@ void WorldObjects::RestoreState(const Snapshot& snapshot, ByteReader* in) {
   }
   for (const auto& articulation : articulations_) articulation->Restore(in);
   ReadContacts(/*owner=*/0, in, &contacts);
+  ReturnPartnersIn(contacts);
   const ContactOwners owners = {
       .object_of = [this](int order) { return FindObject(order); },
       .owner_of = [this](const auto* a, const auto* b) { return OwnerOf(a, b); },
@@ -336,7 +342,7 @@ void WorldObjects::RestoreState(const Snapshot& snapshot, ByteReader* in) {
           }};
   RestoreContacts(contacts, owners, engine_.world, engine_.broadphase);
   // The next save and the next way back to this snapshot take these states as they are.
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+  for (const std::size_t i : NumbersThatMayDifferFrom(snapshot)) {
     Body::Dynamics& dynamics = bodies_[i]->dynamics();
     if (dynamics.known_state() != snapshot.bodies[i].state) {
       dynamics.KeepState(snapshot.bodies[i].state);
@@ -346,11 +352,40 @@ void WorldObjects::RestoreState(const Snapshot& snapshot, ByteReader* in) {
   entries_moment_ = engine_.dormant_islands.now();
 }
 
+/// Returns fixtures that were left out to the world if they get contacts: their own state is that
+/// of the snapshot, so that nothing else does.
+void WorldObjects::ReturnPartnersIn(std::span<const SavedManifold> contacts) {
+  for (const SavedManifold& manifold : contacts) {
+    for (const int order : {std::get<0>(manifold.key), std::get<1>(manifold.key)}) {
+      Body* partner = Find(BodyId{static_cast<std::uint32_t>(order)});
+      if (partner != nullptr && partner->is_static()) {
+        engine_.dormant_islands.ReturnFixture(partner->dynamics().bullet());
+      }
+    }
+  }
+}
+
+/// Returns the places of the bodies that may have changed since the last snapshot, or may be others
+/// in that than in this one. The others are in this one's state.
+std::vector<std::size_t> WorldObjects::NumbersThatMayDifferFrom(const Snapshot& snapshot) const {
+  std::vector<std::size_t> numbers = entries_.MayDifferFrom(snapshot.bodies);
+  if (entries_.size() != bodies_.size()) {
+    numbers.resize(bodies_.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  } else if (numbers.size() < bodies_.size()) {
+    std::ranges::copy(NumbersChangedSince(entries_moment_), std::back_inserter(numbers));
+    std::ranges::sort(numbers);
+    const auto repeated = std::ranges::unique(numbers);
+    numbers.erase(repeated.begin(), repeated.end());
+  }
+  return numbers;
+}
+
 /// Returns the places of the bodies that are not in the snapshot's state, as far as that is known
 /// without reading it.
 std::vector<std::size_t> WorldObjects::NumbersOfBodiesToRestore(const Snapshot& snapshot) const {
   std::vector<std::size_t> numbers;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+  for (const std::size_t i : NumbersThatMayDifferFrom(snapshot)) {
     const auto& saved = snapshot.bodies[i].state;
     const Body::Dynamics& dynamics = bodies_[i]->dynamics();
     if (dynamics.known_state() == saved) continue;
@@ -390,6 +425,12 @@ WorldObjects::Replacement WorldObjects::ReplacementFor(const Snapshot& snapshot)
                !Is(*articulations_[i], snapshot.articulations[i])) {
       throw std::invalid_argument("snapshot: it is of a world without this robot");
     }
+  }
+  // If the snapshot's bodies are those of the last one, but for a few, only these are compared.
+  if (entries_.size() == bodies_.size() && snapshot.bodies.size() == bodies_.size() &&
+      std::ranges::all_of(entries_.MayDifferFrom(snapshot.bodies),
+                          [&](std::size_t i) { return Is(*bodies_[i], snapshot.bodies[i]); })) {
+    return result;
   }
   // Both lists are sorted by id: merge them. A body that is unchanged stays.
   auto old = bodies_.begin();

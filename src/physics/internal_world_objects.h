@@ -53,7 +53,7 @@ class WorldObjects {
   template <class Visit>
   void ForEachPresent(Visit visit) const {
     for (const btRigidBody* present : All(engine_.world.getNonStaticRigidBodies())) {
-      visit(body(BodyId{static_cast<std::uint32_t>(OrderOf(present))}));
+      visit(*BodyOf(present));
     }
   }
 
@@ -96,7 +96,10 @@ class WorldObjects {
   btCollisionObject* FindObject(int order) const;
   int OwnerOf(const btCollisionObject* a, const btCollisionObject* b) const;
   std::vector<OwnedManifold> ManifoldsOf(std::span<const std::size_t> bodies) const;
+  std::vector<std::size_t> NumbersThatMayDifferFrom(const Snapshot& snapshot) const;
   std::vector<std::size_t> NumbersOfBodiesToRestore(const Snapshot& snapshot) const;
+  void ReturnPartnersIn(std::span<const SavedManifold> contacts);
+  void NumberBodiesFrom(std::size_t first);
   void Insert(std::unique_ptr<Body> body);
   void Insert(std::unique_ptr<Articulation> articulation);
   void Erase(const Body& body);

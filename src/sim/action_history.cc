@@ -18,10 +18,13 @@ std::size_t SizeOf(const SimulationState& state, const SimulationState* before) 
   const auto& bodies = state.physics.bodies;
   const std::size_t num_entries =
       before == nullptr ? bodies.size() : bodies.NumBeside(before->physics.bodies);
-  std::size_t size = sizeof state + state.physics.state.size() +
-                     sizeof(physics::Snapshot::BodyEntry) * num_entries +
-                     sizeof(world::ObjectState) * state.tabletop.objects.size();
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  std::size_t size =
+      sizeof state + state.physics.state.size() +
+      sizeof(physics::Snapshot::BodyEntry) * num_entries +
+      sizeof(world::ObjectStates::Numbered) * state.tabletop.objects.changed().size();
+  const SharedList<physics::Snapshot::BodyEntry> none;
+  for (const std::size_t i :
+       bodies.MayDifferFrom(before == nullptr ? none : before->physics.bodies)) {
     // Bodies rarely come or go: those at the same place are the same.
     const bool is_shared = before != nullptr && i < before->physics.bodies.size() &&
                            bodies[i].state == before->physics.bodies[i].state;

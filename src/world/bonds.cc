@@ -19,7 +19,7 @@ constexpr double kMaxOverlap = 0.002;
 }  // namespace
 
 Bonds::Bonds(physics::World* world, const model::Model& model, const std::vector<Object>* objects,
-             const std::vector<ObjectState>* object_states, Controls* controls)
+             const ObjectStates* object_states, Controls* controls)
     : world_(world),
       model_(&model),
       objects_(objects),

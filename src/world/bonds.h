@@ -6,6 +6,7 @@
 #include "physics/world.h"
 #include "world/controls.h"
 #include "world/object.h"
+#include "world/object_states.h"
 #include "world/refusal.h"
 
 namespace smile::world {
@@ -34,7 +35,7 @@ class Bonds {
  public:
   /// All must outlive this.
   Bonds(physics::World* world, const model::Model& model, const std::vector<Object>* objects,
-        const std::vector<ObjectState>* object_states, Controls* controls);
+        const ObjectStates* object_states, Controls* controls);
   /// Adds the hosts that a larger model has behind the present ones, empty.
   /// @param model  must outlive this, as the one of Restore().
   void Grow(const model::Model& model);
@@ -103,7 +104,7 @@ class Bonds {
   physics::World* world_;
   const model::Model* model_;
   const std::vector<Object>* objects_;
-  const std::vector<ObjectState>* object_states_;
+  const ObjectStates* object_states_;
   Controls* controls_;
   std::vector<BondState> states_;
 };

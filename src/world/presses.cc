@@ -29,7 +29,7 @@ struct Presses::Pushed {
 };
 
 Presses::Presses(physics::World* world, const model::Model& model,
-                 const std::vector<Object>* objects, const std::vector<ObjectState>* object_states)
+                 const std::vector<Object>* objects, const ObjectStates* object_states)
     : world_(world),
       model_(&model),
       objects_(objects),

@@ -7,6 +7,7 @@
 #include "scene/solid.h"
 #include "world/controls.h"
 #include "world/object.h"
+#include "world/object_states.h"
 
 namespace smile::world {
 
@@ -38,7 +39,7 @@ class Presses {
  public:
   /// All must outlive this.
   Presses(physics::World* world, const model::Model& model, const std::vector<Object>* objects,
-          const std::vector<ObjectState>* object_states);
+          const ObjectStates* object_states);
   /// Adds the controls that a larger model has behind the present ones.
   /// @param model  must outlive this, as the one of Restore().
   void Grow(const model::Model& model);
@@ -76,7 +77,7 @@ class Presses {
   physics::World* world_;
   const model::Model* model_;
   const std::vector<Object>* objects_;
-  const std::vector<ObjectState>* object_states_;
+  const ObjectStates* object_states_;
   std::vector<Pressable> pressable_;  ///< in scene order
   std::vector<PressState> states_;
   std::vector<physics::Push> pushes_;  ///< of the present tick; empty between ticks

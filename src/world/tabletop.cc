@@ -38,7 +38,6 @@ Tabletop::Tabletop(physics::World* world, std::shared_ptr<const model::Model> mo
       model_(std::move(model)),
       objects_(ObjectsOf(*model_)),
       controls_(*model_),
-      object_states_(objects_.size()),
       presses_(world, *model_, &objects_, &object_states_),
       bonds_(world, *model_, &objects_, &object_states_, &controls_),
       tools_(world, *model_, &objects_, &object_states_, &controls_, &bonds_) {
@@ -61,7 +60,6 @@ void Tabletop::Grow(std::shared_ptr<const model::Model> model) {
                       .num_chains = before.chains.size(),
                       .num_guests = model_->guests().size()};
   objects_ = ObjectsOf(*model, bodies_);
-  object_states_.resize(objects_.size());
   // The states of existing objects stay; those of new ones are initial.
   controls_.Grow(*model);
   presses_.Grow(*model);
@@ -282,14 +280,18 @@ void Tabletop::AddToHash(StateHash* hash) const {
   }
   presses_.AddToHash(hash);
   tools_.AddToHash(hash);
-  // In physics versions 1 and 2 also the many to which nothing has happened.
-  const bool adds_all = model_->scene().physics_version < 3;
-  for (std::size_t i = 0; i < object_states_.size(); ++i) {
-    const ObjectState& object = object_states_[i];
-    if (!adds_all && object == ObjectState()) continue;
-    if (!adds_all) hash->Add(std::uint64_t{i});
+  const auto add = [hash](const ObjectState& object) {
     hash->Add(std::uint64_t{object.was_raised});
     hash->Add(std::uint64_t{object.has_fallen});
+  };
+  if (model_->scene().physics_version < 3) {
+    // Also the many to which nothing has happened.
+    for (const Object& object : objects_) add(object_states_[object.index]);
+    return;
+  }
+  for (const auto& [index, object] : object_states_.changed()) {
+    hash->Add(std::uint64_t{index});
+    add(object);
   }
 }
 

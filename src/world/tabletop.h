@@ -12,6 +12,7 @@
 #include "world/bonds.h"
 #include "world/controls.h"
 #include "world/object.h"
+#include "world/object_states.h"
 #include "world/presses.h"
 #include "world/tools.h"
 
@@ -26,7 +27,7 @@ struct TabletopState {
   std::vector<BondState> bonds;        ///< by model::HostIndex
   std::vector<PressState> presses;     ///< by model::ControlIndex
   ToolsState tools;
-  std::vector<ObjectState> objects;    ///< in scene order
+  ObjectStates objects;
   SharedList<physics::BodyId> bodies;  ///< of the objects, including destroyed ones
 
   bool operator==(const TabletopState&) const = default;
@@ -138,7 +139,7 @@ class Tabletop {
   std::vector<Object> objects_;
   SharedList<physics::BodyId> bodies_;  ///< of the objects, as each state contains them
   Controls controls_;
-  std::vector<ObjectState> object_states_;  ///< one per object
+  ObjectStates object_states_;
   Presses presses_;
   Bonds bonds_;
   Tools tools_;

@@ -29,9 +29,9 @@ std::optional<Refusal> Tabletop::RefuseToReach(const Object& object) const {
 std::optional<Refusal> Tabletop::RefuseToReach(std::string_view id) const {
   // The most specific reason first: this object, a part of another one, and last a spelling
   // suggestion.
+  if (const auto index = model_->FindObject(id)) return RefuseToReach(objects_[*index]);
   std::vector<std::string_view> known;
   for (const Object& object : objects_) {
-    if (object.id() == id) return RefuseToReach(object);
     if (IsPresent(object)) known.push_back(object.id());
   }
   for (const Object& object : objects_) {
@@ -56,11 +56,14 @@ std::vector<const Object*> Tabletop::NoticeFallen() {
   for (const physics::BodyId id : world_->awake_bodies()) {
     const Object* object = Find(id);
     if (object == nullptr) continue;
-    ObjectState& state = object_states_[object->index];
+    const ObjectState state = object_states_[object->index];
     if (state.has_fallen) continue;
     const physics::Body& body = world_->body(id);
     // An object that starts on the floor has not fallen; after it was raised it can fall.
-    if (body.is_carried() && body.pose_in_world().translation().z() > 0) state.was_raised = true;
+    const bool is_raised = body.is_carried() && body.pose_in_world().translation().z() > 0;
+    if (is_raised && !state.was_raised) {
+      object_states_.Set(object->index, {.was_raised = true});
+    }
     if (HasComeDown(*object) && !IsHeld(*object)) candidates.push_back(object);
   }
   if (candidates.empty()) return {};
@@ -68,7 +71,9 @@ std::vector<const Object*> Tabletop::NoticeFallen() {
   std::vector<const Object*> fallen;
   for (const Object* object : candidates) {
     if (!std::ranges::binary_search(on_floor, object->body)) continue;
-    object_states_[object->index].has_fallen = true;
+    ObjectState state = object_states_[object->index];
+    state.has_fallen = true;
+    object_states_.Set(object->index, state);
     fallen.push_back(object);
   }
   return fallen;

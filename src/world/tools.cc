@@ -72,7 +72,7 @@ std::string UnitsText(double meters, double meters_per_unit) {
 }  // namespace
 
 Tools::Tools(physics::World* world, const model::Model& model, const std::vector<Object>* objects,
-             const std::vector<ObjectState>* object_states, Controls* controls, Bonds* bonds)
+             const ObjectStates* object_states, Controls* controls, Bonds* bonds)
     : world_(world),
       model_(&model),
       objects_(objects),

@@ -9,6 +9,7 @@
 #include "world/bonds.h"
 #include "world/controls.h"
 #include "world/object.h"
+#include "world/object_states.h"
 #include "world/refusal.h"
 
 namespace smile::world {
@@ -61,7 +62,7 @@ class Tools {
  public:
   /// All must outlive this.
   Tools(physics::World* world, const model::Model& model, const std::vector<Object>* objects,
-        const std::vector<ObjectState>* object_states, Controls* controls, Bonds* bonds);
+        const ObjectStates* object_states, Controls* controls, Bonds* bonds);
   /// Adds the tools that a larger model has behind the present ones.
   /// @param model  must outlive this, as the one of Restore().
   void Grow(const model::Model& model);
@@ -115,7 +116,7 @@ class Tools {
   physics::World* world_;
   const model::Model* model_;
   const std::vector<Object>* objects_;
-  const std::vector<ObjectState>* object_states_;
+  const ObjectStates* object_states_;
   Controls* controls_;
   Bonds* bonds_;
   ToolsState state_;

@@ -21,6 +21,12 @@ TEST(SharedList, IsTheListThatWasSetWhateverItsCopiesBecome) {
     for (const auto& [index, value] : changes) truth[index] = value;
     list.Set({changes.begin(), changes.end()});
     ASSERT_TRUE(std::ranges::equal(list, truth)) << "round " << round;
+    for (const auto& [copy, then] : kept) {
+      const std::vector<std::size_t> may_differ = list.MayDifferFrom(copy);
+      for (std::size_t i = 0; i < truth.size(); ++i) {
+        ASSERT_TRUE(truth[i] == then[i] || std::ranges::binary_search(may_differ, i));
+      }
+    }
     if (random() % 5 == 0) kept.emplace_back(list, truth);
     if (random() % 20 == 0 && !kept.empty()) {
       std::tie(list, truth) = kept[random() % kept.size()];
@@ -36,6 +42,7 @@ TEST(SharedList, ACopyKeepsLittleBesideWhatItShares) {
   for (int round = 0; round < 100; ++round) {
     list.Set({{7, round}, {8, round}});
     EXPECT_EQ(list.NumBeside(before), 2u);
+    EXPECT_EQ(list.MayDifferFrom(before), (std::vector<std::size_t>{7, 8}));
   }
 }
 

@@ -35,7 +35,7 @@ TEST_F(FloorTest, AFallIsReportedOnceAndResetByAnEarlierState) {
   const SimulationState end = simulation_->Save();
   const std::uint64_t hash = simulation_->state_hash();
   SimulationState forgetful = end;
-  forgetful.tabletop.objects[1].has_fallen = false;
+  forgetful.tabletop.objects.Set(model::ObjectIndex(1), {});
   simulation_->Restore(forgetful);
   EXPECT_NE(simulation_->state_hash(), hash);
 

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Measures what docs/performance.md says, and writes it there with its plots.
 
-    tools/measure_performance.py [--rounds N] [--filter REGEX] [--peers | --no-peers | --pictures]
+    tools/measure_performance.py [--rounds N] [--filter REGEX] [--peers | --no-peers | --pictures | --imitations]
     tools/measure_performance.py --page     only writes the page again, from the kept numbers
     tools/measure_performance.py --check    fails if page and plots are not those of the kept numbers
 
 Needs ./run once. A round runs `smile bench`, then each scene and each view of the comparison in each
 simulator, one after the other; of N rounds (3) the shortest time is kept in docs/performance.json.
 --filter measures only some benchmarks, --peers only the comparison, --pictures only its views,
---no-peers all but the comparison; the other numbers stay. The first comparison installs MuJoCo and
+--imitations only those, --no-peers all but the comparison; the other numbers stay. The first comparison installs MuJoCo and
 PyBullet into build/peers.
 """
 
@@ -50,6 +50,9 @@ RENDERERS = {"MuJoCo": "mujoco", "MuJoCo, its Renderer": "mujoco renderer", "PyB
 VIEWS = {"UM": ("eye, UM", ["--no-robot"]), "UM with robot": ("eye, UM with robot without grippers", ["--gripper", "none"])}
 SIZES = ((200, 150), (640, 480), (1280, 800))
 VIEW_SECONDS = 0.5
+# Imitations: the demonstrations, by the names of their scenes, and the brains.
+DEMONSTRATIONS = ("um", "tower")
+LEARNERS = {"Python": "python/learner/learner.py", "Octave": "matlab/learner"}
 
 
 def say(words):
@@ -183,19 +186,50 @@ def compare_views(python, kept):
                     keep_shortest(of.setdefault(other, {}), printed_numbers([python, "-m", "performance.peer_view"], problem))
 
 
+def cpu_seconds(command):
+    """The CPU time of a program and all processes that it waited for [s]."""
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, cwd=ROOT) as process:
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))} failed")
+    return rounded(usage.ru_utime + usage.ru_stime)
+
+
+def imitate(kept):
+    """One round of imitations: each demonstration by each learner."""
+    for scene in DEMONSTRATIONS:
+        with tempfile.TemporaryDirectory() as folder:
+            demo = os.path.join(folder, "demo")
+            subprocess.run([PROGRAM, "run", f"scenes/{scene}.xml", "--commands", f"examples/{scene}.jsonl", "--record", demo],
+                           check=True, stdout=subprocess.DEVNULL, cwd=ROOT)
+            for language, learner in LEARNERS.items():
+                say(f"{scene}, {language}")
+                seconds = cpu_seconds([PROGRAM, "imitate", demo, f"scenes/{scene}_robot.xml", "--brain", learner, "--no-pictures",
+                                       "--out", os.path.join(folder, language)])
+                keep_shortest(kept.setdefault(language, {}), {scene: seconds})
+
+
 def measure(data, options):
-    benchmarks, kept_scenes, kept_views = {}, {}, {}
-    python = None if options.no_peers else install_peers()
+    benchmarks, kept_imitations, kept_scenes, kept_views = {}, {}, {}, {}
+    python = None if options.no_peers or options.imitations else install_peers()
     for i in range(options.rounds):
         say(f"round {i + 1} of {options.rounds}")
+        if options.imitations:
+            imitate(kept_imitations)
+            continue
         if not options.peers and not options.pictures:
             keep_shorter(benchmarks, bench(options.filter), "us")
+            if options.filter == ".":
+                imitate(kept_imitations)
         if python and not options.pictures:
             compare_scenes(python, kept_scenes)
         if python:
             compare_views(python, kept_views)
     data["machine"] = machine()
     data.setdefault("benchmarks", {}).update(benchmarks)
+    if kept_imitations:
+        data["imitations"] = kept_imitations
     if kept_scenes:
         data["peers"] = {"versions": versions(python), "scenes": kept_scenes}
     if kept_views:
@@ -213,7 +247,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--filter", default=".")
-    for option in ("peers", "no-peers", "pictures", "page", "check"):
+    for option in ("peers", "no-peers", "pictures", "imitations", "page", "check"):
         parser.add_argument("--" + option, action="store_true")
     options = parser.parse_args()
     data = json.loads(DATA.read_text()) if DATA.exists() else {}

@@ -116,6 +116,13 @@ void MinuteOfSwinging(benchmark::State& state) {
   ReportRealTime(state, kMinute);
 }
 
+/// Measures the first second in which twenty rings fall on a heap.
+void FirstSecondOfAHeap(benchmark::State& state) {
+  AwakeWorld awake(FallingRings(20, static_cast<int>(state.range(0))));
+  for (auto _ : state) awake.StepSeconds(1);
+  ReportRealTime(state, 1);
+}
+
 }  // namespace
 
 void RegisterPhysicsBenchmarks() {
@@ -137,6 +144,12 @@ void RegisterPhysicsBenchmarks() {
   RegisterBenchmark("awake: 20 rings, per step", &StepAwake,
                     AwakeScene{"20 rings", [] { return Rings(20); }})
       ->Unit(benchmark::kMicrosecond);
+  RegisterBenchmark("awake: 20 rings fall on a heap, the first second", &FirstSecondOfAHeap)
+      ->ArgName("sides")
+      ->Arg(32)
+      ->Arg(64)
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
 }
 
 }  // namespace smile::app

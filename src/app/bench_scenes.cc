@@ -103,6 +103,20 @@ scene::SceneSpec Rings(int num_rings) {
   return Grid(num_rings, 1, 2 * ring.radius_outer + kGap, ring.height, ring);
 }
 
+scene::SceneSpec FallingRings(int num_rings, int sides) {
+  const scene::Ring ring{.sides = sides};
+  // Columns of five, in which rings do not overlap at the start, however they are tilted.
+  const double diameter = 2 * ring.radius_outer + ring.height;
+  scene::SceneSpec scene = Grid(num_rings, 5, ring.radius_outer + diameter / 2, diameter, ring);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    RigidTransform& X_WB = scene.objects[i].whole.X_PE;
+    const double angle = 0.3 + 0.2 * static_cast<double>(i % 4);
+    const Vector3 axis = i % 2 == 0 ? Vector3::UnitX() : Vector3::UnitY();
+    X_WB = RigidTransform(Quaternion(Eigen::AngleAxisd(angle, axis)), X_WB.translation());
+  }
+  return scene;
+}
+
 void AwakeWorld::StepSeconds(int seconds) {
   const long num_steps = std::lround(seconds / world.config().step_seconds);
   for (long i = 0; i < num_steps; ++i) world.Step();

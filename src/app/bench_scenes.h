@@ -53,6 +53,9 @@ void RestoreOverTicks(benchmark::State& state, Carrying* carrying, sim::Simulati
 scene::SceneSpec Stacks(int num_cubes, int cubes_a_stack, double edge, double gap);
 /// Returns rings of the default size, 6 cm apart on a square grid.
 scene::SceneSpec Rings(int num_rings);
+/// Returns tilted rings above each other that fall on a heap.
+/// @param sides  of each ring, of which each is a piece
+scene::SceneSpec FallingRings(int num_rings, int sides);
 
 /// World of a scene in which no object ever sleeps.
 struct AwakeWorld {

@@ -200,7 +200,12 @@ void Articulation::UpdateLinkTransforms() {
   }
 }
 
-bool Articulation::is_at_rest() const { return motors_.is_at_rest(positions(), velocities()); }
+bool Articulation::is_at_rest() const {
+  // Asked in each step: while a motion is commanded, no positions need to be collected.
+  const auto is_motion = [](double velocity) { return velocity != 0; };
+  if (std::ranges::any_of(velocity_targets(), is_motion)) return false;
+  return motors_.is_at_rest(positions(), velocities());
+}
 
 void Articulation::Save(ByteWriter* out) const {
   for (int i = 0; i < num_joints(); ++i) {

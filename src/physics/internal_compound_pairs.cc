@@ -55,13 +55,13 @@ PosedPart BoxOf(std::span<const PosedPart> parts) {
   return box;
 }
 
-/// Returns the numbers of the parts that are close to a box, or of all parts.
-std::vector<int> CloseTo(const PosedPart& box, std::span<const PosedPart> parts, bool all) {
-  std::vector<int> close;
+/// Writes the numbers of the parts that are close to a box, or of all parts, to `close`.
+void FindCloseTo(const PosedPart& box, std::span<const PosedPart> parts, bool all,
+                 std::vector<int>* close) {
+  close->clear();
   for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
-    if (all || AreClose(box, parts[i])) close.push_back(i);
+    if (all || AreClose(box, parts[i])) close->push_back(i);
   }
-  return close;
 }
 
 /// Objects farther apart than this, beyond the distance at which contact begins, need no exact
@@ -152,8 +152,10 @@ void CompoundPairAlgorithm::Free(const PartPair& pair) {
 void CompoundPairAlgorithm::UpdatePairs(const Parts& a, const Parts& b) {
   for (auto& [numbers, pair] : pairs_) pair.are_close = false;
   const bool all = AllPartPairsScope::is_active();
-  const std::vector<int> close_a = CloseTo(BoxOf(b.posed), a.posed, all);
-  const std::vector<int> close_b = CloseTo(BoxOf(a.posed), b.posed, all);
+  // Only their memory outlives the call.
+  static thread_local std::vector<int> close_a, close_b;
+  FindCloseTo(BoxOf(b.posed), a.posed, all, &close_a);
+  FindCloseTo(BoxOf(a.posed), b.posed, all, &close_b);
   for (const int i : close_a) {
     for (const int j : close_b) {
       if (!all && !AreClose(a.posed[i], b.posed[j])) continue;
@@ -174,18 +176,15 @@ void CompoundPairAlgorithm::UpdatePairs(const Parts& a, const Parts& b) {
 }
 
 /// Returns true if the objects cannot have come into contact since their clearance was measured.
-bool CompoundPairAlgorithm::AreClear(const btTransform& X_AB, const btCollisionShape& b) const {
+bool CompoundPairAlgorithm::AreClear(const btTransform& X_AB) const {
   if (clearance_ == nullptr) return false;
-  btVector3 center;
-  btScalar radius;
-  b.getBoundingSphere(center, radius);
   // In A's frame, a point of B has moved by no more than B's origin and what the turn does to the
   // farthest point.
   btScalar turn = 0;
   for (int i = 0; i < 3; ++i)
     turn += (X_AB.getBasis()[i] - clearance_->X_AB.getBasis()[i]).length2();
   const btScalar moved = (X_AB.getOrigin() - clearance_->X_AB.getOrigin()).length() +
-                         std::sqrt(turn) * (center.length() + radius);
+                         std::sqrt(turn) * clearance_->radius_b;
   return moved < clearance_->distance;
 }
 
@@ -208,7 +207,11 @@ void CompoundPairAlgorithm::MeasureClearance(const Parts& a, const Parts& b,
       if (least <= reach) return;
     }
   }
-  clearance_ = std::make_unique<Clearance>(Clearance{least - reach, X_AB});
+  btVector3 center_b;
+  btScalar radius_b;
+  shape_b->getBoundingSphere(center_b, radius_b);
+  clearance_ =
+      std::make_unique<Clearance>(Clearance{least - reach, X_AB, center_b.length() + radius_b});
   // What is no state leaves no trace: parts are paired again when the objects come near.
   for (const auto& [numbers, pair] : pairs_) Free(pair);
   pairs_.clear();
@@ -220,7 +223,7 @@ void CompoundPairAlgorithm::processCollision(const btCollisionObjectWrapper* a,
                                              btManifoldResult* result) {
   const btTransform X_AB = a->getWorldTransform().inverseTimes(b->getWorldTransform());
   const bool all = AllPartPairsScope::is_active();
-  if (!all && AreClear(X_AB, *b->getCollisionShape())) return;
+  if (!all && AreClear(X_AB)) return;
   clearance_ = nullptr;
   PosedPart single_a, single_b;
   const Parts parts_a = {a, PartsOf(a, &single_a)}, parts_b = {b, PartsOf(b, &single_b)};

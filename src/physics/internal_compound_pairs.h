@@ -62,7 +62,7 @@ class CompoundPairAlgorithm : public btCollisionAlgorithm {
   void Collide(PartPair& pair, const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b,
                const btDispatcherInfo& info, btManifoldResult* result);
   void Free(const PartPair& pair);
-  bool AreClear(const btTransform& X_AB, const btCollisionShape& b) const;
+  bool AreClear(const btTransform& X_AB) const;
   void MeasureClearance(const Parts& a, const Parts& b, const btTransform& X_AB);
 
   /// How far the objects were apart at least, beyond the distance at which contact begins [m], when
@@ -70,6 +70,7 @@ class CompoundPairAlgorithm : public btCollisionAlgorithm {
   struct Clearance {
     btScalar distance;
     btTransform X_AB;
+    btScalar radius_b;  ///< of the farthest point of B about its origin [m]
   };
   std::unique_ptr<Clearance> clearance_;
   bool was_processed_ = false;

@@ -86,6 +86,8 @@ bool Tabletop::HasComeDown(const Object& object) const {
 }
 
 bool Tabletop::IsHeld(const Object& object) const {
+  // The usual case, and an assembly takes a look at all joints.
+  if (world_->body(object.body).is_carried()) return true;
   return std::ranges::any_of(world_->Assembly(object.body), [this](physics::BodyId body) {
     return world_->body(body).is_carried();
   });

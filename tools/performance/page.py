@@ -23,6 +23,19 @@ AWAKE = {
     "growth: single cubes awake, per step": "step, all awake, single",
     "growth: stacks of five awake, per step": "step, all awake, stacks of 5",
 }
+# What may stand around a carried cube, in the sizes that are measured.
+SOME_SIZES = (12, 100, 400)
+SOME = {
+    "growth: one cube carried among boxes with lids asleep, per tick": "tick, one carried, among boxes with sliding lids",
+    "growth: one cube carried among fixtures, per tick": "tick, one carried, among static cubes",
+    "growth: grasp, three ticks and undo": "grasp, three ticks and undo, not recorded",
+}
+RECORDINGS = {
+    "moving hand, recorded, per tick": "a hand carries a block without a pause",
+    "replay of UM": "the demonstration `um`",
+    "replay of UM with robot": "the same, with robot",
+    "opening of eight hours": "eight hours, of which most are pauses",
+}
 STEP_US = 1e6 / 480
 PLOTS = {
     "tick.svg": ("A tick of 1/60 s", TICKS, None),
@@ -36,6 +49,8 @@ WORK = {
     "12 blocks and a moving robot, per tick": "`um`, moving robot, tick",
     "12 blocks and a moving kinematic robot, per tick": "`um`, moving kinematic robot, tick",
     "awake: 20 rings, per step": "20 rings of 32 segments, awake, physics step",
+    "awake: 20 rings fall on a heap, the first second/sides:32/iterations:1": "20 rings of 32 segments fall on a heap, the first second",
+    "awake: 20 rings fall on a heap, the first second/sides:64/iterations:1": "the same with 64 segments",
     "moving hand, per tick": "`um`, hand carries a block, tick",
     "moving hand, recorded, per tick": "the same, recorded",
     "save after a tick, UM with robot, one block carried/manual_time": "save after a tick, `um` with robot, a block carried",
@@ -85,6 +100,25 @@ def growth(data):
     rows = [[label, *(number(of_size(data, name, size)["us"]) for size in SIZES)]
             for name, label in {**TICKS, **STATES, **AWAKE}.items()]
     return table(["µs", *(str(size) for size in SIZES)], rows)
+
+
+def some(data):
+    rows = [[label, *(number(of_size(data, name, size)["us"]) for size in SOME_SIZES)] for name, label in SOME.items()]
+    return table(["µs", *(str(size) for size in SOME_SIZES)], rows)
+
+
+def recordings(data):
+    rows = []
+    for name, label in RECORDINGS.items():
+        row = data["benchmarks"][name]
+        speed = f"{number(row['x_real_time'])} x" if "x_real_time" in row else ""
+        rows.append([label, number(row["MB_per_hour"]), speed, duration(row) if "opening" in name else ""])
+    return table(["recording", "MB an hour", "replay, times real time", "opening"], rows)
+
+
+def imitations(data):
+    rows = [[name, *(number(of[scene]) for scene in ("um", "tower"))] for name, of in data["imitations"].items()]
+    return table(["CPU s", "`um`", "`tower`"], rows)
 
 
 def work(data):
@@ -158,6 +192,7 @@ def plots(data):
 
 def filled(text, data):
     """The page with its measured parts made again: they lie between `<!-- measured: NAME -->` and `<!-- -->`."""
-    parts = {function.__name__: function for function in (machine, growth, work, parallel, peers, pictures, likeness, drawn_by, versions)}
+    functions = (machine, growth, some, recordings, imitations, work, parallel, peers, pictures, likeness, drawn_by, versions)
+    parts = {function.__name__: function for function in functions}
     return re.sub(r"(?<=<!-- measured: )(\w+)( -->\n).*?(?=<!-- -->)",
                   lambda part: f"{part[1]}{part[2]}\n{parts[part[1]](data)}\n\n", text, flags=re.DOTALL)

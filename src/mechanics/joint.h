@@ -83,6 +83,12 @@ inline std::optional<std::pair<BodyId, BodyId>> BodyPairOf(const JointSpec& spec
       spec);
 }
 
+/// Returns false if the bodies of the joint pass through each other while it exists.
+inline bool DoCollide(const JointSpec& spec) {
+  const auto* slider = std::get_if<SliderJointSpec>(&spec);
+  return slider != nullptr && slider->do_collide;
+}
+
 /// Returns true if the joint holds this body.
 inline bool Joins(const JointSpec& spec, BodyId body) {
   return std::visit(

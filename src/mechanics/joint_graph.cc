@@ -36,6 +36,20 @@ std::vector<BodyId> JointGraph::ConnectedWith(BodyId start,
   return found;
 }
 
+std::vector<BodyId> AssemblyOf(BodyId id, std::span<const Joint> joints, JointId without,
+                               const std::function<bool(BodyId)>& is_static) {
+  std::vector<BodyId> members = JointGraph(joints, without).ConnectedWith(id, is_static);
+  std::erase_if(members, [&](BodyId member) { return member != id && is_static(member); });
+  return members;
+}
+
+bool IsAnchored(BodyId id, std::span<const Joint> joints, JointId without,
+                const std::function<bool(BodyId)>& is_static) {
+  const std::vector<BodyId> members = JointGraph(joints, without).ConnectedWith(id, is_static);
+  return std::any_of(members.begin(), members.end(),
+                     [&](BodyId member) { return member != id && is_static(member); });
+}
+
 JointGroups::JointGroups(std::span<const Member> bodies, std::span<const Joint> joints,
                          bool only_fixed) {
   std::vector<bool> is_static;

@@ -25,6 +25,15 @@ class JointGraph {
   std::vector<std::pair<BodyId, BodyId>> edges_;  ///< in both directions, sorted
 };
 
+/// Returns all bodies connected with this one, itself included, without static ones, by id. Static
+/// bodies end the search: what is fixed to the same table is not one assembly.
+/// @param without  a joint to leave out.
+std::vector<BodyId> AssemblyOf(BodyId id, std::span<const Joint> joints, JointId without,
+                               const std::function<bool(BodyId)>& is_static);
+/// Returns true if a joint other than `without` ties the assembly of a body to a static body.
+bool IsAnchored(BodyId id, std::span<const Joint> joints, JointId without,
+                const std::function<bool(BodyId)>& is_static);
+
 /// Connected groups of bodies, computed for all bodies at once. A static body belongs to no group
 /// and connects no others; groups joined to it are anchored.
 class JointGroups {

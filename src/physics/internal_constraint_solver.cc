@@ -110,7 +110,7 @@ void ConstraintSolver::ReadBodies() {
 void ConstraintSolver::convertJoints(btTypedConstraint** joints, int num_joints,
                                      const btContactSolverInfo& info) {
   const auto place = [](const btTypedConstraint* joint) {
-    return static_cast<const JointConstraint*>(joint)->place();
+    return static_cast<const JointConstraint*>(joint)->place;
   };
   // Rows that are not held are solved in this order.
   std::ranges::stable_sort(std::span(joints, static_cast<std::size_t>(num_joints)), {}, place);

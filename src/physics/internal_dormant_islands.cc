@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <set>
 
 #include "base/demand.h"
@@ -58,7 +57,7 @@ std::uint64_t HashOf(const btRigidBody& body) {
 }
 
 void SetPlace(int place, btTypedConstraint* joint) {
-  static_cast<JointConstraint*>(joint)->set_place(place);
+  static_cast<JointConstraint*>(joint)->place = place;
 }
 
 btManifoldArray ManifoldsOf(const btBroadphasePair& pair) {
@@ -214,51 +213,30 @@ void DormantIslands::TakeJoints(Islands* leaving) {
     if (key == kPresent) continue;
     Island& island = leaving->at(key);
     island.joints.push_back(joint);
-    joints_left_out_.emplace(joint->getUserConstraintId(), OrderOf(island.bodies.front()));
+    joint_order_.LeaveOut({joint->getUserConstraintId(), OrderOf(island.bodies.front())});
   }
   world_.TakeJoints([this](const btTypedConstraint* joint) {
-    return joints_left_out_.contains(joint->getUserConstraintId());
+    return joint_order_.IsLeftOut(joint->getUserConstraintId());
   });
 }
 
-/// Returns for each of Bullet's tags the order of the object that had it before islands were found.
-/// The tag of an island is that of its first object.
-std::vector<int> DormantIslands::FirstOrders() const {
-  std::vector<int> orders;
-  for (const btCollisionObject* object : All(world_.getCollisionObjectArray())) {
-    if (!object->isStaticOrKinematicObject()) orders.push_back(OrderOf(object));
-  }
-  return orders;
-}
-
 void DormantIslands::OrderJoints() {
-  for (btTypedConstraint* joint : world_.joints()) SetPlace(0, joint);
-  if (joints_left_out_.empty() || world_.joints().size() < 2) return;
-  // Bullet sorts all joints by their islands. Its quicksort is not stable, so that the joints of
-  // one island come in an order that depends on all others: sort as if none were left out.
-  struct Entry {
-    int first_order;  ///< of the island
-    btTypedConstraint* present;
-  };
-  btAlignedObjectArray<Entry> all;
-  const std::vector<int> first_orders = FirstOrders();
-  auto left_out = joints_left_out_.begin();
-  const auto add_left_out_before = [&](int id) {
-    for (; left_out != joints_left_out_.end() && left_out->first < id; ++left_out) {
-      all.push_back({left_out->second, nullptr});
-    }
-  };
-  for (btTypedConstraint* joint : world_.joints()) {
-    add_left_out_before(joint->getUserConstraintId());
+  const std::span<btTypedConstraint*> joints = world_.joints();
+  for (btTypedConstraint* joint : joints) SetPlace(0, joint);
+  if (joint_order_.is_complete() || joints.size() < 2) return;
+  // The tag of an island is that of its first object, from before islands were found.
+  std::vector<int> order_of_tag;
+  for (const btCollisionObject* object : All(world_.getCollisionObjectArray())) {
+    if (!object->isStaticOrKinematicObject()) order_of_tag.push_back(OrderOf(object));
+  }
+  std::vector<mechanics::JointOrder::Entry> present;
+  for (const btTypedConstraint* joint : joints) {
     const int tag_a = joint->getRigidBodyA().getIslandTag();
     const int tag = tag_a >= 0 ? tag_a : joint->getRigidBodyB().getIslandTag();
-    all.push_back({tag >= 0 ? first_orders[static_cast<std::size_t>(tag)] : -1, joint});
+    present.push_back({joint->getUserConstraintId(), tag >= 0 ? order_of_tag[tag] : -1});
   }
-  add_left_out_before(std::numeric_limits<int>::max());
-  all.quickSort([](const Entry& a, const Entry& b) { return a.first_order < b.first_order; });
-  for (int i = 0; i < all.size(); ++i) {
-    if (all[i].present != nullptr) SetPlace(i, all[i].present);
-  }
+  const std::vector<int> places = joint_order_.PlacesOf(present);
+  for (std::size_t i = 0; i < places.size(); ++i) SetPlace(places[i], joints[i]);
 }
 
 void DormantIslands::ReturnReached() {
@@ -305,13 +283,6 @@ void DormantIslands::Return(std::span<btRigidBody* const> bodies) {
   if (!is_sorted) world_.SortObjects();
 }
 
-void DormantIslands::ReturnFixture(btRigidBody& body) {
-  if (!IsLeftOut(&body)) return;
-  NoteChange();
-  Put(islands_.find(KeyOf(body)));
-  world_.SortObjects();
-}
-
 void DormantIslands::ReturnAll() {
   NoteChange();
   while (!islands_.empty()) Put(islands_.begin());
@@ -330,7 +301,7 @@ void DormantIslands::Put(Islands::iterator place) {
     broadphase_.PutProxy(body->getBroadphaseHandle());
   }
   for (btTypedConstraint* joint : island.joints) {
-    joints_left_out_.erase(joint->getUserConstraintId());
+    joint_order_.Return(joint->getUserConstraintId());
     world_.PutJoint(joint);
   }
   for (const btBroadphasePair& pair : island.pairs) {

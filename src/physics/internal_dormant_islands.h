@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "mechanics/joint_order.h"
 #include "physics/definitions.h"
 #include "physics/internal_bullet.h"
 #include "physics/internal_exact_world.h"
@@ -48,8 +49,6 @@ class DormantIslands {
   /// Returns the islands of bodies that are about to change, or all islands if one is static. Those
   /// that are in the world stay there.
   void Return(std::span<btRigidBody* const> bodies);
-  /// Returns a static body that does not change, for contacts that it gets.
-  void ReturnFixture(btRigidBody& body);
   /// Returns all islands, for changes of what there is or of what may collide.
   void ReturnAll();
 
@@ -85,7 +84,6 @@ class DormantIslands {
   Islands FindIslandsToLeave() const;
   void TakePairs(Islands* leaving);
   void TakeJoints(Islands* leaving);
-  std::vector<int> FirstOrders() const;
   void Put(Islands::iterator island);
 
   ExactWorld& world_;
@@ -94,8 +92,7 @@ class DormantIslands {
   Islands islands_;         ///< by the number of their period, which their bodies contain
   int next_key_ = 0;        ///< above all numbers ever in use
   std::uint64_t hash_ = 0;  ///< sum of the hashes of the bodies that are left out
-  /// Joints that are left out, by their ids, each with the order of the first body of its island.
-  std::map<int, int> joints_left_out_;
+  mechanics::JointOrder joint_order_;
   /// What is known while all sleep, until something happens.
   bool all_sleep_ = false;
   std::optional<std::uint64_t> hash_of_bodies_;

@@ -8,14 +8,12 @@
 #include <vector>
 
 #include "mechanics/carried_load.h"
-#include "mechanics/joint_graph.h"
+#include "mechanics/rigid_masses.h"
 #include "mechanics/slider_damping.h"
 #include "physics/internal_body_dynamics.h"
 
 namespace smile::physics {
 namespace {
-
-using mechanics::JointGroups;
 
 /// What a step can move: bodies and joints apart from dormant islands, by id.
 struct Present {
@@ -39,23 +37,12 @@ Present PresentOf(const WorldObjects& objects, const JointSet& joints) {
   return present;
 }
 
-JointGroups RigidGroupsOf(const Present& present) {
-  std::vector<JointGroups::Member> members;
-  for (const Body* body : present.bodies) members.push_back({body->id(), body->is_static()});
-  return {members, present.joints, /*only_fixed=*/true};
-}
-
-/// Returns the inverse mass [1/kg] of each group as loaded now; 0 for an anchored group.
-std::vector<double> InverseMassesOf(const JointGroups& rigid, const Present& present) {
-  std::vector<double> masses(present.bodies.size(), 0.0);
+mechanics::RigidMasses RigidMassesOf(const Present& present) {
+  std::vector<mechanics::RigidMasses::Member> members;
   for (const Body* one : present.bodies) {
-    masses[rigid.group_of(one->id())] += one->dynamics().loaded_mass();
+    members.push_back({one->id(), one->is_static(), one->dynamics().loaded_mass()});
   }
-  for (std::size_t i = 0; i < masses.size(); ++i) {
-    // Infinite mass: the other side takes all of the change.
-    masses[i] = rigid.is_anchored(static_cast<int>(i)) ? 0 : 1 / masses[i];
-  }
-  return masses;
+  return {members, present.joints};
 }
 
 /// Loads each carried body with all bodies of its group, whatever joints lie between them.
@@ -89,8 +76,7 @@ void LoadCarriedBodies(const WorldObjects& objects, const JointSet& joints) {
 }
 
 void DampSliders(const WorldObjects& objects, const JointSet& joints, double step_seconds) {
-  std::optional<JointGroups> rigid;  // computed when a slider moves
-  std::vector<double> inverse_masses;
+  std::optional<mechanics::RigidMasses> rigid;  // computed when a slider moves
   joints.ForEachPresent([&](const Joint& joint, JointConstraint& constraint) {
     const auto* slider = std::get_if<SliderJointSpec>(&joint.spec);
     if (slider == nullptr) return;
@@ -103,15 +89,10 @@ void DampSliders(const WorldObjects& objects, const JointSet& joints, double ste
     const double kept =
         mechanics::FractionKept(*slider, constraint.offset(), speed, is_carried, step_seconds);
     if (kept == 1) return;
-    if (!rigid) {
-      const Present present = PresentOf(objects, joints);
-      rigid = RigidGroupsOf(present);
-      inverse_masses = InverseMassesOf(*rigid, present);
-    }
+    if (!rigid) rigid = RigidMassesOf(PresentOf(objects, joints));
     // Equal and opposite impulses change the sliding speed by impulse (1/m_A + 1/m_B), where the
     // masses are those of everything rigidly fixed to either side.
-    const double inverse_mass =
-        inverse_masses[rigid->group_of(slider->a)] + inverse_masses[rigid->group_of(slider->b)];
+    const double inverse_mass = rigid->InverseMassOf(slider->a) + rigid->InverseMassOf(slider->b);
     if (inverse_mass > 0) constraint.Push(speed * (kept - 1) / inverse_mass);
   });
 }

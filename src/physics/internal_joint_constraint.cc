@@ -24,8 +24,6 @@ constexpr double kMaxReturnSpeed = 2.0;
 constexpr double kMaxReturnTurn = 10.0;
 /// Minimum approach speed for a rebound from a limit [m/s].
 constexpr double kMinBounce = 0.05;
-/// A held slider that is moved by more than this stays at its new offset [m].
-constexpr double kMaxHeldError = 0.005;
 
 /// First row of a slider that acts along its rail.
 constexpr int kFirstRailRow = 5;
@@ -47,11 +45,6 @@ void PutVector(const btVector3& v, int row, int rowskip, btScalar* to) {
 }
 
 }  // namespace
-
-bool DoCollide(const JointSpec& spec) {
-  const auto* slider = std::get_if<SliderJointSpec>(&spec);
-  return slider != nullptr && slider->do_collide;
-}
 
 /// Present poses of both joint frames in the world.
 struct JointConstraint::Pose {
@@ -84,7 +77,7 @@ JointConstraint::JointConstraint(int order, const JointSpec& spec, btRigidBody& 
   X_AcmJ_ = ToBullet(X_AcmA * X_AJ);
   X_BcmK_ = ToBullet(X_BcmB * X_BK);
   // A slider with damping 1 is held where it is when the joint is made.
-  held_offset_ = std::clamp(offset(), rail_.lower, rail_.upper);
+  state_.held_offset = std::clamp(offset(), rail_.lower, rail_.upper);
 }
 
 JointConstraint::Pose JointConstraint::PoseNow() const {
@@ -94,20 +87,6 @@ JointConstraint::Pose JointConstraint::PoseNow() const {
   pose.p_AcmK = pose.X_WK.getOrigin() - m_rbA.getCenterOfMassPosition();
   pose.p_BcmK = pose.X_WK.getOrigin() - m_rbB.getCenterOfMassPosition();
   return pose;
-}
-
-void JointConstraint::HoldUnless(bool is_carried) {
-  const bool shall_hold = rail_.damping >= 1 && !is_carried;
-  const bool was_held = is_held_;
-  is_held_ = shall_hold;
-  // The number of rows changes: a pressed limit has no row while the slider is held.
-  if (is_held_ != was_held) is_pressed_ = {};
-  const double now = offset();
-  // While held, keep the offset: the solver corrects small deviations from it. Larger ones are
-  // moves from outside: adopt them.
-  if (!was_held || !is_held_ || std::abs(now - held_offset_) > kMaxHeldError) {
-    held_offset_ = std::clamp(now, rail_.lower, rail_.upper);
-  }
 }
 
 double JointConstraint::offset() const { return PoseNow().p_JK().x(); }
@@ -126,27 +105,13 @@ void JointConstraint::Push(double impulse) {
 
 bool JointConstraint::IsHeld(int row) const {
   return row < kFirstRailRow || kind_ != Kind::kSlider || has_one_place() ||
-         is_pressed_[row - kFirstRailRow];
+         state_.is_pressed[row - kFirstRailRow];
 }
 
 void JointConstraint::NoteImpulse(int row, double impulse) {
   if (row < kFirstRailRow || kind_ != Kind::kSlider || has_one_place()) return;
-  // A limit counts as pressed only if it pushed inwards. One that had to pull is free again in the
-  // next step, and a rebound must not be held.
-  const double inwards = row == kFirstRailRow ? -impulse : impulse;
-  is_pressed_[row - kFirstRailRow] = inwards > 0 && !bounces_;
-}
-
-void JointConstraint::Save(ByteWriter* out) const {
-  out->Put(is_held_);
-  out->Put(held_offset_);
-  for (bool is_pressed : is_pressed_) out->Put(is_pressed);
-}
-
-void JointConstraint::Restore(ByteReader* in) {
-  is_held_ = in->Get<bool>();
-  held_offset_ = in->Get<double>();
-  for (bool& is_pressed : is_pressed_) is_pressed = in->Get<bool>();
+  const bool is_upper = row != kFirstRailRow;
+  state_.NoteImpulse(is_upper, is_upper ? impulse : -impulse, bounces_);
 }
 
 int JointConstraint::num_rows() const {
@@ -186,7 +151,7 @@ void JointConstraint::FillRows(btConstraintInfo2* info) {
   if (kind_ == Kind::kFixed) return;
   bounces_ = false;
   if (has_one_place()) {
-    LockPoint(pose, 0, p_JK.x() - (is_held_ ? held_offset_ : rail_.lower), row, info);
+    LockPoint(pose, 0, p_JK.x() - (state_.is_held ? state_.held_offset : rail_.lower), row, info);
   } else {
     StopAtLimits(pose, row, info);
   }

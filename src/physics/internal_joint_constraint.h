@@ -2,14 +2,11 @@
 
 #include <array>
 
-#include "base/bytes.h"
+#include "mechanics/rail_state.h"
 #include "physics/definitions.h"
 #include "physics/internal_bullet.h"
 
 namespace smile::physics {
-
-/// Returns false if the bodies of the joint pass through each other while it exists.
-bool DoCollide(const JointSpec& spec);
 
 /// Fixed, slider or ball joint as rows for Bullet's solver: frame K of B against frame J of A.
 ///
@@ -23,7 +20,7 @@ class JointConstraint : public btTypedConstraint {
                   btRigidBody& b, const RigidTransform& X_BcmB);
 
   /// Call before each step: a slider with damping 1 is held at its offset, unless a hand moves it.
-  void HoldUnless(bool is_carried);
+  void HoldUnless(bool is_carried) { state_.HoldUnless(is_carried, offset(), rail_); }
 
   double offset() const;         ///< K's x in J of a slider [m]
   double sliding_speed() const;  ///< speed of K along the rail [m/s]
@@ -39,11 +36,10 @@ class JointConstraint : public btTypedConstraint {
   void NoteImpulse(int row, double impulse);
   /// Place in the order in which Bullet solves the joints of an island; those of equal place are in
   /// order.
-  int place() const { return place_; }
-  void set_place(int place) { place_ = place; }
-  double held_offset() const { return held_offset_; }
-  void Save(ByteWriter* out) const;
-  void Restore(ByteReader* in);
+  int place = 0;
+  double held_offset() const { return state_.held_offset; }
+  void Save(ByteWriter* out) const { state_.Save(out); }
+  void Restore(ByteReader* in) { state_.Restore(in); }
 
   void getInfo1(btConstraintInfo1* info) override;
   void getInfo2(btConstraintInfo2* info) override;
@@ -60,17 +56,14 @@ class JointConstraint : public btTypedConstraint {
   void LockPoint(const Pose& pose, int axis, double error, int row, btConstraintInfo2* info) const;
   void LockTurning(const Pose& pose, int first_row, btConstraintInfo2* info) const;
   void StopAtLimits(const Pose& pose, int first_row, btConstraintInfo2* info);
-  bool has_one_place() const { return is_held_ || rail_.lower == rail_.upper; }
+  bool has_one_place() const { return state_.is_held || rail_.lower == rail_.upper; }
 
   Kind kind_ = Kind::kBall;
   btTransform X_AcmJ_, X_BcmK_;
   SliderJointSpec rail_;
-  int place_ = 0;
-  bool is_held_ = false;
-  double held_offset_ = 0;
+  mechanics::RailState state_;
   std::array<double, 7> return_speeds_{};  ///< in this step
   bool bounces_ = false;                   ///< rebounds from a limit in this step
-  std::array<bool, 2> is_pressed_{};       ///< lower and upper limit, in the last step
 };
 
 }  // namespace smile::physics

@@ -8,7 +8,6 @@
 
 #include "base/state_hash.h"
 #include "mechanics/checks.h"
-#include "mechanics/joint_graph.h"
 #include "physics/internal_body_dynamics.h"
 
 // All joints of a world, in the order in which they were made. Welds are forwarded to HeldBodies;
@@ -27,7 +26,7 @@ JointSet::~JointSet() {
 
 void JointSet::Check(const JointSpec& spec) const {
   CheckJoint(
-      spec, [this](BodyId id) { return IsStatic(id); },
+      spec, [this](BodyId id) { return objects_.body(id).is_static(); },
       [this](ArticulationId id) { return objects_.articulation(id).num_joints(); });
 }
 
@@ -119,25 +118,6 @@ std::unique_ptr<JointConstraint> JointSet::MakeConstraint(const Joint& joint) co
 void JointSet::Wake(const std::pair<BodyId, BodyId>& pair) {
   objects_.body(pair.first).WakeUp();
   objects_.body(pair.second).WakeUp();
-}
-
-std::vector<BodyId> JointSet::JoinedWith(BodyId id, JointId without) const {
-  // Static bodies end the search: what is fixed to the same table is not one assembly.
-  return mechanics::JointGraph(joints_, without).ConnectedWith(id, [this](BodyId other) {
-    return IsStatic(other);
-  });
-}
-
-std::vector<BodyId> JointSet::Assembly(BodyId id, JointId without) const {
-  std::vector<BodyId> members = JoinedWith(id, without);
-  std::erase_if(members, [&](BodyId member) { return member != id && IsStatic(member); });
-  return members;
-}
-
-bool JointSet::IsAnchored(BodyId id, JointId without) const {
-  const std::vector<BodyId> members = JoinedWith(id, without);
-  return std::any_of(members.begin(), members.end(),
-                     [&](BodyId member) { return member != id && IsStatic(member); });
 }
 
 void JointSet::Save(Snapshot* snapshot, ByteWriter* state) const {

@@ -45,9 +45,6 @@ class JointSet {
   /// order.
   void Rejoin(BodyId id);
 
-  std::vector<BodyId> Assembly(BodyId id, JointId without) const;
-  bool IsAnchored(BodyId id, JointId without) const;
-
   /// Adds the joints to the snapshot, and their states to `state`.
   void Save(Snapshot* snapshot, ByteWriter* state) const;
   /// Returns true if the joints are those of the snapshot, apart from their states.
@@ -64,10 +61,6 @@ class JointSet {
   void Insert(const Joint& joint);
   void Wake(const std::pair<BodyId, BodyId>& pair);
   std::unique_ptr<JointConstraint> MakeConstraint(const Joint& joint) const;
-  bool IsStatic(BodyId id) const { return objects_.body(id).is_static(); }
-  /// Returns the body and all bodies connected with it, including the static ones at the ends of
-  /// paths, by id.
-  std::vector<BodyId> JoinedWith(BodyId id, JointId without) const;
 
   const WorldObjects& objects_;
   HeldBodies& held_bodies_;

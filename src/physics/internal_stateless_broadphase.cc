@@ -21,9 +21,6 @@ bool IsEmpty(const btCollisionObject* object) {
          static_cast<const btCompoundShape*>(shape)->getNumChildShapes() == 0;
 }
 
-/// Key of a pair, independent of its order.
-std::pair<int, int> Ordered(int a, int b) { return a < b ? std::pair(a, b) : std::pair(b, a); }
-
 }  // namespace
 
 bool PairFilter::needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const {
@@ -32,16 +29,6 @@ bool PairFilter::needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy
   if (object_a->isStaticOrKinematicObject() && object_b->isStaticOrKinematicObject()) return false;
   if (IsEmpty(object_a) || IsEmpty(object_b)) return false;
   return !IsExcluded(OrderOf(object_a), OrderOf(object_b));
-}
-
-void PairFilter::Exclude(int order_a, int order_b) { ++excluded_[Ordered(order_a, order_b)]; }
-void PairFilter::Include(int order_a, int order_b) {
-  // Counted, since a pair can be excluded for several reasons at once.
-  const auto pair = excluded_.find(Ordered(order_a, order_b));
-  if (pair != excluded_.end() && --pair->second == 0) excluded_.erase(pair);
-}
-bool PairFilter::IsExcluded(int order_a, int order_b) const {
-  return !excluded_.empty() && excluded_.contains(Ordered(order_a, order_b));
 }
 
 StatelessBroadphase::StatelessBroadphase(bool has_close_bounds)

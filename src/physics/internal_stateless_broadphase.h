@@ -1,10 +1,10 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "mechanics/excluded_pairs.h"
 #include "physics/internal_bullet.h"
 
 namespace smile::physics {
@@ -15,12 +15,12 @@ class PairFilter : public btOverlapFilterCallback {
  public:
   bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
 
-  void Exclude(int order_a, int order_b);
-  void Include(int order_a, int order_b);  ///< takes one Exclude() back
-  bool IsExcluded(int order_a, int order_b) const;
+  void Exclude(int order_a, int order_b) { excluded_.Exclude(order_a, order_b); }
+  void Include(int order_a, int order_b) { excluded_.Include(order_a, order_b); }
+  bool IsExcluded(int a, int b) const { return excluded_.Contains(a, b); }
 
  private:
-  std::map<std::pair<int, int>, int> excluded_;  ///< number of reasons per pair
+  mechanics::ExcludedPairs excluded_;
 };
 
 /// Finds overlapping bounding boxes by a sweep along x.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/state_hash.h"
+#include "mechanics/by_id.h"
 #include "mechanics/checks.h"
 #include "physics/internal_articulation_links.h"
 #include "physics/internal_body_dynamics.h"
@@ -17,33 +18,15 @@
 // and shared with snapshots, so a removed body can return.
 
 namespace smile::physics {
+
+using mechanics::FindById;
+using mechanics::InsertById;
+using mechanics::IsOfRecord;
+
 namespace {
-
-/// Returns an iterator to the element with this id in a sorted list, or its end.
-template <class Things, class Id>
-auto FindById(Things& things, Id id) {
-  const auto found = std::lower_bound(things.begin(), things.end(), id,
-                                      [](const auto& thing, Id key) { return thing->id() < key; });
-  return found != things.end() && (*found)->id() == id ? found : things.end();
-}
-
-/// Inserts an element into a list sorted by id, and returns an iterator to it.
-template <class Things, class Thing>
-auto InsertById(Things& things, std::unique_ptr<Thing> thing) {
-  const auto place = std::lower_bound(things.begin(), things.end(), thing->id(),
-                                      [](const auto& other, auto id) { return other->id() < id; });
-  return things.insert(place, std::move(thing));
-}
 
 BodyId IdOf(const btCollisionObject* object) {
   return BodyId{static_cast<std::uint32_t>(OrderOf(object))};
-}
-
-/// Returns true if the record describes this object: same id, equal spec.
-template <class Thing, class Record>
-bool Is(const Thing& thing, const Record& record) {
-  return thing.id() == record.id &&
-         (&thing.spec() == record.spec.get() || thing.spec() == *record.spec);
 }
 
 /// Returns the state of a body with the contacts that are saved with it.
@@ -329,7 +312,6 @@ void WorldObjects::RestoreState(const Snapshot& snapshot, ByteReader* in) {
   }
   for (const auto& articulation : articulations_) articulation->Restore(in);
   ReadContacts(/*owner=*/0, in, &contacts);
-  ReturnPartnersIn(contacts);
   const ContactOwners owners = {
       .object_of = [this](int order) { return FindObject(order); },
       .owner_of = [this](const auto* a, const auto* b) { return OwnerOf(a, b); },
@@ -352,32 +334,15 @@ void WorldObjects::RestoreState(const Snapshot& snapshot, ByteReader* in) {
   entries_moment_ = engine_.dormant_islands.now();
 }
 
-/// Returns fixtures that were left out to the world if they get contacts: their own state is that
-/// of the snapshot, so that nothing else does.
-void WorldObjects::ReturnPartnersIn(std::span<const SavedManifold> contacts) {
-  for (const SavedManifold& manifold : contacts) {
-    for (const int order : {std::get<0>(manifold.key), std::get<1>(manifold.key)}) {
-      Body* partner = Find(BodyId{static_cast<std::uint32_t>(order)});
-      if (partner != nullptr && partner->is_static()) {
-        engine_.dormant_islands.ReturnFixture(partner->dynamics().bullet());
-      }
-    }
-  }
-}
-
 /// Returns the places of the bodies that may have changed since the last snapshot, or may be others
 /// in that than in this one. The others are in this one's state.
 std::vector<std::size_t> WorldObjects::NumbersThatMayDifferFrom(const Snapshot& snapshot) const {
-  std::vector<std::size_t> numbers = entries_.MayDifferFrom(snapshot.bodies);
-  if (entries_.size() != bodies_.size()) {
-    numbers.resize(bodies_.size());
-    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
-  } else if (numbers.size() < bodies_.size()) {
-    std::ranges::copy(NumbersChangedSince(entries_moment_), std::back_inserter(numbers));
-    std::ranges::sort(numbers);
-    const auto repeated = std::ranges::unique(numbers);
-    numbers.erase(repeated.begin(), repeated.end());
-  }
+  std::vector<std::size_t> numbers(bodies_.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  if (entries_.size() != bodies_.size()) return numbers;
+  numbers.clear();
+  std::ranges::set_union(NumbersChangedSince(entries_moment_),
+                         entries_.MayDifferFrom(snapshot.bodies), std::back_inserter(numbers));
   return numbers;
 }
 
@@ -422,14 +387,15 @@ WorldObjects::Replacement WorldObjects::ReplacementFor(const Snapshot& snapshot)
       result.fresh_articulations.push_back(
           std::make_unique<Articulation>(record.id, record.spec, config_.motor));
     } else if (i >= snapshot.articulations.size() ||
-               !Is(*articulations_[i], snapshot.articulations[i])) {
+               !IsOfRecord(*articulations_[i], snapshot.articulations[i])) {
       throw std::invalid_argument("snapshot: it is of a world without this robot");
     }
   }
   // If the snapshot's bodies are those of the last one, but for a few, only these are compared.
   if (entries_.size() == bodies_.size() && snapshot.bodies.size() == bodies_.size() &&
-      std::ranges::all_of(entries_.MayDifferFrom(snapshot.bodies),
-                          [&](std::size_t i) { return Is(*bodies_[i], snapshot.bodies[i]); })) {
+      std::ranges::all_of(entries_.MayDifferFrom(snapshot.bodies), [&](std::size_t i) {
+        return IsOfRecord(*bodies_[i], snapshot.bodies[i]);
+      })) {
     return result;
   }
   // Both lists are sorted by id: merge them. A body that is unchanged stays.
@@ -437,7 +403,7 @@ WorldObjects::Replacement WorldObjects::ReplacementFor(const Snapshot& snapshot)
   for (const auto& record : snapshot.bodies) {
     while (old != bodies_.end() && (*old)->id() < record.id) result.gone.push_back((*old++)->id());
     const bool is_there = old != bodies_.end() && (*old)->id() == record.id;
-    if (is_there && Is(**old++, record)) continue;
+    if (is_there && IsOfRecord(**old++, record)) continue;
     if (is_there) result.gone.push_back(record.id);
     CheckBody(*record.spec);
     result.fresh_bodies.push_back(std::make_unique<Body>(record.id, record.spec));

@@ -98,7 +98,6 @@ class WorldObjects {
   std::vector<OwnedManifold> ManifoldsOf(std::span<const std::size_t> bodies) const;
   std::vector<std::size_t> NumbersThatMayDifferFrom(const Snapshot& snapshot) const;
   std::vector<std::size_t> NumbersOfBodiesToRestore(const Snapshot& snapshot) const;
-  void ReturnPartnersIn(std::span<const SavedManifold> contacts);
   void NumberBodiesFrom(std::size_t first);
   void Insert(std::unique_ptr<Body> body);
   void Insert(std::unique_ptr<Articulation> articulation);

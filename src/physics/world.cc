@@ -6,9 +6,10 @@
 #include "base/bytes.h"
 #include "base/state_hash.h"
 #include "mechanics/checks.h"
+#include "mechanics/joint_graph.h"
 #include "physics/internal_body_dynamics.h"
-#include "physics/internal_collision_exemptions.h"
 #include "physics/internal_engine.h"
+#include "physics/internal_exempt_pairs.h"
 #include "physics/internal_held_bodies.h"
 #include "physics/internal_joint_action.h"
 #include "physics/internal_joint_set.h"
@@ -27,7 +28,9 @@ World::World(const WorldConfig& config)
       objects_(std::make_unique<WorldObjects>(config_, *engine_)),
       held_bodies_(std::make_unique<HeldBodies>(config_, *objects_, *engine_)),
       joints_(std::make_unique<JointSet>(*objects_, *held_bodies_, *engine_)),
-      exemptions_(std::make_unique<CollisionExemptions>(config_, *objects_, *engine_)) {}
+      exempt_pairs_(std::make_unique<ExemptPairs>(*objects_, *engine_)),
+      exemptions_(std::make_unique<mechanics::CollisionExemptions>(
+          exempt_pairs_.get(), ExactWorld::kCloseFitPlay, config_.eases_close_fits)) {}
 
 World::~World() = default;
 
@@ -64,11 +67,13 @@ void World::RemoveJoint(JointId id) { Changing(joints_).Remove(id); }
 const std::vector<Joint>& World::joints() const { return joints_->joints(); }
 
 std::vector<BodyId> World::Assembly(BodyId id, JointId without) const {
-  return joints_->Assembly(id, without);
+  return mechanics::AssemblyOf(id, joints(), without,
+                               [this](BodyId other) { return body(other).is_static(); });
 }
 
 bool World::IsAnchored(BodyId id, JointId without) const {
-  return joints_->IsAnchored(id, without);
+  return mechanics::IsAnchored(id, joints(), without,
+                               [this](BodyId other) { return body(other).is_static(); });
 }
 
 void World::MoveAssembly(BodyId id, const RigidTransform& X_WB) {
@@ -151,6 +156,8 @@ void World::Step() {
   LoadCarriedBodies(*objects_, *joints_);
   if (joints_->has_constraints()) DampSliders(*objects_, *joints_, config_.step_seconds);
   exemptions_->Update();
+  // The solver's world applies the play in each step.
+  engine_->world.SetCloseFits(exemptions_->close_fits());
   ApplyGravity();
   for (const auto& articulation : objects_->articulations()) {
     articulation->BeforeStep(config_.step_seconds, config_.gravity);

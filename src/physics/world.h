@@ -9,9 +9,13 @@
 #include "physics/body.h"
 #include "physics/definitions.h"
 
+namespace smile::mechanics {
+class CollisionExemptions;
+}
+
 namespace smile::physics {
 
-class CollisionExemptions;
+class ExemptPairs;
 class HeldBodies;
 class JointSet;
 class WorldObjects;
@@ -132,7 +136,8 @@ class World {
   std::unique_ptr<WorldObjects> objects_;
   std::unique_ptr<HeldBodies> held_bodies_;
   std::unique_ptr<JointSet> joints_;
-  std::unique_ptr<CollisionExemptions> exemptions_;
+  std::unique_ptr<ExemptPairs> exempt_pairs_;
+  std::unique_ptr<mechanics::CollisionExemptions> exemptions_;
 };
 
 }  // namespace smile::physics

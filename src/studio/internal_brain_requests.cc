@@ -83,13 +83,19 @@ Json BrainRequests::Imitate(const page::RequestFields& fields) {
   // unchanged.
   const recording::Recording demonstration = recording::OpenRecording(directory);
   task::ImitationTask imitation_task =
-      task::MakeImitationTask(scene, demonstration, source_->Named(scene));
+      task::MakeImitationTask(scene, demonstration, SceneNamed(scene));
   scenes_->LoadScene(imitation_task.scene);
   Run(choice, directory);
   // Before the first tick, so that the recording has the whole imitation.
   const std::filesystem::path recording = RecordImitation(demonstration);
   states_->Imitate(std::move(imitation_task));
   return {{"recording", recording.filename().string()}};
+}
+
+scene::SceneSpec BrainRequests::SceneNamed(const std::string& name) const {
+  // The scene that is open may be a file of the user, which is not among those that ship.
+  const scene::SceneSpec& open = states_->world().simulation().start_model()->scene();
+  return open.name == name ? open : source_->Named(name);
 }
 
 std::filesystem::path BrainRequests::RecordImitation(const recording::Recording& demonstration) {

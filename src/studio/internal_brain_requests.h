@@ -37,6 +37,8 @@ class BrainRequests {
   /// @throws page::RequestError if there is no such program.
   library::BrainChoice Find(const std::string& name) const;
   void Run(const library::BrainChoice& choice, const std::filesystem::path& demonstration);
+  /// Returns the scene that is open if it has this name, or else one that ships.
+  scene::SceneSpec SceneNamed(const std::string& name) const;
   /// Starts the recording of the imitation. Returns its directory.
   std::filesystem::path RecordImitation(const recording::Recording& demonstration);
 

@@ -11,7 +11,8 @@ class Options : public ProgramTest {
     Write("pair.xml", PairOfBlocks());
     Write("here/blocks.xml", SceneOf("<block id=\"a\" color=\"red\" location=\"(0, -3, 0.5)\"/>"));
     Write("there/more.xml", "");
-    Write("scene.xml", SceneOf("<include file=\"blocks.xml\"/>"));
+    Write("scene.xml", SceneOf("<include file=\"blocks.xml\"/>\n"
+                               "<block id=\"b\" color=\"blue\" location=\"(2, -3, 0.5)\"/>"));
   }
 };
 
@@ -27,8 +28,8 @@ TEST_F(Options, ARepeatableOptionTakesOneValueEachTime) {
 }
 
 TEST_F(Options, ARepeatableOptionLeavesDemonstrationAndSceneAlone) {
-  Write("lift.jsonl", "{\"hand\":\"right\",\"do\":\"grasp\",\"object\":\"a\"}\n");
-  ASSERT_EQ(Smile("run pair.xml --commands lift.jsonl --record demo --no-pictures").exit_code, 0);
+  Write("stack.jsonl", StackPair());
+  ASSERT_EQ(Smile("run pair.xml --commands stack.jsonl --record demo --no-pictures").exit_code, 0);
   // They get as far as the brain, which is missing.
   for (const char* command :
        {"imitate --brain nowhere --out out --path here demo scene.xml",

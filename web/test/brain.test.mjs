@@ -5,7 +5,7 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { Browser } from "./workbench.mjs";
+import { Browser, sceneFile } from "./workbench.mjs";
 
 const browser = new Browser();
 before(() => browser.start());
@@ -34,6 +34,12 @@ def step(sensor, motor, aux):
     pass
 `;
 
+/** A block that begins above its place and falls there: then a task of its place is done by doing nothing. */
+const FALLS = `<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <block id="RedBlock" location="(0,-2,1.5)" color="red"/>
+</tabletop>
+`;
+
 /** A folder with these brains. */
 function brains(t, programs) {
   const folder = mkdtempSync(join(tmpdir(), "smile-brains-"));
@@ -44,7 +50,8 @@ function brains(t, programs) {
 
 test("a brain runs; its error shows the line, and an imitation its score", async (t) => {
   const folder = brains(t, { stumbles: STUMBLES, rests: RESTS, trips: TRIPS });
-  const { page, witness, person } = await browser.workplace(t, { studio: ["--brains", folder] });
+  const scene = sceneFile(t, "falls", FALLS);
+  const { page, witness, person } = await browser.workplace(t, { studio: [scene, "--brains", folder] });
   await person.showPanel("Brain");
   const program = page.getByRole("combobox", { name: "Brain" });
   await program.selectOption("stumbles.py");
@@ -73,9 +80,9 @@ test("a brain runs; its error shows the line, and an imitation its score", async
   await score.getByText("Everything is in its place.").waitFor();
   assert.equal(witness.state.brain.status, "exited");
   await person.showPanel("Library");
-  await page.locator(".recording").getByText("tower, imitated").waitFor();
+  await page.locator(".recording").getByText("falls, imitated").waitFor();
 
-  // All is in its place again, but not by the program: the cause is reported.
+  // A program that fails has done nothing: the cause is reported.
   await person.showPanel("Brain");
   await imitator.selectOption("trips.py");
   await person.press("Imitate");

@@ -87,8 +87,7 @@ std::vector<std::size_t> SharedList<T>::MayDifferFrom(const SharedList& other) c
     for (const Numbered& element : *own) indices.push_back(element.first);
   }
   std::ranges::sort(indices);
-  const auto repeated = std::ranges::unique(indices);
-  indices.erase(repeated.begin(), repeated.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
   return indices;
 }
 

@@ -32,8 +32,8 @@ Present PresentOf(const WorldObjects& objects, const JointSet& joints) {
     }
   });
   std::ranges::sort(present.bodies, {}, &Body::id);
-  const auto repeated = std::ranges::unique(present.bodies);
-  present.bodies.erase(repeated.begin(), repeated.end());
+  present.bodies.erase(std::unique(present.bodies.begin(), present.bodies.end()),
+                       present.bodies.end());
   return present;
 }
 

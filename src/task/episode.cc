@@ -13,11 +13,12 @@ namespace {
 /// has not been placed.
 constexpr recording::PoseGap kStayed{.distance = 0.01, .angle = DegreesToRadians(5.0)};
 
-/// True for events that change who holds or fastens an object, and for falls.
+/// True for events that change who holds or fastens an object, and for falls and presses.
 bool IsContact(sim::EventKind kind) {
   using enum sim::EventKind;
   return kind == kGrasped || kind == kReleased || kind == kFastened || kind == kLoosened ||
-         kind == kFell || kind == kGripperHolds || kind == kGripperReleased || kind == kUsed;
+         kind == kFell || kind == kGripperHolds || kind == kGripperReleased || kind == kUsed ||
+         kind == kTriggered || kind == kPressed || kind == kDestroyed;
 }
 
 /// Returns the contact of an event with the object's pose at `now`; nullopt for other events and
@@ -257,6 +258,7 @@ std::set<std::string> HeldInTheEnd(const Episode& episode) {
         holds.insert(hold);
         break;
       case sim::EventKind::kReleased:
+      case sim::EventKind::kDestroyed:
       case sim::EventKind::kGripperReleased:
         holds.erase(hold);
         break;

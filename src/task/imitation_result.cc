@@ -62,6 +62,7 @@ Json EffectsJson(const Structure& structure, const std::vector<bool>& achieved, 
   Json json = Json::array();
   for (std::size_t i = 0; i < structure.effects.size(); ++i) {
     json.push_back(ToJson(structure.effects[i], unit));
+    json.back()["text"] = WordsOf(structure.effects[i], unit);
     json.back()["achieved"] = static_cast<bool>(achieved[i]);
   }
   return json;

@@ -50,6 +50,12 @@ bool IsPut(const Structure& structure, const std::string& id) {
   return Contains(structure.order, id);
 }
 
+/// True if the object was removed from the table on purpose.
+bool IsRemoved(const Structure& structure, const std::string& id) {
+  return std::ranges::find(structure.effects, Effect(DestroyedEffect{id})) !=
+         structure.effects.end();
+}
+
 }  // namespace
 
 /// Returns positions in units of the scene, and rotations as angles about fixed axes [degrees].
@@ -107,7 +113,7 @@ std::vector<std::string> WordsOf(const Structure& structure, double meters_per_u
                     (object.is_static() ? ", fixed" : ""));
   }
   for (const std::string& id : structure.fallen) {
-    if (!IsPut(structure, id)) lines.push_back(id + kFellText);
+    if (!IsPut(structure, id) && !IsRemoved(structure, id)) lines.push_back(id + kFellText);
   }
   for (const Effect& effect : structure.effects) {
     lines.push_back("achieved: " + WordsOf(effect, meters_per_unit));

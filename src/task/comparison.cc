@@ -105,6 +105,7 @@ StructureComparison CompareWith(const Structure& structure, const Episode& outco
                                  .intruders = {},
                                  .turn = {},
                                  .order = {},
+                                 .broken_rules = {},
                                  .achieved = {}};
   MatchRemoved(structure, outcome, &comparison.match);
   for (const Structure& part : PartsOf(structure)) {
@@ -132,19 +133,22 @@ StructureComparison CompareWith(const Structure& structure, const Episode& outco
   comparison.intruders = IntrudersOf(structure, outcome, comparison.match);
   // Order and effects refer to the match that was found.
   comparison.order = CompareOrder(structure, outcome, comparison);
+  comparison.broken_rules = RuleBreaksOf(structure, outcome, comparison.match, comparison.order);
   const auto counterpart = [&](const std::string& id) { return comparison.match.at(id); };
   comparison.achieved = AreAchieved(structure.effects, outcome, counterpart, kTolerance);
   for (std::size_t i = 0; i < structure.effects.size(); ++i) {
     if (IsRefuted(structure.effects[i], held, comparison)) comparison.achieved[i] = false;
   }
-  // Each object and each effect has the same weight, and so has each object too many.
+  // Each object and each effect has the same weight, and so has each object too many and
+  // each broken rule.
   const auto num_right =
       std::ranges::count_if(comparison.errors,
                             [](const auto& error) { return error.second.is_within(); }) +
       std::ranges::count(comparison.achieved, true);
-  comparison.score = static_cast<double>(num_right) /
-                     static_cast<double>(structure.objects.size() + structure.effects.size() +
-                                         comparison.intruders.size());
+  comparison.score =
+      static_cast<double>(num_right) /
+      static_cast<double>(structure.objects.size() + structure.effects.size() +
+                          comparison.intruders.size() + comparison.broken_rules.size());
   if (comparison.turn && comparison.is_achieved()) {
     comparison.is_mirrored = IsMirrored(structure, outcome, comparison.match, *comparison.turn);
   }

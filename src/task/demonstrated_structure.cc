@@ -7,6 +7,7 @@
 #include "recording/attention.h"
 #include "task/anchor.h"
 #include "task/neighbors.h"
+#include "task/rules.h"
 
 namespace smile::task {
 namespace {
@@ -133,6 +134,7 @@ Structure StructureOf(const recording::Recording& demonstration) {
                 [&](const Relation& relation) { return !structure.Contains(relation.object); });
   structure.neighbors = NeighborsOf(structure);
   structure.bystanders = BystandersOf(structure, episode);
+  structure.support_rules = SupportRulesOf(structure.attention, episode);
   return structure;
 }
 

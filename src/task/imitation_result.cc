@@ -58,6 +58,17 @@ Json ToJson(const Order& order) {
           {"done", order.done}};
 }
 
+Json BrokenRulesJson(const std::vector<RuleBreak>& breaks) {
+  Json json = Json::array();
+  for (const RuleBreak& one : breaks) {
+    json.push_back({{"rule", one.rule == RuleBreak::Rule::kOrder ? "order" : "support"},
+                    {"object", one.object},
+                    {"other", one.other},
+                    {"seconds", one.seconds}});
+  }
+  return json;
+}
+
 Json EffectsJson(const Structure& structure, const std::vector<bool>& achieved, double unit) {
   Json json = Json::array();
   for (std::size_t i = 0; i < structure.effects.size(); ++i) {
@@ -130,6 +141,7 @@ Json ResultOf(const ImitationTask& task, const Episode& outcome, const RunInfo& 
                  {"mean_error_mm", MillimetersOf(mean)},
                  {"mean_error_degrees", DegreesOf(mean)},
                  {"order", ToJson(comparison.order)},
+                 {"broken_rules", BrokenRulesJson(comparison.broken_rules)},
                  {"effects", EffectsJson(structure, comparison.achieved, unit)},
                  {"work", ToJson(WorkOf(outcome))},
                  {"cause", ToJson(FailureReasonOf(structure, outcome, comparison, program))},

@@ -98,6 +98,28 @@ Json ToJson(const Structure& structure, double meters_per_unit) {
           {"fixed", structure.is_fixed()}};
 }
 
+namespace {
+
+/// Appends what the demonstrator said about objects: their properties, then the rules.
+void AppendAttention(const Structure& structure, std::vector<std::string>* lines) {
+  for (const auto& [id, properties] : structure.attention) {
+    std::vector<std::string> others = properties;
+    std::erase_if(others, [](const auto& one) { return one == "order" || one == "support"; });
+    if (!others.empty()) lines->push_back("of " + id + " matters its " + Joined(others));
+    if (Contains(properties, "order")) {
+      lines->push_back(id + " must be placed in the order of the demonstration");
+    }
+  }
+  for (const SupportRule& rule : structure.support_rules) {
+    std::vector<std::string> exceptions;
+    for (const scene::ObjectSpec& one : rule.exceptions) exceptions.push_back(one.id());
+    lines->push_back(rule.object.id() + " must never stand on a smaller object" +
+                     (exceptions.empty() ? "" : ", except on " + Joined(exceptions)));
+  }
+}
+
+}  // namespace
+
 std::vector<std::string> WordsOf(const Structure& structure, double meters_per_unit) {
   std::vector<std::string> lines;
   // Numbered steps first, then objects that were never placed, falls, effects and attention.
@@ -123,9 +145,7 @@ std::vector<std::string> WordsOf(const Structure& structure, double meters_per_u
   } else if (structure.anchor == Anchor::kTable) {
     lines.push_back("what matters is the place on the table");
   }
-  for (const auto& [id, properties] : structure.attention) {
-    lines.push_back("of " + id + " matters its " + Joined(properties));
-  }
+  AppendAttention(structure, &lines);
   return lines;
 }
 

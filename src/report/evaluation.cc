@@ -245,6 +245,14 @@ std::string ComparisonText(const EvaluatedBrain& first, const EvaluatedBrain& se
   return text;
 }
 
+/// Returns a line on the seeds that were left out; empty if there are none.
+std::string ImpossibleText(const Evaluation& evaluation) {
+  if (evaluation.impossible.empty()) return "";
+  return "left out: " + Plural(evaluation.impossible.size(), "layout") + "; seed " +
+         std::to_string(evaluation.impossible.front().seed) + ": " +
+         Printable(evaluation.impossible.front().reason) + "\n";
+}
+
 }  // namespace
 
 EvaluatedRun ReadRun(const std::filesystem::path& result_json, std::uint64_t seed) {
@@ -334,6 +342,10 @@ Json ToJson(const Evaluation& evaluation) {
          {"summary", SummaryJson(SummaryOf(brain))},
          {"runs", runs}});
   }
+  Json impossible = Json::array();
+  for (const ImpossibleLayout& layout : evaluation.impossible) {
+    impossible.push_back({{"seed", layout.seed}, {"reason", layout.reason}});
+  }
   for (const auto& [first, second] : ComparablePairs(evaluation)) {
     Json comparison{{"first", first->name}, {"second", second->name}};
     comparison.update(ComparisonJson(Compare(*first, *second)));
@@ -345,6 +357,7 @@ Json ToJson(const Evaluation& evaluation) {
           {"scene", evaluation.scene},
           {"level", evaluation.level.empty() ? Json() : Json(evaluation.level)},
           {"options", evaluation.options},
+          {"impossible_layouts", impossible},
           {"brains", brains},
           {"comparisons", comparisons}};
 }
@@ -368,7 +381,7 @@ std::string ToText(const Evaluation& evaluation) {
   for (const auto& [first, second] : ComparablePairs(evaluation)) {
     comparisons += ComparisonText(*first, *second);
   }
-  return InColumns(rows) + failures + comparisons;
+  return InColumns(rows) + ImpossibleText(evaluation) + failures + comparisons;
 }
 
 }  // namespace smile::report

@@ -45,6 +45,14 @@ struct EvaluatedBrain {
   std::string demonstrator = {};   ///< in its pictures; empty: the recording as it is
 };
 
+/// Starting layout that was left out: no brain could have shown anything there.
+struct ImpossibleLayout {
+  std::uint64_t seed = 0;
+  std::string reason;
+
+  bool operator==(const ImpossibleLayout&) const = default;
+};
+
 /// Evaluation: brains that did the same task from the same starting layouts.
 struct Evaluation {
   std::string program;               ///< version of the simulator
@@ -52,6 +60,7 @@ struct Evaluation {
   std::string level;                 ///< of the layouts; empty: the usual one
   std::vector<std::string> options;  ///< other options that each run was given
   std::vector<EvaluatedBrain> brains;
+  std::vector<ImpossibleLayout> impossible;  ///< by seed
   std::string again;  ///< command for a run with pictures; `NAME`, … are placeholders
 };
 

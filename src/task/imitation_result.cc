@@ -98,18 +98,22 @@ ProgramEnd EndOf(const Json& brain) {
 
 }  // namespace
 
-ImitationTask MakeImitationTask(std::string name, const recording::Recording& demonstration,
-                                scene::SceneSpec scene) {
+void RequireSomethingToDo(const Structure& structure, const scene::SceneSpec& scene) {
   // Matching throws if an object has no counterpart. Its result is discarded: the final match
   // depends on the outcome, see CompareWith().
-  ImitationTask task{
-      .name = std::move(name), .structure = StructureOf(demonstration), .scene = std::move(scene)};
-  (void)MatchObjects(task.structure, task.scene);
-  if (CompareWith(task.structure, EpisodeBefore(task.scene)).is_achieved()) {
-    throw InputError({task.scene.name, 0, "",
+  (void)MatchObjects(structure, scene);
+  if (CompareWith(structure, EpisodeBefore(scene)).is_achieved()) {
+    throw InputError({scene.name, 0, "",
                       "is already as the demonstration left it, expected a scene in which there is "
                       "something to do"});
   }
+}
+
+ImitationTask MakeImitationTask(std::string name, const recording::Recording& demonstration,
+                                scene::SceneSpec scene) {
+  ImitationTask task{
+      .name = std::move(name), .structure = StructureOf(demonstration), .scene = std::move(scene)};
+  RequireSomethingToDo(task.structure, task.scene);
   return task;
 }
 

@@ -265,6 +265,43 @@ TEST_F(StructureTest, EqualScrewsMayBeInOneAnothersHoles) {
   EXPECT_EQ(AreAchieved(tighter, episode, counterpart, kTolerance), std::vector<bool>(4, false));
 }
 
+// The rules of the Tower of Hanoi are what the demonstrator attends: the support of each disc.
+TEST_F(StructureTest, AShortcutThroughTheTowerOfHanoiIsNoSuccess) {
+  const recording::Recording demo =
+      Play("hanoi", ReadFile(DataFile("examples/hanoi.jsonl"), 1 << 20));
+  const Structure structure = StructureOf(demo);
+  EXPECT_TRUE(CompareWith(structure, EpisodeOf(demo)).is_achieved());
+  const auto move = [](const std::string& disc, double from, double to, double z) {
+    const std::string at = R"({"hand":"left","do":"move_to","position":[)";
+    const std::string arrived =
+        "]}\n"
+        R"({"do":"wait","until":"arrived"})"
+        "\n";
+    return R"({"hand":"left","do":"grasp","object":")" + disc + "\"}\n" + at +
+           std::to_string(from) + ",1,4" + arrived + at + std::to_string(to) + ",1,4" + arrived +
+           at + std::to_string(to) + ",1," + std::to_string(z) + arrived +
+           R"({"hand":"left","do":"release"})"
+           "\n"
+           R"({"do":"wait","until":"still"})"
+           "\n";
+  };
+  // Medium goes onto Small.
+  const recording::Recording shortcut =
+      Play("hanoi", move("SmallDisc", -3, 0, 0.51) + move("MediumDisc", -3, 0, 1.11) +
+                        move("LargeDisc", -3, 3, 0.51) + move("MediumDisc", 0, 3, 1.11) +
+                        move("SmallDisc", 0, 3, 1.71));
+  const Episode episode = EpisodeOf(shortcut);
+  const StructureComparison comparison = CompareWith(structure, episode);
+  EXPECT_LT(comparison.mean_error().distance, 0.001) << "all discs are where they should be";
+  ASSERT_EQ(comparison.broken_rules.size(), 1u);
+  EXPECT_EQ(comparison.broken_rules[0].object, "MediumDisc");
+  EXPECT_EQ(comparison.broken_rules[0].other, "SmallDisc");
+  const auto reason = FailureReasonOf(structure, episode, comparison, {.status = "exited"});
+  ASSERT_TRUE(reason);
+  EXPECT_EQ(reason->code, "rule_broken");
+  EXPECT_EQ(CompareWith(structure, observed_).broken_rules, comparison.broken_rules);
+}
+
 TEST_F(StructureTest, IsAchievedByItselfAndNotByAnIdleRun) {
   for (const char* scene : {"lidbox", "controls", "screws", "panel", "trapdoor", "dock"}) {
     const recording::Recording recording = Play(scene);

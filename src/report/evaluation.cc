@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "base/json_node.h"
 #include "base/wording.h"
+#include "report/columns.h"
 #include "report/wording.h"
 #include "task/imitation_result.h"
 
@@ -189,41 +190,6 @@ Json ComparisonJson(const BrainComparison& comparison) {
           {"seconds", MeanJson(comparison.seconds)}};
 }
 
-/// Returns the width of a text on a terminal: the number of bytes that begin a UTF-8 letter.
-/// Sufficient for names and our own texts.
-std::size_t WidthOf(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }));
-}
-
-/// Returns rows of cells as text, each column as wide as its widest cell; the first column is
-/// left-aligned.
-std::string InColumns(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const auto& row : rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], WidthOf(row[k]));
-  }
-  std::string text;
-  for (const auto& row : rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      const std::string blanks(widths[k] - WidthOf(row[k]), ' ');
-      // Names are left-aligned, numbers right-aligned.
-      text += k == 0 ? row[k] + blanks : "   " + blanks + row[k];
-    }
-    text += "\n";
-  }
-  return text;
-}
-
-/// Returns the number of failures for each cause: `2 x brain_failed, 1 x time_up`.
-std::string FailureCountsText(const Summary& summary) {
-  std::string text;
-  for (const auto& [word, count] : summary.num_failures) {
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + " x " + Printable(word);
-  }
-  return text;
-}
-
 /// Returns lines that compare two brains. Errors and times are left out if no seed has them
 /// from both.
 std::string ComparisonText(const EvaluatedBrain& first, const EvaluatedBrain& second) {
@@ -292,6 +258,14 @@ std::string RightClaimsText(const Summary& summary) {
   const std::size_t count = summary.right_claims + summary.wrong_claims;
   if (count == 0) return "–";
   return std::to_string(summary.right_claims) + " of " + std::to_string(count);
+}
+
+std::string FailureCountsText(const Summary& summary) {
+  std::string text;
+  for (const auto& [word, count] : summary.num_failures) {
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " x " + Printable(word);
+  }
+  return text;
 }
 
 BrainComparison Compare(const EvaluatedBrain& first, const EvaluatedBrain& second) {

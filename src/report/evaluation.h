@@ -83,6 +83,10 @@ Summary SummaryOf(const EvaluatedBrain& brain);
 /// Returns the right ones among the claims of a brain, as `9 of 10`; `–` without any.
 std::string RightClaimsText(const Summary& summary);
 
+/// Returns the number of failures for each cause: `2 x brain_failed, 1 x time_up`; empty without
+/// any.
+std::string FailureCountsText(const Summary& summary);
+
 /// Comparison of two brains, seed by seed. Differences are first minus second, where both
 /// rebuilt.
 struct BrainComparison {

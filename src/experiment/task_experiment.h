@@ -14,7 +14,8 @@ namespace smile::experiment {
 /// A shipped task: it has `scenes/NAME.xml`, `examples/NAME.jsonl` and `scenes/NAME_robot.xml`.
 struct ShippedTask {
   std::string_view name;
-  /// Level of layouts that vary what matters: of tasks on or in something fixed, its place, too.
+  /// Level of layouts that vary what matters: of tasks on or in something fixed, or with a pile,
+  /// its place, too.
   layout::LayoutLevel level = layout::LayoutLevel::kScattered;
 };
 
@@ -29,10 +30,10 @@ inline constexpr std::array<ShippedTask, 19> kTasks{{{"um"},
                                                      {"ball"},
                                                      {"plank"},
                                                      {"pedestal", layout::LayoutLevel::kFixtures},
-                                                     {"unstack", layout::LayoutLevel::kFixtures},
+                                                     {"unstack", layout::LayoutLevel::kPiles},
                                                      {"swap", layout::LayoutLevel::kFixtures},
                                                      {"hanoi", layout::LayoutLevel::kFixtures},
-                                                     {"lid", layout::LayoutLevel::kFixtures},
+                                                     {"lid", layout::LayoutLevel::kPiles},
                                                      {"hatch", layout::LayoutLevel::kFixtures},
                                                      {"drive", layout::LayoutLevel::kFixtures},
                                                      {"scissors", layout::LayoutLevel::kFixtures},

@@ -253,8 +253,10 @@ scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed, Layout
   const std::vector<ObjectGroup> piles =
       level == LayoutLevel::kPiles ? PilesOf(scene) : std::vector<ObjectGroup>();
   if (loose.empty() && piles.empty() && !has_moving_fixtures) {
-    throw std::invalid_argument("layout: no object in '" + scene.name +
-                                "' stands loose on the table, so no object can be moved");
+    throw std::invalid_argument(
+        "layout: no object in '" + scene.name +
+        "' stands loose on the table, so no object can be moved; the levels "
+        "fixtures and piles move others");
   }
   // Obstacles are computed before distractors are added: those are placed like all loose objects.
   std::vector<std::size_t> moved = loose;

@@ -78,6 +78,19 @@ Json AnchorJson(const Structure& structure) {
   return structure.landmark;
 }
 
+Json RulesJson(const Structure& structure) {
+  Json rules = Json::array();
+  for (const auto& [id, properties] : structure.attention) {
+    if (Contains(properties, "order")) rules.push_back({{"rule", "order"}, {"object", id}});
+  }
+  for (const SupportRule& rule : structure.support_rules) {
+    Json exceptions = Json::array();
+    for (const scene::ObjectSpec& one : rule.exceptions) exceptions.push_back(one.id());
+    rules.push_back({{"rule", "support"}, {"object", rule.object.id()}, {"except_on", exceptions}});
+  }
+  return rules;
+}
+
 }  // namespace
 
 Json ToJson(const Structure& structure, double meters_per_unit) {
@@ -94,6 +107,7 @@ Json ToJson(const Structure& structure, double meters_per_unit) {
           {"effects", effects},
           {"fallen", structure.fallen},
           {"attention", structure.attention},
+          {"rules", RulesJson(structure)},
           {"anchor", AnchorJson(structure)},
           {"fixed", structure.is_fixed()}};
 }

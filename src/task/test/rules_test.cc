@@ -77,6 +77,8 @@ TEST_F(Rules, WhatTheDemonstrationPutOnASmallerObjectMayStandThere) {
   EXPECT_EQ(WordsOf(structure_, 0.1).back(), "small must never stand on a smaller object");
   EXPECT_EQ(WordsOf(structure_, 0.1).end()[-2],
             "large must never stand on a smaller object, except on small");
+  EXPECT_EQ(ToJson(structure_, 0.1)["rules"][0],
+            Json({{"rule", "support"}, {"object", "large"}, {"except_on", {"small"}}}));
   EXPECT_EQ(CompareWith(structure_, episode_).broken_rules, std::vector<RuleBreak>());
 }
 

@@ -33,7 +33,7 @@ TEST_F(TaskExperiment, AnIdleProgramGainsNothingInAnyShippedTask) {
     (void)experiment::Run(plan);
     const recording::Recording recording = recording::OpenRecording(demonstration);
     const scene::SceneSpec scene = scene_xml::LoadScene(DataFile("scenes/" + name + "_robot.xml"));
-    for (const std::optional<std::uint64_t> seed : {std::optional<std::uint64_t>(), {1}, {2}}) {
+    for (const auto& seed : std::vector<std::optional<std::uint64_t>>{std::nullopt, 1, 2}) {
       const layout::LayoutChoice choice{.seed = seed, .level = shipped.level};
       const task::ImitationTask task = task::MakeImitationTask(
           name, recording,

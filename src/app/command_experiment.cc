@@ -17,8 +17,9 @@ namespace smile::app {
 namespace {
 
 struct ExperimentOptions {
-  std::string name{experiment::kTasks.front()}, out, brain;
+  std::string name{experiment::kTasks.front().name}, out, brain;
   LayoutOptions layout;
+  bool has_level = false;  ///< given by the user
   bool no_films = false, json = false;
 };
 
@@ -53,17 +54,25 @@ void PrintSummary(const experiment::ImitationResult& outcome, const std::filesys
               out.c_str());
 }
 
+std::vector<std::string> TaskNames() {
+  std::vector<std::string> names;
+  for (const experiment::ShippedTask& task : experiment::kTasks) names.emplace_back(task.name);
+  return names;
+}
+
 int RunExperiment(const ExperimentOptions& options) {
   const std::filesystem::path out = options.out.empty()
                                         ? std::filesystem::path("out") / options.name
                                         : std::filesystem::path(options.out);
+  layout::LayoutChoice layout = options.layout.choice();
+  if (!options.has_level) layout.level = experiment::FindTask(options.name)->level;
   ConsoleReporter console;
   const experiment::ImitationResult outcome =
       experiment::RunTaskExperiment({.task = options.name,
                                      .out = out,
                                      .robot = *PlaceRobot({}),
                                      .brain = options.brain,
-                                     .layout = options.layout.choice(),
+                                     .layout = layout,
                                      .has_films = !options.no_films},
                                     console.callbacks());
   console.Clear();
@@ -90,15 +99,19 @@ void AddExperiment(CLI::App* program, ExitAnswer answer) {
                               "in another layout, and score the result");
   experiment->add_option("NAME", options->name, "name of the task")
       ->capture_default_str()
-      ->check(CLI::IsMember(
-          std::vector<std::string>(experiment::kTasks.begin(), experiment::kTasks.end())));
+      ->check(CLI::IsMember(TaskNames()));
   experiment->add_option("--out", options->out, "directory for the results (default: out/NAME)");
   experiment->add_option("--brain", options->brain, "brain (default: matlab/learner)")
       ->transform(PresentBrain());
   AddLayoutOptions(experiment, &options->layout);
   experiment->add_flag("--no-films", options->no_films, "no mp4 files");
   experiment->add_flag("--json", options->json, "result.json on stdout");
-  experiment->callback([options, answer] { *answer = RunExperiment(*options); });
+  CLI::Option* level = experiment->get_option("--level");
+  level->default_str("that of the task");
+  experiment->callback([options, level, answer] {
+    options->has_level = level->count() > 0;
+    *answer = RunExperiment(*options);
+  });
 }
 
 }  // namespace smile::app

@@ -26,6 +26,7 @@ void AddLayout(CLI::App* program, ExitAnswer answer);
 void AddRobots(CLI::App* program, ExitAnswer answer);
 void AddImitate(CLI::App* program, ExitAnswer answer);
 void AddEvaluate(CLI::App* program, ExitAnswer answer);
+void AddTabulate(CLI::App* program, ExitAnswer answer);
 void AddExperiment(CLI::App* program, ExitAnswer answer);
 void AddCommands(CLI::App* program, ExitAnswer answer);
 void AddProtocol(CLI::App* program, ExitAnswer answer);

@@ -6,6 +6,8 @@
 
 #include "app/open_recording.h"
 #include "base/wording.h"
+#include "experiment/robot_region.h"
+#include "layout/layout_choice.h"
 #include "scene_xml/scene_reader.h"
 
 namespace smile::app {
@@ -106,6 +108,14 @@ experiment::EvaluationPlan PlanOf(const EvaluateOptions& options) {
       .program = std::filesystem::read_symlink("/proc/self/exe"),
       .settings = OtherArguments(options),
       .again = AgainText(options, out)};
+  const layout::LayoutLevel level =
+      layout::ParseLayoutLevel(options.level).value_or(layout::LayoutChoice().level);
+  plan.layout = [scene = plan.scene, level,
+                 robot = PlaceRobot(options.robot, options.path)](std::uint64_t seed) {
+    return layout::LaidOut(scene, {.seed = seed, .level = level}, [&](double height) {
+      return experiment::RegionOf(robot.value(), height);
+    });
+  };
   plan.arguments = [options](const experiment::ImitationJob& job) {
     std::vector<std::string> arguments =
         ImitateArguments(options, job.demonstration.string(), job.brain.string(),

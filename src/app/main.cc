@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
   app::AddRobots(&program, &answer);
   app::AddImitate(&program, &answer);
   app::AddEvaluate(&program, &answer);
+  app::AddTabulate(&program, &answer);
   app::AddExperiment(&program, &answer);
   app::AddCommands(&program, &answer);
   app::AddProtocol(&program, &answer);

@@ -13,8 +13,8 @@ namespace {
 
 /// Returns the properties that all objects have, and those described for this one.
 std::vector<std::string_view> PropertiesOf(const scene::ObjectSpec& object) {
-  std::vector<std::string_view> known = {"color",    "shape",       "size",
-                                         "position", "orientation", "order"};
+  std::vector<std::string_view> known = {"color",       "shape", "size",   "position",
+                                         "orientation", "order", "support"};
   for (const scene::Description& description : object.descriptions) {
     // Descriptions may repeat a general property, such as `color`.
     const bool is_new = std::ranges::find(known, description.name) == known.end();

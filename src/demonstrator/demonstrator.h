@@ -80,8 +80,8 @@ class Demonstrator {
   /// Removes an object from the world that no hand and no gripper holds.
   [[nodiscard]] std::optional<Refusal> Remove(const world::Object& object);
   /// Sets the properties of the held object that matter, replacing earlier ones; empty: none in
-  /// particular. Accepted are color (or colour), shape, size, position, orientation, order, and the
-  /// names of its descriptions.
+  /// particular. Accepted are color (or colour), shape, size, position, orientation, order,
+  /// support, and the names of its descriptions.
   [[nodiscard]] std::optional<Refusal> Attend(HandName hand,
                                               const std::vector<std::string>& properties);
   /// Points at an object or a pointable part; nothing else happens.

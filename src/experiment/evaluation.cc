@@ -24,6 +24,7 @@
 #include "experiment/program_pool.h"
 #include "experiment/rerender.h"
 #include "report/evaluation_page.h"
+#include "task/demonstrated_structure.h"
 #include "task/imitation_result.h"
 
 namespace smile::experiment {
@@ -68,6 +69,42 @@ Json CheckAndDescribe(const EvaluationPlan& plan) {
           {"robot", ContentOf(plan.robot)},
           {"level", plan.level},
           {"options", plan.settings}};
+}
+
+/// Seeds of an evaluation: those that are run, and those left out.
+struct Seeds {
+  std::vector<std::uint64_t> possible;
+  std::vector<report::ImpossibleLayout> impossible;
+};
+
+/// Lays out the scene for each seed. A layout that is not possible, or in which everything is done
+/// already, says nothing about a brain and would be a failure in every run.
+/// @throws InputError if none is possible.
+Seeds SeedsOf(const EvaluationPlan& plan, const Callbacks& callbacks) {
+  const task::Structure structure = task::StructureOf(recording::OpenRecording(plan.demonstration));
+  Seeds seeds;
+  for (std::uint64_t seed = plan.first_seed; seed < plan.first_seed + plan.num_scenes; ++seed) {
+    std::string reason;
+    try {
+      if (plan.layout) task::RequireSomethingToDo(structure, plan.layout(seed));
+    } catch (const std::invalid_argument& error) {
+      reason = error.what();
+    } catch (const InputError& error) {
+      reason = error.what();
+    }
+    if (reason.empty()) {
+      seeds.possible.push_back(seed);
+    } else {
+      callbacks.Say("seed " + std::to_string(seed) + " is left out: " + reason);
+      seeds.impossible.push_back({seed, reason});
+    }
+  }
+  if (seeds.possible.empty()) {
+    throw InputError({plan.scene_name, 0, "",
+                      "no layout is possible of " + std::to_string(plan.num_scenes) + ": " +
+                          seeds.impossible.front().reason});
+  }
+  return seeds;
 }
 
 /// Demonstration with one of the demonstrators.
@@ -167,6 +204,7 @@ class Evaluator {
     // The order of these steps matters: an invalid plan leaves no folder, and a second evaluation
     // in the same folder stops before it moves results aside.
     const Json depends_on = CheckAndDescribe(plan);
+    seeds_ = SeedsOf(plan, callbacks.common);
     // Locked before anything is written, but after the plan was checked.
     lock_.emplace(plan.out);
     const std::vector<Showing> showings = ShowingsOf(plan, depends_on, callbacks.common);
@@ -213,6 +251,7 @@ class Evaluator {
                                   .level = plan_.level,
                                   .options = plan_.settings,
                                   .brains = {},
+                                  .impossible = seeds_.impossible,
                                   .again = plan_.again};
     for (Candidate& candidate : candidates_) {
       report::EvaluatedBrain evaluated{.name = candidate.name,
@@ -230,7 +269,7 @@ class Evaluator {
   }
 
  private:
-  std::size_t num_runs() const { return candidates_.size() * plan_.num_scenes; }
+  std::size_t num_runs() const { return candidates_.size() * seeds_.possible.size(); }
   std::size_t at_once() const {
     // hardware_concurrency() may return 0 where it does not know.
     return plan_.jobs > 0 ? plan_.jobs : std::max(1u, std::thread::hardware_concurrency());
@@ -256,8 +295,7 @@ class Evaluator {
   /// Seed by seed, so that the finished runs of an interrupted evaluation can be compared.
   std::vector<OpenRun> FindOpenRuns() {
     std::vector<OpenRun> open;
-    for (std::uint64_t seed = plan_.first_seed; seed < plan_.first_seed + plan_.num_scenes;
-         ++seed) {
+    for (const std::uint64_t seed : seeds_.possible) {
       for (Candidate& candidate : candidates_) {
         if (auto run = candidate.folder.FindRun(seed)) {
           candidate.runs.emplace(seed, std::move(*run));
@@ -311,6 +349,7 @@ class Evaluator {
 
   const EvaluationPlan& plan_;
   const EvaluationCallbacks& callbacks_;
+  Seeds seeds_;
   std::optional<FolderLock> lock_;
   std::vector<Candidate> candidates_;
 };

@@ -49,6 +49,9 @@ struct EvaluationPlan {
   /// Arguments of the program for a job. It ends with exit code 0 or 1 after it has written
   /// `result.json`.
   std::function<std::vector<std::string>(const ImitationJob& job)> arguments;
+  /// Returns the scene of a seed, as the runs lay it out. Throws std::invalid_argument if this is
+  /// not possible. Empty: all layouts are.
+  std::function<scene::SceneSpec(std::uint64_t seed)> layout;
   std::string again;  ///< command that repeats a run, for the report
 };
 
@@ -65,10 +68,12 @@ struct EvaluationCallbacks {
   std::function<void(const std::string& brain, const report::EvaluatedRun& run)> on_failed_run;
 };
 
-/// Runs what is not done yet, summarizes all runs, and writes `evaluation.json` and `report.html`
-/// into the plan's folder (docs/experiments.md). The results of runs do not depend on `jobs`
-/// or on interruptions.
-/// @throws InputError if demonstration, scene and brains do not fit together; before any run.
+/// Leaves out the seeds whose layouts are not possible, or in which there is nothing to do, and
+/// says so first. Runs what is not done yet, summarizes all runs, and writes `evaluation.json` and
+/// `report.html` into the plan's folder (docs/experiments.md). The results of runs do not depend on
+/// `jobs` or on interruptions.
+/// @throws InputError if demonstration, scene and brains do not fit together, or no layout is
+///         possible; before any run.
 /// @throws std::runtime_error if another evaluation uses the folder, a disk is full, or it is
 ///         cancelled: finished runs are kept, and the same plan continues with the others.
 report::Evaluation Evaluate(const EvaluationPlan& plan, const EvaluationCallbacks& callbacks = {});

@@ -1,5 +1,6 @@
 #include "experiment/task_experiment.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -68,6 +69,11 @@ void WriteReport(const TaskExperimentPlan& plan, const Json& result, const Callb
 }
 
 }  // namespace
+
+const ShippedTask* FindTask(std::string_view name) {
+  const auto task = std::ranges::find(kTasks, name, &ShippedTask::name);
+  return task == kTasks.end() ? nullptr : &*task;
+}
 
 ImitationResult RunTaskExperiment(const TaskExperimentPlan& plan, const Callbacks& callbacks) {
   // Earlier results are never overwritten, so a failed experiment costs none.

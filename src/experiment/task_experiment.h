@@ -11,16 +11,43 @@
 
 namespace smile::experiment {
 
-/// Shipped tasks: each has `scenes/NAME.xml`, `examples/NAME.jsonl` and `scenes/NAME_robot.xml`.
-inline constexpr std::array<std::string_view, 7> kTasks{"um",  "tower", "row",  "bridge",
-                                                        "box", "hatch", "drive"};
+/// A shipped task: it has `scenes/NAME.xml`, `examples/NAME.jsonl` and `scenes/NAME_robot.xml`.
+struct ShippedTask {
+  std::string_view name;
+  /// Level of layouts that vary what matters: of tasks on or in something fixed, or with a pile,
+  /// its place, too.
+  layout::LayoutLevel level = layout::LayoutLevel::kScattered;
+};
+
+inline constexpr std::array<ShippedTask, 19> kTasks{{{"um"},
+                                                     {"tower"},
+                                                     {"row"},
+                                                     {"bridge"},
+                                                     {"box"},
+                                                     {"sizes"},
+                                                     {"pyramid"},
+                                                     {"bricks"},
+                                                     {"ball"},
+                                                     {"plank"},
+                                                     {"pedestal", layout::LayoutLevel::kFixtures},
+                                                     {"unstack", layout::LayoutLevel::kPiles},
+                                                     {"swap", layout::LayoutLevel::kFixtures},
+                                                     {"hanoi", layout::LayoutLevel::kFixtures},
+                                                     {"lid", layout::LayoutLevel::kPiles},
+                                                     {"hatch", layout::LayoutLevel::kFixtures},
+                                                     {"drive", layout::LayoutLevel::kFixtures},
+                                                     {"scissors", layout::LayoutLevel::kFixtures},
+                                                     {"cover", layout::LayoutLevel::kFixtures}}};
+
+/// Returns the shipped task of this name, or nullptr.
+const ShippedTask* FindTask(std::string_view name);
 
 /// Speed of the films: four seconds in one.
 inline constexpr double kFilmSpeed = 4;
 
 /// A shipped task, demonstrated by hands and imitated by the robot elsewhere.
 struct TaskExperimentPlan {
-  std::string task{kTasks.front()};
+  std::string task{kTasks.front().name};
   std::filesystem::path out;    ///< folder; earlier results in it move aside
   sim::RobotPlacement robot;    ///< stands at both tables
   std::filesystem::path brain;  ///< empty: the shipped learner

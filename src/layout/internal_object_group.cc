@@ -107,6 +107,23 @@ ObjectGroup Alone(const scene::SceneSpec& scene, std::size_t i) {
           .top = bounds.high.z()};
 }
 
+/// Returns a group of these objects as they stand, its frame along the axes of the table.
+ObjectGroup AsTheyStand(const scene::SceneSpec& scene, const std::vector<std::size_t>& objects) {
+  scene::Bounds bounds;
+  for (const std::size_t i : objects) bounds.Add(BoundsInWorld(scene.objects[i]));
+  const Vector2 middle = bounds.center().head<2>();
+  ObjectGroup group{.half_size = bounds.size().head<2>() / 2, .top = bounds.high.z()};
+  for (const std::size_t i : objects) {
+    const RigidTransform X_WB = scene.objects[i].pose_in_world();
+    const Vector2 center = BoundsInWorld(scene.objects[i]).center().head<2>();
+    group.members.push_back({.object = i,
+                             .p_KB = X_WB.translation() - Vector3(middle.x(), middle.y(), 0),
+                             .angles_deg = FixedAxesAngles(X_WB.rotation()),
+                             .center = center - middle});
+  }
+  return group;
+}
+
 /// Returns a row of the groups, side by side along x, in contact.
 ObjectGroup Row(const std::vector<ObjectGroup>& alone) {
   ObjectGroup row;
@@ -225,6 +242,41 @@ std::vector<std::size_t> LooseObjects(const scene::SceneSpec& scene) {
     if (!is_touched) loose.push_back(i);
   }
   return loose;
+}
+
+std::vector<ObjectGroup> PilesOf(const scene::SceneSpec& scene) {
+  const std::vector<bool> is_part = PartsOfMechanisms(scene);
+  // Piles grow object by object, each named after its first object.
+  std::vector<std::size_t> names(scene.objects.size());
+  std::vector<bool> is_bound(scene.objects.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    names[i] = i;
+    is_bound[i] = scene.objects[i].is_static() || is_part[i];
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!DoTouch(scene.objects[i], scene.objects[k])) continue;
+      const auto [low, high] = std::minmax(names[i], names[k]);
+      const std::size_t to = low, from = high;
+      std::ranges::replace(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i) + 1, from,
+                           to);
+    }
+  }
+  std::vector<std::vector<std::size_t>> members(names.size());
+  std::vector<bool> is_pile_bound(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    members[names[i]].push_back(i);
+    if (is_bound[i]) is_pile_bound[names[i]] = true;
+  }
+  std::vector<ObjectGroup> piles;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (members[i].size() < 2 || is_pile_bound[i]) continue;
+    // What hangs in the air, or lies on the floor, stays.
+    double lowest = 1;
+    for (const std::size_t object : members[i]) {
+      lowest = std::min(lowest, BoundsInWorld(scene.objects[object]).low.z());
+    }
+    if (std::abs(lowest) <= kTouching) piles.push_back(AsTheyStand(scene, members[i]));
+  }
+  return piles;
 }
 
 std::vector<ObjectGroup> ObjectGroupsOf(const scene::SceneSpec& scene,

@@ -21,7 +21,7 @@ struct GroupMember {
   Vector2 center = Vector2::Zero();      ///< middle of its own footprint, in K [m]
 };
 
-/// Objects that a layout moves as one: a single object, a row or a stack.
+/// Objects that a layout moves as one: a single object, a row, a stack or a pile.
 struct ObjectGroup {
   std::vector<GroupMember> members;
   Vector2 half_size = Vector2::Zero();  ///< of the footprint [m]
@@ -33,6 +33,10 @@ std::mt19937_64 StreamOf(std::uint64_t seed, std::uint64_t attempt, std::string_
 
 /// Returns the objects that may be moved; see RandomLayout().
 std::vector<std::size_t> LooseObjects(const scene::SceneSpec& scene);
+
+/// Returns the piles: objects that stand on one another or touch, and nothing else but the table,
+/// and that are part of no mechanism; each as a group, in scene order.
+std::vector<ObjectGroup> PilesOf(const scene::SceneSpec& scene);
 
 /// Partitions the objects into groups: rows of two or three equal blocks and stacks of two, if the
 /// level has such; each other object is a group by itself. Sorted in placing order: by descending

@@ -250,13 +250,22 @@ scene::SceneSpec RandomLayout(scene::SceneSpec scene, std::uint64_t seed, Layout
   const std::vector<std::size_t> loose = LooseObjects(scene);
   const bool has_moving_fixtures = level == LayoutLevel::kFixtures && !scene.objects.empty();
   if (has_moving_fixtures) MoveFixtures(seed, loose, region, &scene);
-  if (loose.empty() && !has_moving_fixtures) {
-    throw std::invalid_argument("layout: no object in '" + scene.name +
-                                "' stands loose on the table, so no object can be moved");
+  const std::vector<ObjectGroup> piles =
+      level == LayoutLevel::kPiles ? PilesOf(scene) : std::vector<ObjectGroup>();
+  if (loose.empty() && piles.empty() && !has_moving_fixtures) {
+    throw std::invalid_argument(
+        "layout: no object in '" + scene.name +
+        "' stands loose on the table, so no object can be moved; the levels "
+        "fixtures and piles move others");
   }
   // Obstacles are computed before distractors are added: those are placed like all loose objects.
-  LayoutRules rules{.table = scene.table, .region = region, .obstacles = ObstaclesOf(scene, loose)};
+  std::vector<std::size_t> moved = loose;
+  for (const ObjectGroup& pile : piles) {
+    for (const GroupMember& member : pile.members) moved.push_back(member.object);
+  }
+  LayoutRules rules{.table = scene.table, .region = region, .obstacles = ObstaclesOf(scene, moved)};
   std::vector<ObjectGroup> groups = ObjectGroupsOf(scene, loose, seed, level);
+  groups.insert(groups.begin(), piles.begin(), piles.end());
   if (HasDistractors(level)) {
     for (std::size_t i : AddDistractors(seed, loose, &scene)) {
       groups.push_back(ObjectGroupsOf(scene, {i}, seed, LayoutLevel::kScattered).front());

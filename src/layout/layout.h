@@ -16,7 +16,8 @@ inline constexpr double kFingerGap = 0.04;
 /// An object is loose if it stands on the table by itself: not fixed, part of no slider, chain or
 /// bond, without controls, and in contact with the table only. Everything else keeps its place,
 /// except at LayoutLevel::kFixtures: there, fixed objects are displaced by up to 0.05 m and turned
-/// by up to 15 degrees, each with what it overlaps from above, such as the drives in a rack.
+/// by up to 15 degrees, each with what it overlaps from above, such as the drives in a rack; and at
+/// LayoutLevel::kPiles, where piles of objects are placed like loose ones, each as a whole.
 /// Objects are at least kFingerGap apart, and up to 0.1 m while there is room; the region's strip
 /// stays free while there is room beside it.
 ///

@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "base/json_node.h"
 #include "base/wording.h"
+#include "report/columns.h"
 #include "report/wording.h"
 #include "task/imitation_result.h"
 
@@ -189,41 +190,6 @@ Json ComparisonJson(const BrainComparison& comparison) {
           {"seconds", MeanJson(comparison.seconds)}};
 }
 
-/// Returns the width of a text on a terminal: the number of bytes that begin a UTF-8 letter.
-/// Sufficient for names and our own texts.
-std::size_t WidthOf(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }));
-}
-
-/// Returns rows of cells as text, each column as wide as its widest cell; the first column is
-/// left-aligned.
-std::string InColumns(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> widths(rows.front().size());
-  for (const auto& row : rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], WidthOf(row[k]));
-  }
-  std::string text;
-  for (const auto& row : rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      const std::string blanks(widths[k] - WidthOf(row[k]), ' ');
-      // Names are left-aligned, numbers right-aligned.
-      text += k == 0 ? row[k] + blanks : "   " + blanks + row[k];
-    }
-    text += "\n";
-  }
-  return text;
-}
-
-/// Returns the number of failures for each cause: `2 x brain_failed, 1 x time_up`.
-std::string FailureCountsText(const Summary& summary) {
-  std::string text;
-  for (const auto& [word, count] : summary.num_failures) {
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + " x " + Printable(word);
-  }
-  return text;
-}
-
 /// Returns lines that compare two brains. Errors and times are left out if no seed has them
 /// from both.
 std::string ComparisonText(const EvaluatedBrain& first, const EvaluatedBrain& second) {
@@ -243,6 +209,14 @@ std::string ComparisonText(const EvaluatedBrain& first, const EvaluatedBrain& se
     text += "  time     " + DifferenceWithInterval(comparison.seconds, 1) + " s\n";
   }
   return text;
+}
+
+/// Returns a line on the seeds that were left out; empty if there are none.
+std::string ImpossibleText(const Evaluation& evaluation) {
+  if (evaluation.impossible.empty()) return "";
+  return "left out: " + Plural(evaluation.impossible.size(), "layout") + "; seed " +
+         std::to_string(evaluation.impossible.front().seed) + ": " +
+         Printable(evaluation.impossible.front().reason) + "\n";
 }
 
 }  // namespace
@@ -284,6 +258,14 @@ std::string RightClaimsText(const Summary& summary) {
   const std::size_t count = summary.right_claims + summary.wrong_claims;
   if (count == 0) return "–";
   return std::to_string(summary.right_claims) + " of " + std::to_string(count);
+}
+
+std::string FailureCountsText(const Summary& summary) {
+  std::string text;
+  for (const auto& [word, count] : summary.num_failures) {
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " x " + Printable(word);
+  }
+  return text;
 }
 
 BrainComparison Compare(const EvaluatedBrain& first, const EvaluatedBrain& second) {
@@ -334,6 +316,10 @@ Json ToJson(const Evaluation& evaluation) {
          {"summary", SummaryJson(SummaryOf(brain))},
          {"runs", runs}});
   }
+  Json impossible = Json::array();
+  for (const ImpossibleLayout& layout : evaluation.impossible) {
+    impossible.push_back({{"seed", layout.seed}, {"reason", layout.reason}});
+  }
   for (const auto& [first, second] : ComparablePairs(evaluation)) {
     Json comparison{{"first", first->name}, {"second", second->name}};
     comparison.update(ComparisonJson(Compare(*first, *second)));
@@ -345,6 +331,7 @@ Json ToJson(const Evaluation& evaluation) {
           {"scene", evaluation.scene},
           {"level", evaluation.level.empty() ? Json() : Json(evaluation.level)},
           {"options", evaluation.options},
+          {"impossible_layouts", impossible},
           {"brains", brains},
           {"comparisons", comparisons}};
 }
@@ -368,7 +355,7 @@ std::string ToText(const Evaluation& evaluation) {
   for (const auto& [first, second] : ComparablePairs(evaluation)) {
     comparisons += ComparisonText(*first, *second);
   }
-  return InColumns(rows) + failures + comparisons;
+  return InColumns(rows) + ImpossibleText(evaluation) + failures + comparisons;
 }
 
 }  // namespace smile::report

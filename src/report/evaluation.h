@@ -45,6 +45,14 @@ struct EvaluatedBrain {
   std::string demonstrator = {};   ///< in its pictures; empty: the recording as it is
 };
 
+/// Starting layout that was left out: no brain could have shown anything there.
+struct ImpossibleLayout {
+  std::uint64_t seed = 0;
+  std::string reason;
+
+  bool operator==(const ImpossibleLayout&) const = default;
+};
+
 /// Evaluation: brains that did the same task from the same starting layouts.
 struct Evaluation {
   std::string program;               ///< version of the simulator
@@ -52,6 +60,7 @@ struct Evaluation {
   std::string level;                 ///< of the layouts; empty: the usual one
   std::vector<std::string> options;  ///< other options that each run was given
   std::vector<EvaluatedBrain> brains;
+  std::vector<ImpossibleLayout> impossible;  ///< by seed
   std::string again;  ///< command for a run with pictures; `NAME`, … are placeholders
 };
 
@@ -73,6 +82,10 @@ Summary SummaryOf(const EvaluatedBrain& brain);
 
 /// Returns the right ones among the claims of a brain, as `9 of 10`; `–` without any.
 std::string RightClaimsText(const Summary& summary);
+
+/// Returns the number of failures for each cause: `2 x brain_failed, 1 x time_up`; empty without
+/// any.
+std::string FailureCountsText(const Summary& summary);
 
 /// Comparison of two brains, seed by seed. Differences are first minus second, where both
 /// rebuilt.

@@ -64,6 +64,11 @@ Markup WhatWasRun(const Evaluation& evaluation) {
   facts += Fact("Scene", evaluation.scene);
   facts += Fact("Level", evaluation.level.empty() ? "default" : evaluation.level);
   facts += Fact("Seeds", SeedsText(evaluation));
+  if (!evaluation.impossible.empty()) {
+    facts += Fact("Left out", Plural(evaluation.impossible.size(), "layout") + "; seed " +
+                                  std::to_string(evaluation.impossible.front().seed) + ": " +
+                                  evaluation.impossible.front().reason);
+  }
   facts += Fact("Program", evaluation.program);
   // Other options of each run, on one line.
   std::string options;

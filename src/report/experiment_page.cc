@@ -168,6 +168,21 @@ Markup Places(const ExperimentOutcome& outcome) {
   return content;
 }
 
+/// Returns the other goals, and which of them were achieved; empty without any, and for results of
+/// older versions.
+Markup EffectsOf(const Json& result) {
+  Markup rows;
+  for (const Json& effect : result.value("effects", Json::array())) {
+    if (!effect.contains("text")) continue;
+    const bool is_achieved = effect.at("achieved").get<bool>();
+    rows += Row({WideCell(effect.at("text").get<std::string>()),
+                 Element("td", {}, Badge(is_achieved, is_achieved ? "achieved" : "missing"))});
+  }
+  if (rows.is_empty()) return {};
+  return Section("Other changes", Table("What the demonstration changed besides places.",
+                                        Row({Head("Change"), Head("")}), rows));
+}
+
 /// Returns what the demonstrator did. Undone steps and those without an action are left out.
 Markup StepsOf(const recording::Recording& recording) {
   Markup rows;
@@ -224,6 +239,7 @@ std::string PageOf(const ExperimentOutcome& outcome) {
   body += Section("The demonstration", PicturesOf(outcome.demonstration, "The demonstration"));
   body += Section("The imitation", PicturesOf(outcome.imitation, "The imitation"));
   body += Places(outcome);
+  body += EffectsOf(outcome.result);
   body += Work(outcome);
   body += Enclosures(outcome.enclosures);
   return Page("Experiment: " + outcome.name, body);

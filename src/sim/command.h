@@ -128,7 +128,8 @@ struct Attend {
     visit(command.hand, kHandField);
     visit(command.properties, CommandField{"properties", ValueKind::kProperties,
                                            "color, shape, size, position, orientation, order, "
-                                           "names of its descriptions; [] = none in particular"});
+                                           "support, names of its descriptions; [] = none in "
+                                           "particular"});
   }
   bool operator==(const Attend&) const = default;
 };

@@ -111,8 +111,8 @@ Json DescribeControls(const scene::Part& whole) {
 
 /// Returns the properties of an object that a hand may declare as important.
 Json PropertiesOf(const scene::ObjectSpec& object) {
-  // The six that every object has, then those of its descriptions.
-  Json properties = {"color", "shape", "size", "position", "orientation", "order"};
+  // Those that every object has, then those of its descriptions.
+  Json properties = {"color", "shape", "size", "position", "orientation", "order", "support"};
   for (const scene::Description& description : object.descriptions) {
     const Json name = description.name;
     if (std::find(properties.begin(), properties.end(), name) != properties.end()) continue;

@@ -34,10 +34,11 @@ bool AreEqualDescriptions(const std::string* a, const std::string* b) {
   return a == nullptr || b == nullptr ? a == b : *a == *b;
 }
 
-/// False for the three properties that refer to the placement of an object and not to its
+/// False for the properties that refer to the placement of an object and not to its
 /// appearance.
 bool IsAboutAppearance(const std::string& property) {
-  return property != "position" && property != "orientation" && property != "order";
+  return property != "position" && property != "orientation" && property != "order" &&
+         property != "support";
 }
 
 /// True if two objects agree in one property. Color and size are measured; any other property is

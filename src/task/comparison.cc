@@ -46,6 +46,42 @@ bool IsPutInsideStillHeld(const Effect& effect, const std::set<std::string>& hel
   return container != nullptr && container->is_inside && held.contains(match.at(container->object));
 }
 
+/// Chooses which of equal objects were to be removed: those that are not on the table at the end.
+void MatchRemoved(const Structure& structure, const Episode& outcome, Match* match) {
+  std::set<std::string> taken;
+  for (const scene::ObjectSpec& other : structure.others) taken.insert(match->at(other.id()));
+  for (const Effect& effect : structure.effects) {
+    const auto* gone = std::get_if<DestroyedEffect>(&effect);
+    if (gone == nullptr || IsRemoved(outcome, match->at(gone->object))) continue;
+    const Appearance appearance =
+        AppearanceOf(*std::ranges::find(structure.others, gone->object, &scene::ObjectSpec::id));
+    for (const scene::ObjectSpec& object : outcome.scene.objects) {
+      if (taken.contains(object.id()) || !IsRemoved(outcome, object.id()) ||
+          !AreAlike(appearance, AppearanceOf(object), structure.AttendedOf(gone->object))) {
+        continue;
+      }
+      match->at(gone->object) = object.id();
+      taken.insert(object.id());
+      break;
+    }
+  }
+}
+
+/// True if the object of an orientation is turned as it should be, wherever it is.
+bool IsOriented(const OrientedEffect& oriented, const StructureComparison& comparison) {
+  const auto error = comparison.errors.find(oriented.object);
+  return error == comparison.errors.end() || error->second.angle <= kAngleTolerance;
+}
+
+/// True if an effect that is achieved by itself does not count because of its object's pose: held
+/// in a container, or not turned.
+bool IsRefuted(const Effect& effect, const std::set<std::string>& held,
+               const StructureComparison& comparison) {
+  const auto* oriented = std::get_if<OrientedEffect>(&effect);
+  return IsPutInsideStillHeld(effect, held, comparison.match) ||
+         (oriented != nullptr && !IsOriented(*oriented, comparison));
+}
+
 }  // namespace
 
 ObjectError StructureComparison::mean_error() const {
@@ -69,7 +105,9 @@ StructureComparison CompareWith(const Structure& structure, const Episode& outco
                                  .intruders = {},
                                  .turn = {},
                                  .order = {},
+                                 .broken_rules = {},
                                  .achieved = {}};
+  MatchRemoved(structure, outcome, &comparison.match);
   for (const Structure& part : PartsOf(structure)) {
     const Placing placing = FindPlacing(part, outcome, comparison.match);
     const bool is_free = !part.objects.empty() && !part.is_fixed() && part.anchor == Anchor::kNone;
@@ -95,22 +133,22 @@ StructureComparison CompareWith(const Structure& structure, const Episode& outco
   comparison.intruders = IntrudersOf(structure, outcome, comparison.match);
   // Order and effects refer to the match that was found.
   comparison.order = CompareOrder(structure, outcome, comparison);
+  comparison.broken_rules = RuleBreaksOf(structure, outcome, comparison.match, comparison.order);
   const auto counterpart = [&](const std::string& id) { return comparison.match.at(id); };
   comparison.achieved = AreAchieved(structure.effects, outcome, counterpart, kTolerance);
-  // An object that a hand or gripper still holds inside a container has not been put there.
   for (std::size_t i = 0; i < structure.effects.size(); ++i) {
-    if (IsPutInsideStillHeld(structure.effects[i], held, comparison.match)) {
-      comparison.achieved[i] = false;
-    }
+    if (IsRefuted(structure.effects[i], held, comparison)) comparison.achieved[i] = false;
   }
-  // Each object and each effect has the same weight, and so has each object too many.
+  // Each object and each effect has the same weight, and so has each object too many and
+  // each broken rule.
   const auto num_right =
       std::ranges::count_if(comparison.errors,
                             [](const auto& error) { return error.second.is_within(); }) +
       std::ranges::count(comparison.achieved, true);
-  comparison.score = static_cast<double>(num_right) /
-                     static_cast<double>(structure.objects.size() + structure.effects.size() +
-                                         comparison.intruders.size());
+  comparison.score =
+      static_cast<double>(num_right) /
+      static_cast<double>(structure.objects.size() + structure.effects.size() +
+                          comparison.intruders.size() + comparison.broken_rules.size());
   if (comparison.turn && comparison.is_achieved()) {
     comparison.is_mirrored = IsMirrored(structure, outcome, comparison.match, *comparison.turn);
   }

@@ -8,6 +8,7 @@
 #include "task/match.h"
 #include "task/object_error.h"
 #include "task/order.h"
+#include "task/rules.h"
 
 namespace smile::task {
 
@@ -26,8 +27,10 @@ struct StructureComparison {
   /// same side: a half-turn of blocks that are their own mirror images.
   bool is_mirrored = false;
   Order order;
+  std::vector<RuleBreak> broken_rules;
   std::vector<bool> achieved;  ///< for each effect
-  /// Fraction of objects within tolerance and effects achieved, of all these and the intruders.
+  /// Fraction of objects within tolerance and effects achieved, of all these, the intruders and the
+  /// broken rules.
   double score = 0;
 
   bool is_achieved() const { return score == 1; }

@@ -7,6 +7,7 @@
 #include "recording/attention.h"
 #include "task/anchor.h"
 #include "task/neighbors.h"
+#include "task/rules.h"
 
 namespace smile::task {
 namespace {
@@ -66,6 +67,15 @@ std::set<std::string> ConcernedBy(const std::vector<Effect>& effects) {
   return concerned;
 }
 
+/// Returns the objects that were removed from the table.
+std::set<std::string> RemovedBy(const std::vector<Effect>& effects) {
+  std::set<std::string> removed;
+  for (const Effect& effect : effects) {
+    if (const auto* gone = std::get_if<DestroyedEffect>(&effect)) removed.insert(gone->object);
+  }
+  return removed;
+}
+
 /// Throws if nothing was achieved, or if the structure is too large to compare.
 void RequireATask(const Structure& structure, const recording::Recording& demonstration) {
   if (structure.objects.empty() && structure.effects.empty()) {
@@ -95,9 +105,18 @@ Structure StructureOf(const recording::Recording& demonstration) {
 
   // The structure consists of what hands touched and what belongs to it.
   const std::vector<std::string> touched = TouchedByHands(episode);
-  const std::set<std::string> members =
+  std::set<std::string> members =
       WithBelongings({touched.begin(), touched.end()}, BelongingsIn(episode, structure.relations));
   const std::set<std::string> concerned = ConcernedBy(structure.effects);
+  // What was removed from the table has no place, wherever it lies; its last pose there stands for
+  // its looks.
+  const std::set<std::string> removed = RemovedBy(structure.effects);
+  for (const std::string& id : removed) members.erase(id);
+  for (const scene::ObjectSpec& object : ObjectsAt(episode.scene, episode.begin)) {
+    const bool is_gone = std::ranges::find(structure.objects, object.id(),
+                                           &scene::ObjectSpec::id) == structure.objects.end();
+    if (is_gone && removed.contains(object.id())) structure.others.push_back(object);
+  }
   // Objects outside the structure whose state matters need a counterpart, but no place.
   for (const scene::ObjectSpec& object : structure.objects) {
     if (!members.contains(object.id()) && concerned.contains(object.id())) {
@@ -115,6 +134,7 @@ Structure StructureOf(const recording::Recording& demonstration) {
                 [&](const Relation& relation) { return !structure.Contains(relation.object); });
   structure.neighbors = NeighborsOf(structure);
   structure.bystanders = BystandersOf(structure, episode);
+  structure.support_rules = SupportRulesOf(structure.attention, episode);
   return structure;
 }
 

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "base/overloaded.h"
-#include "base/wording.h"
 #include "model/relations.h"
 #include "scene/bond_points.h"
 #include "scene/controls_of.h"
-#include "scene/units.h"
+#include "task/object_error.h"
+#include "task/symmetry.h"
 
 namespace smile::task {
 namespace {
@@ -208,6 +208,130 @@ void AppendContainerEffects(const Episode& episode, std::vector<Effect>* effects
   append_missing(before, after, /*is_inside=*/false);
 }
 
+/// True if a control of an object was pressed or triggered, by a hand or by contact.
+bool WasPressed(const Episode& episode, const std::string& object, const std::string& control) {
+  return std::ranges::any_of(episode.contacts, [&](const ContactEvent& contact) {
+    const bool is_press = contact.event.kind == sim::EventKind::kTriggered ||
+                          contact.event.kind == sim::EventKind::kPressed;
+    return is_press && contact.event.object == object && contact.event.control == control;
+  });
+}
+
+/// Returns the ids of the controls that a control drives.
+std::vector<std::string> DrivenBy(const std::string& control, const scene::SceneSpec& scene) {
+  for (const scene::ObjectSpec& object : scene.objects) {
+    for (const scene::Part* part : scene::ControlsOf(object.whole)) {
+      if (part->id != control) continue;
+      return std::visit(
+          [](const auto& shape) -> std::vector<std::string> {
+            if constexpr (requires { shape.downstream; }) return shape.downstream;
+            return {};
+          },
+          part->shape);
+    }
+  }
+  return {};
+}
+
+/// True if a control that is driven by another one is left in another state: that tells of the
+/// press.
+bool HasDriven(const ControlEffect& control, const Episode& episode,
+               const std::vector<Effect>& effects) {
+  const std::vector<std::string> driven = DrivenBy(control.control, episode.scene);
+  return std::ranges::any_of(effects, [&](const Effect& effect) {
+    const auto* change = std::get_if<ControlEffect>(&effect);
+    return change != nullptr && std::ranges::find(driven, change->control) != driven.end();
+  });
+}
+
+/// Appends the controls that were pressed to no lasting effect: they are in the same state again,
+/// and so is what they drive. AppendControlEffects() appends the others.
+void AppendPressedEffects(const Episode& episode, std::vector<Effect>* effects) {
+  const std::vector<ControlEffect> before = ControlsAt(episode.scene, episode.begin);
+  const std::vector<ControlEffect> after = ControlsAt(episode.scene, episode.end);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const ControlEffect& control = before[i];
+    if (control.from != after[i].from || !IsThere(episode.scene, episode.end, control.object) ||
+        !WasPressed(episode, control.object, control.control) ||
+        HasDriven(control, episode, *effects)) {
+      continue;
+    }
+    effects->push_back(
+        PressedEffect{control.object, control.number, control.control, control.from});
+  }
+}
+
+/// True if the object is on the table or above it, and not on the floor.
+bool IsAboveFloor(const scene::SceneSpec& scene, const recording::TraceTick& moment,
+                  const std::string& object) {
+  // The table top is at z = 0.
+  return IsThere(scene, moment, object) && PosesAt(scene, moment).at(object).translation().z() >= 0;
+}
+
+/// Appends the rotations of the objects that hands took. Mechanisms and bonds have effects of their
+/// own.
+void AppendOrientedEffects(const Episode& episode, std::vector<Effect>* effects) {
+  const ObjectPoses begin = PosesAt(episode.scene, episode.begin);
+  const ObjectPoses end = PosesAt(episode.scene, episode.end);
+  std::vector<std::string> joined;
+  for (const auto* moment : {&episode.begin, &episode.end}) {
+    for (const BondEffect& bond : BondsAt(episode.scene, *moment)) {
+      joined.push_back(bond.guest_object);
+    }
+  }
+  for (const std::string& id : TouchedByHands(episode)) {
+    const scene::ObjectSpec& object =
+        *std::ranges::find(episode.scene.objects, id, &scene::ObjectSpec::id);
+    if (!IsThere(episode.scene, episode.begin, id) ||
+        !IsAboveFloor(episode.scene, episode.end, id) ||
+        std::ranges::find(joined, id) != joined.end()) {
+      continue;
+    }
+    const Symmetry symmetry = SymmetryOf(object);
+    const Matrix3 from = begin.at(id).rotation(), to = end.at(id).rotation();
+    const double tilt = symmetry.TiltBetween(from, to);
+    const Vector3 shift = end.at(id).translation() - begin.at(id).translation();
+    const bool is_tilt = tilt > kAngleTolerance;
+    const double angle = is_tilt ? tilt : symmetry.AngleBetween(from, to);
+    // What was carried elsewhere may be turned about the vertical on the way; that is no goal of
+    // its own, as the pose of the object tells it.
+    const bool is_in_place = shift.head<2>().norm() <= kTolerance;
+    if (is_tilt || (is_in_place && angle > kAngleTolerance)) {
+      effects->push_back(OrientedEffect{id, angle, is_tilt});
+    }
+  }
+}
+
+/// True if a hand released the object last beyond the edge of the table.
+bool WasDropped(const Episode& episode, const std::string& object) {
+  bool is_beyond = false;
+  for (const ContactEvent& contact : episode.contacts) {
+    if (contact.event.object != object || contact.event.kind != sim::EventKind::kReleased) continue;
+    const Vector3 p = contact.X_WB.translation();
+    is_beyond = std::abs(p.x()) > episode.scene.table.x_span / 2 ||
+                std::abs(p.y()) > episode.scene.table.y_span / 2;
+  }
+  return is_beyond;
+}
+
+/// Appends the objects that hands destroyed or dropped from the table. What fell by accident is no
+/// goal.
+void AppendDestroyedEffects(const Episode& episode, std::vector<Effect>* effects) {
+  const std::vector<std::string> fallen = FallenObjects(episode);
+  for (const scene::ObjectSpec& object : episode.scene.objects) {
+    const std::string& id = object.id();
+    if (!IsThere(episode.scene, episode.begin, id)) continue;
+    const bool was_destroyed =
+        std::ranges::any_of(episode.contacts, [&](const ContactEvent& contact) {
+          return contact.event.kind == sim::EventKind::kDestroyed && contact.event.object == id;
+        });
+    const bool has_fallen = std::ranges::find(fallen, id) != fallen.end();
+    if (was_destroyed || (has_fallen && WasDropped(episode, id))) {
+      effects->push_back(DestroyedEffect{id});
+    }
+  }
+}
+
 /// State at the end of an episode, to compare with the goals of effects.
 class Ending {
  public:
@@ -254,6 +378,19 @@ class Ending {
     });
   }
 
+  bool IsAs(const PressedEffect& wanted) const {
+    return std::ranges::any_of(controls_, [&](const ControlEffect& control) {
+      return control.object == counterpart_(wanted.object) && control.number == wanted.number &&
+             control.from == wanted.state && WasPressed(episode_, control.object, control.control);
+    });
+  }
+
+  bool IsAs(const OrientedEffect&) const { return true; }
+
+  bool IsAs(const DestroyedEffect& wanted) const {
+    return IsRemoved(episode_, counterpart_(wanted.object));
+  }
+
   bool IsAs(const ContainerEffect& wanted) const {
     const bool is_inside = std::ranges::any_of(contents_, [&](const Relation& relation) {
       return relation.object == counterpart_(wanted.object) &&
@@ -270,9 +407,6 @@ class Ending {
   std::vector<BondEffect> bonds_;
   std::vector<Relation> contents_;
 };
-
-/// Converts a length [m] to units of the scene file.
-double InUnits(double length, double meters_per_unit) { return length / meters_per_unit; }
 
 }  // namespace
 
@@ -297,6 +431,11 @@ std::vector<BondEffect> BondsAt(const scene::SceneSpec& scene, const recording::
   return bonds;
 }
 
+bool IsRemoved(const Episode& episode, const std::string& object) {
+  return !IsAboveFloor(episode.scene, episode.end, object) &&
+         !HeldInTheEnd(episode).contains(object);
+}
+
 std::vector<Effect> EffectsOf(const Episode& episode) {
   std::vector<Effect> effects;
   // Container effects come last, since they leave out what bond effects state.
@@ -305,6 +444,9 @@ std::vector<Effect> EffectsOf(const Episode& episode) {
   AppendSlideEffects(episode, &effects);
   AppendContainerEffects(episode, &effects);
   AppendCutEffects(episode, &effects);
+  AppendPressedEffects(episode, &effects);
+  AppendOrientedEffects(episode, &effects);
+  AppendDestroyedEffects(episode, &effects);
   return effects;
 }
 
@@ -318,7 +460,10 @@ std::vector<std::string> ObjectsOf(const Effect& effect) {
                                [](const ContainerEffect& in) {
                                  return Ids{in.object, in.container};
                                },
-                               [](const CutEffect& cut) { return Ids{cut.object}; }},
+                               [](const CutEffect& cut) { return Ids{cut.object}; },
+                               [](const PressedEffect& pressed) { return Ids{pressed.object}; },
+                               [](const OrientedEffect& oriented) { return Ids{oriented.object}; },
+                               [](const DestroyedEffect& gone) { return Ids{gone.object}; }},
                     effect);
 }
 
@@ -330,68 +475,6 @@ std::vector<bool> AreAchieved(const std::vector<Effect>& effects, const Episode&
     achieved.push_back(std::visit([&](const auto& wanted) { return ending.IsAs(wanted); }, effect));
   }
   return achieved;
-}
-
-std::string WordsOf(const Effect& effect, double meters_per_unit) {
-  return std::visit(
-      Overloaded{
-          [](const ControlEffect& control) {
-            return control.control + " from " + control.from + " to " + control.to;
-          },
-          [](const BondEffect& bond) {
-            return bond.tightness == 0 ? bond.guest + " loosened from " + bond.host
-                                       : bond.guest + " fastened to " + bond.host + ", stage " +
-                                             std::to_string(bond.tightness);
-          },
-          [&](const SlideEffect& slide) {
-            // Adding 0.0 turns -0 into 0.
-            const auto tenths = [&](double offset) {
-              return NumberText(std::round(10 * InUnits(offset, meters_per_unit)) / 10 + 0.0);
-            };
-            return slide.object + " slid from " + tenths(slide.from) + " to " + tenths(slide.to) +
-                   " units";
-          },
-          [](const ContainerEffect& in) {
-            return in.object + (in.is_inside ? " put into " : " taken out of ") + in.container;
-          },
-          [](const CutEffect& cut) { return cut.where + " cut with " + cut.tool; }},
-      effect);
-}
-
-Json ToJson(const Effect& effect, double meters_per_unit) {
-  return std::visit(Overloaded{[](const ControlEffect& control) -> Json {
-                                 return {{"kind", "control"},
-                                         {"object", control.object},
-                                         {"control", control.control},
-                                         {"from", control.from},
-                                         {"to", control.to}};
-                               },
-                               [](const BondEffect& bond) -> Json {
-                                 return {{"kind", "bond"},
-                                         {"object", bond.guest_object},
-                                         {"guest", bond.guest},
-                                         {"host", bond.host},
-                                         {"tightness", bond.tightness}};
-                               },
-                               [&](const SlideEffect& slide) -> Json {
-                                 return {{"kind", "slide"},
-                                         {"object", slide.object},
-                                         {"from", InUnits(slide.from, meters_per_unit)},
-                                         {"to", InUnits(slide.to, meters_per_unit)}};
-                               },
-                               [](const ContainerEffect& in) -> Json {
-                                 return {{"kind", "container"},
-                                         {"object", in.object},
-                                         {"container", in.container},
-                                         {"inside", in.is_inside}};
-                               },
-                               [](const CutEffect& cut) -> Json {
-                                 return {{"kind", "cut"},
-                                         {"object", cut.object},
-                                         {"where", cut.where},
-                                         {"tool", cut.tool}};
-                               }},
-                    effect);
 }
 
 }  // namespace smile::task

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <set>
 
+#include "model/relations.h"
 #include "recording/commanded_events.h"
 #include "recording/trace_reader.h"
+#include "scene/bounds.h"
+#include "scene/solid.h"
 
 namespace smile::task {
 namespace {
@@ -13,11 +16,32 @@ namespace {
 /// has not been placed.
 constexpr recording::PoseGap kStayed{.distance = 0.01, .angle = DegreesToRadians(5.0)};
 
-/// True for events that change who holds or fastens an object, and for falls.
+/// True for events that change who holds or fastens an object, and for falls and presses.
 bool IsContact(sim::EventKind kind) {
   using enum sim::EventKind;
   return kind == kGrasped || kind == kReleased || kind == kFastened || kind == kLoosened ||
-         kind == kFell || kind == kGripperHolds || kind == kGripperReleased || kind == kUsed;
+         kind == kFell || kind == kGripperHolds || kind == kGripperReleased || kind == kUsed ||
+         kind == kTriggered || kind == kPressed || kind == kDestroyed;
+}
+
+/// Returns the ids of the objects beneath or around an object at a moment.
+std::vector<std::string> SupportsOf(const std::string& id, const recording::TraceTick& now,
+                                    const scene::SceneSpec& scene) {
+  constexpr double kNear = 0.01;  // [m]
+  const auto bounds_of = [](const scene::ObjectSpec& object) {
+    return scene::BoundsOf(scene::SolidsOf(object.whole), object.pose_in_world());
+  };
+  std::vector<scene::ObjectSpec> near = ObjectsAt(scene, now);
+  const auto object = std::ranges::find(near, id, &scene::ObjectSpec::id);
+  if (object == near.end()) return {};
+  // Only what is near it can be a support: relations of all pairs would take long.
+  const scene::Bounds bounds = bounds_of(*object);
+  std::erase_if(near, [&](const auto& other) { return !bounds_of(other).Meets(bounds, kNear); });
+  std::vector<std::string> supports;
+  for (const model::Relation& relation : model::RelationsOf(scene, near)) {
+    if (relation.object == id && !relation.support.empty()) supports.push_back(relation.support);
+  }
+  return supports;
 }
 
 /// Returns the contact of an event with the object's pose at `now`; nullopt for other events and
@@ -28,7 +52,11 @@ std::optional<ContactEvent> ContactOf(const sim::Event& event, const recording::
   const auto object = std::ranges::find(scene.objects, event.object, &scene::ObjectSpec::id);
   if (object == scene.objects.end()) return std::nullopt;
   const auto index = static_cast<std::size_t>(object - scene.objects.begin());
-  return ContactEvent{event, now.tick, now.objects[index].pose_in_world()};
+  ContactEvent contact{event, now.tick, now.objects[index].pose_in_world()};
+  if (event.kind == sim::EventKind::kGrasped || event.kind == sim::EventKind::kGripperHolds) {
+    contact.supports = SupportsOf(event.object, now, scene);
+  }
+  return contact;
 }
 
 /// Actions from the log of an old recording, whose trace contains no events.
@@ -257,6 +285,7 @@ std::set<std::string> HeldInTheEnd(const Episode& episode) {
         holds.insert(hold);
         break;
       case sim::EventKind::kReleased:
+      case sim::EventKind::kDestroyed:
       case sim::EventKind::kGripperReleased:
         holds.erase(hold);
         break;

@@ -21,6 +21,8 @@ struct ContactEvent {
   sim::Event event;
   std::uint64_t tick = 0;
   RigidTransform X_WB;  ///< of the event's object at that tick
+  /// For a grasp: ids of the objects on which the event's object stands or in which it lies.
+  std::vector<std::string> supports = {};
 };
 
 /// Episode of a demonstration or an imitation: the states of the scene at its begin and end, and

@@ -159,10 +159,14 @@ std::optional<FailureReason> FailureReasonOf(const Structure& structure, const E
   if (HasFailed(program)) {
     return FailureReason{"brain_failed", "the brain failed: " + program.message};
   }
-  // From the most specific reason to the most general one. A fall comes first, since no time could
-  // mend it; a program that ran out of time comes before reasons that more time might have removed.
+  // From the most specific reason to the most general one. A fall or a broken rule comes first,
+  // since no time could mend it; a program that ran out of time comes before reasons that more time
+  // might have removed.
   const FailureAnalysis analysis(structure, outcome, comparison);
   if (const auto reason = analysis.Fallen()) return reason;
+  if (!comparison.broken_rules.empty()) {
+    return FailureReason{"rule_broken", WordsOf(comparison.broken_rules.front())};
+  }
   if (program.status == "running" || program.status == "stopped") {
     return FailureReason{"time_up", "the brain was still running when the episode ended"};
   }

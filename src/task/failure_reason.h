@@ -27,9 +27,9 @@ struct FailureReason {
 };
 
 /// Returns the first reason that applies, in this order: `brain_failed`, `fell_off_table`,
-/// `time_up`, `still_held`, `never_taken`, `toppled`, `misplaced`, `not_placed`, `apart`,
-/// `intruder`, `effect_missing`.
-/// If it applies to several objects, the text names the one that was to be placed first.
+/// `rule_broken`, `time_up`, `still_held`, `never_taken`, `toppled`, `misplaced`, `not_placed`,
+/// `apart`, `intruder`, `effect_missing`. If it applies to several objects, the text names the one
+/// that was to be placed first.
 /// @returns nullopt after a success, see IsSuccess().
 std::optional<FailureReason> FailureReasonOf(const Structure& structure, const Episode& outcome,
                                              const StructureComparison& comparison,

@@ -58,10 +58,22 @@ Json ToJson(const Order& order) {
           {"done", order.done}};
 }
 
+Json BrokenRulesJson(const std::vector<RuleBreak>& breaks) {
+  Json json = Json::array();
+  for (const RuleBreak& one : breaks) {
+    json.push_back({{"rule", one.rule == RuleBreak::Rule::kOrder ? "order" : "support"},
+                    {"object", one.object},
+                    {"other", one.other},
+                    {"seconds", one.seconds}});
+  }
+  return json;
+}
+
 Json EffectsJson(const Structure& structure, const std::vector<bool>& achieved, double unit) {
   Json json = Json::array();
   for (std::size_t i = 0; i < structure.effects.size(); ++i) {
     json.push_back(ToJson(structure.effects[i], unit));
+    json.back()["text"] = WordsOf(structure.effects[i], unit);
     json.back()["achieved"] = static_cast<bool>(achieved[i]);
   }
   return json;
@@ -86,18 +98,22 @@ ProgramEnd EndOf(const Json& brain) {
 
 }  // namespace
 
-ImitationTask MakeImitationTask(std::string name, const recording::Recording& demonstration,
-                                scene::SceneSpec scene) {
+void RequireSomethingToDo(const Structure& structure, const scene::SceneSpec& scene) {
   // Matching throws if an object has no counterpart. Its result is discarded: the final match
   // depends on the outcome, see CompareWith().
-  ImitationTask task{
-      .name = std::move(name), .structure = StructureOf(demonstration), .scene = std::move(scene)};
-  (void)MatchObjects(task.structure, task.scene);
-  if (CompareWith(task.structure, EpisodeBefore(task.scene)).is_achieved()) {
-    throw InputError({task.scene.name, 0, "",
+  (void)MatchObjects(structure, scene);
+  if (CompareWith(structure, EpisodeBefore(scene)).is_achieved()) {
+    throw InputError({scene.name, 0, "",
                       "is already as the demonstration left it, expected a scene in which there is "
                       "something to do"});
   }
+}
+
+ImitationTask MakeImitationTask(std::string name, const recording::Recording& demonstration,
+                                scene::SceneSpec scene) {
+  ImitationTask task{
+      .name = std::move(name), .structure = StructureOf(demonstration), .scene = std::move(scene)};
+  RequireSomethingToDo(task.structure, task.scene);
   return task;
 }
 
@@ -129,6 +145,7 @@ Json ResultOf(const ImitationTask& task, const Episode& outcome, const RunInfo& 
                  {"mean_error_mm", MillimetersOf(mean)},
                  {"mean_error_degrees", DegreesOf(mean)},
                  {"order", ToJson(comparison.order)},
+                 {"broken_rules", BrokenRulesJson(comparison.broken_rules)},
                  {"effects", EffectsJson(structure, comparison.achieved, unit)},
                  {"work", ToJson(WorkOf(outcome))},
                  {"cause", ToJson(FailureReasonOf(structure, outcome, comparison, program))},

@@ -27,6 +27,11 @@ struct ImitationTask {
 ImitationTask MakeImitationTask(std::string name, const recording::Recording& demonstration,
                                 scene::SceneSpec scene);
 
+/// Throws if there is nothing to do in a scene: it is as the demonstration left it, or an object is
+/// missing.
+/// @throws InputError
+void RequireSomethingToDo(const Structure& structure, const scene::SceneSpec& scene);
+
 /// Facts on the run of an imitation that its recording does not contain.
 struct RunInfo {
   double seconds = 0;          ///< that it took, simulated, from the end of watching to its own end

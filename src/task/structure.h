@@ -27,6 +27,12 @@ struct Neighbors {
   bool operator==(const Neighbors&) const = default;
 };
 
+/// Rule that an object never stands on a smaller one, see RuleBreaksOf().
+struct SupportRule {
+  scene::ObjectSpec object;
+  std::vector<scene::ObjectSpec> exceptions;  ///< smaller ones on which the demonstration put it
+};
+
 /// Result of a demonstration: the task is to achieve the same, anywhere on the table unless
 /// something determines the place.
 struct Structure {
@@ -47,6 +53,7 @@ struct Structure {
   std::vector<Neighbors> neighbors;  ///< pairs whose relative places matter
   /// Objects that touched the structure in the end without belonging to it.
   std::vector<scene::ObjectSpec> bystanders;
+  std::vector<SupportRule> support_rules;
 
   /// True if some of its objects cannot be moved; then the structure can stand nowhere else.
   bool is_fixed() const;

@@ -50,6 +50,12 @@ bool IsPut(const Structure& structure, const std::string& id) {
   return Contains(structure.order, id);
 }
 
+/// True if the object was removed from the table on purpose.
+bool IsRemoved(const Structure& structure, const std::string& id) {
+  return std::ranges::find(structure.effects, Effect(DestroyedEffect{id})) !=
+         structure.effects.end();
+}
+
 }  // namespace
 
 /// Returns positions in units of the scene, and rotations as angles about fixed axes [degrees].
@@ -72,6 +78,19 @@ Json AnchorJson(const Structure& structure) {
   return structure.landmark;
 }
 
+Json RulesJson(const Structure& structure) {
+  Json rules = Json::array();
+  for (const auto& [id, properties] : structure.attention) {
+    if (Contains(properties, "order")) rules.push_back({{"rule", "order"}, {"object", id}});
+  }
+  for (const SupportRule& rule : structure.support_rules) {
+    Json exceptions = Json::array();
+    for (const scene::ObjectSpec& one : rule.exceptions) exceptions.push_back(one.id());
+    rules.push_back({{"rule", "support"}, {"object", rule.object.id()}, {"except_on", exceptions}});
+  }
+  return rules;
+}
+
 }  // namespace
 
 Json ToJson(const Structure& structure, double meters_per_unit) {
@@ -88,9 +107,32 @@ Json ToJson(const Structure& structure, double meters_per_unit) {
           {"effects", effects},
           {"fallen", structure.fallen},
           {"attention", structure.attention},
+          {"rules", RulesJson(structure)},
           {"anchor", AnchorJson(structure)},
           {"fixed", structure.is_fixed()}};
 }
+
+namespace {
+
+/// Appends what the demonstrator said about objects: their properties, then the rules.
+void AppendAttention(const Structure& structure, std::vector<std::string>* lines) {
+  for (const auto& [id, properties] : structure.attention) {
+    std::vector<std::string> others = properties;
+    std::erase_if(others, [](const auto& one) { return one == "order" || one == "support"; });
+    if (!others.empty()) lines->push_back("of " + id + " matters its " + Joined(others));
+    if (Contains(properties, "order")) {
+      lines->push_back(id + " must be placed in the order of the demonstration");
+    }
+  }
+  for (const SupportRule& rule : structure.support_rules) {
+    std::vector<std::string> exceptions;
+    for (const scene::ObjectSpec& one : rule.exceptions) exceptions.push_back(one.id());
+    lines->push_back(rule.object.id() + " must never stand on a smaller object" +
+                     (exceptions.empty() ? "" : ", except on " + Joined(exceptions)));
+  }
+}
+
+}  // namespace
 
 std::vector<std::string> WordsOf(const Structure& structure, double meters_per_unit) {
   std::vector<std::string> lines;
@@ -107,7 +149,7 @@ std::vector<std::string> WordsOf(const Structure& structure, double meters_per_u
                     (object.is_static() ? ", fixed" : ""));
   }
   for (const std::string& id : structure.fallen) {
-    if (!IsPut(structure, id)) lines.push_back(id + kFellText);
+    if (!IsPut(structure, id) && !IsRemoved(structure, id)) lines.push_back(id + kFellText);
   }
   for (const Effect& effect : structure.effects) {
     lines.push_back("achieved: " + WordsOf(effect, meters_per_unit));
@@ -117,9 +159,7 @@ std::vector<std::string> WordsOf(const Structure& structure, double meters_per_u
   } else if (structure.anchor == Anchor::kTable) {
     lines.push_back("what matters is the place on the table");
   }
-  for (const auto& [id, properties] : structure.attention) {
-    lines.push_back("of " + id + " matters its " + Joined(properties));
-  }
+  AppendAttention(structure, &lines);
   return lines;
 }
 

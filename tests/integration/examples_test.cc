@@ -203,6 +203,34 @@ void TheTowerIsTakenApart(const Json& end) {
   ExpectAligned(end, "BlueBlock", "RedBlock", {3.2, 0, 0});
 }
 
+void TheBlocksAreExchanged(const Json& end) {
+  ExpectAligned(end, "RedBlock", "LightPlate", {0, 0, 0.6});
+  ExpectAligned(end, "BlueBlock", "DarkPlate", {0, 0, 0.6});
+}
+
+void TheTowerOfHanoiHasMoved(const Json& end) {
+  ExpectAligned(end, "LargeDisc", "PlateC", {0, 0, 0.4});
+  ExpectAligned(end, "MediumDisc", "PlateC", {0, 0, 1});
+  ExpectAligned(end, "SmallDisc", "PlateC", {0, 0, 1.6});
+}
+
+void TheBallIsInTheCup(const Json& end) {
+  // On its floor, 0.15 thick, and 0.15 from the wall at most.
+  ExpectNear(PositionOf(end, "Ball"), {1.5, 1.2, 0.5}, 0.15, "Ball");
+  EXPECT_NEAR(PositionOf(end, "Ball")[2], 0.5, kMillimeter);
+  ExpectNear(PositionOf(end, "Cup"), {1.5, 1.2, 0.55}, kMillimeter, "Cup");
+}
+
+void TheBlockIsUnderTheLid(const Json& end) {
+  ExpectAligned(end, "Cherry", "Pot", {0, 0, -0.1});
+  ExpectAligned(end, "Lid", "Pot", {0, 0, 0.75});
+}
+
+void ThePlankIsOnItsSide(const Json& end) {
+  EXPECT_NEAR(PositionOf(end, "Plank")[2], 0.5, kMillimeter);
+  ExpectNear(RotationOf(end, "Plank"), {90, 0, 0}, kOneDegree, "Plank");
+}
+
 void TheBlocksHaveDroppedThroughTheHatch(const Json& end) {
   ExpectAligned(end, "HatchDoor", "Hatch", {3.3, 0, 0.3});
   for (const char* block : {"Cherry", "Sky"}) {
@@ -263,6 +291,11 @@ const std::vector<Example>& AllExamples() {
       {"bricks", "--no-robot", TheWallStands},
       {"pedestal", "--no-robot", TheTowerStandsOnThePedestal},
       {"unstack", "--no-robot", TheTowerIsTakenApart},
+      {"swap", "--no-robot", TheBlocksAreExchanged},
+      {"hanoi", "--no-robot", TheTowerOfHanoiHasMoved},
+      {"ball", "--no-robot", TheBallIsInTheCup},
+      {"lid", "--no-robot", TheBlockIsUnderTheLid},
+      {"plank", "--no-robot", ThePlankIsOnItsSide},
       {"hatch", "", TheBlocksHaveDroppedThroughTheHatch},
       {"hatch", "--no-robot", TheBlocksHaveDroppedThroughTheHatch},
       {"cover", "--no-robot", TheFuseIsReplacedAndTheCoverClosed},

@@ -59,7 +59,7 @@ export interface AttendCommand {
   do: "attend";
   /** hand of the demonstrator */
   hand: "left" | "right" | "both" | "any";
-  /** color, shape, size, position, orientation, order, names of its descriptions; [] = none in particular */
+  /** color, shape, size, position, orientation, order, support, names of its descriptions; [] = none in particular */
   properties: string[];
 }
 

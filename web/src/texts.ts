@@ -72,6 +72,7 @@ export const texts = {
     position: "position",
     orientation: "orientation",
     order: "order",
+    support: "support",
   } as Record<string, string>,
 
   record: {

@@ -61,6 +61,26 @@ TEST_F(EvaluationTest, RunsEachBrainInEachLayout) {
   EXPECT_TRUE(Exists("out/report.html"));
 }
 
+TEST_F(EvaluationTest, LeavesOutImpossibleLayouts) {
+  EvaluationPlan plan = PlanOf(4, 1);
+  plan.layout = [&plan](std::uint64_t seed) {
+    if (seed % 2 == 0) throw std::invalid_argument("layout: there is no room for 'a'");
+    return plan.scene;
+  };
+  std::string said;
+  const report::Evaluation evaluation = Evaluate(
+      plan, {.common = {.on_message = [&](std::string_view message) { said += message; }}});
+  EXPECT_EQ(Started(), "one 1\ntwo 1\none 3\ntwo 3\n");
+  EXPECT_EQ(evaluation.brains[0].runs.size(), 2u);
+  EXPECT_EQ(ToJson(evaluation)["impossible_layouts"][1],
+            Json({{"seed", 4}, {"reason", "layout: there is no room for 'a'"}}));
+  EXPECT_NE(said.find("seed 2 is left out: layout: there is no room for 'a'"), std::string::npos);
+
+  plan.layout = [](std::uint64_t) -> scene::SceneSpec { throw std::invalid_argument("no room"); };
+  EXPECT_THROW(Evaluate(plan), InputError);
+  EXPECT_EQ(Started(), "");
+}
+
 TEST_F(EvaluationTest, SkipsFinishedRuns) {
   Evaluate(PlanOf(2));
   Started();

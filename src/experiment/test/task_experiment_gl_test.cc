@@ -1,7 +1,9 @@
 #include "experiment/task_experiment.h"
 
+#include "experiment/robot_region.h"
 #include "experiment_fixture.h"
 #include "recording/recording.h"
+#include "task/imitation_result.h"
 
 namespace smile::experiment {
 namespace {
@@ -9,11 +11,45 @@ namespace {
 using TaskExperiment = ExperimentTest;
 
 TEST_F(TaskExperiment, ShippedTasksHaveTheirFiles) {
-  for (const std::string_view task : kTasks) {
-    const std::string name(task);
+  for (const ShippedTask& task : kTasks) {
+    const std::string name(task.name);
     EXPECT_NO_THROW(DataFile("scenes/" + name + ".xml"));
     EXPECT_NO_THROW(DataFile("scenes/" + name + "_robot.xml"));
     EXPECT_NO_THROW(DataFile("examples/" + name + ".jsonl"));
+  }
+}
+
+// A program that does nothing earns nothing, in the shipped layout and in others, and no layout
+// does the task.
+TEST_F(TaskExperiment, AnIdleProgramGainsNothingInAnyShippedTask) {
+  for (const ShippedTask& shipped : kTasks) {
+    const std::string name(shipped.name);
+    const fs::path demonstration = root_ / name;
+    RunPlan plan{.scene = scene_xml::LoadScene(DataFile("scenes/" + name + ".xml")),
+                 .record = demonstration,
+                 .has_pictures = false};
+    if (name == "tower") plan.robot = Baxter();  // its script hides the robot
+    plan.script = sim::ReadScript(DataFile("examples/" + name + ".jsonl"), 0.1);
+    (void)experiment::Run(plan);
+    const recording::Recording recording = recording::OpenRecording(demonstration);
+    const scene::SceneSpec scene = scene_xml::LoadScene(DataFile("scenes/" + name + "_robot.xml"));
+    for (const auto& seed : std::vector<std::optional<std::uint64_t>>{std::nullopt, 1, 2}) {
+      const layout::LayoutChoice choice{.seed = seed, .level = shipped.level};
+      const task::ImitationTask task = task::MakeImitationTask(
+          name, recording,
+          layout::LaidOut(scene, choice, [](double height) { return RegionOf(Baxter(), height); }));
+      if (seed) {
+        EXPECT_NE(task.scene.objects, scene.objects) << name << ", seed " << *seed;
+      }
+      sim::Simulation simulation(task.scene);
+      const task::EpisodeObserver observer(&simulation);
+      while (simulation.seconds() < 3) simulation.Tick();
+      const Json result =
+          task::ResultOf(task, observer.episode(),
+                         {.brain = {{"status", "exited"}, {"message", ""}, {"claim", nullptr}}});
+      EXPECT_EQ(result["gain"], 0) << name;
+      EXPECT_EQ(result["success"], false) << name;
+    }
   }
 }
 

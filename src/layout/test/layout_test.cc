@@ -331,6 +331,34 @@ TEST(RandomLayout, FixturesMoveWithEverythingOnThem) {
   }
 }
 
+TEST(RandomLayout, PilesArePlacedAnywhereAsAWhole) {
+  for (const char* name : {"unstack_robot", "lid_robot"}) {
+    const scene::SceneSpec scene = Shipped(name);
+    double most_x = -1, least_x = 1;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+      const scene::SceneSpec layout = RandomLayout(scene, seed, LayoutLevel::kPiles);
+      const RigidTransform X_WFirst = layout.objects[0].pose_in_world();
+      const RigidTransform X_moved = X_WFirst * scene.objects[0].pose_in_world().inverse();
+      // The tower, and the pot with its lid; the block of the latter is loose.
+      for (std::size_t i = 1; i < (name == std::string("lid_robot") ? 2u : 3u); ++i) {
+        EXPECT_TRUE(
+            AreEqual(layout.objects[i].pose_in_world(), X_moved * scene.objects[i].pose_in_world()))
+            << name << ", seed " << seed;
+      }
+      for (const scene::ObjectSpec& object : layout.objects) {
+        EXPECT_TRUE(
+            LayoutRegion().Holds(scene.table, FootprintNow(object), BoundsNow(object).high.z()))
+            << name << ", seed " << seed << ", " << object.id();
+      }
+      most_x = std::max(most_x, X_WFirst.translation().x());
+      least_x = std::min(least_x, X_WFirst.translation().x());
+    }
+    EXPECT_GT(most_x - least_x, 0.6) << name;
+  }
+  // Discs on a fixed plate are no pile.
+  EXPECT_THROW(RandomLayout(Shipped("hanoi_robot"), 1, LayoutLevel::kPiles), std::invalid_argument);
+}
+
 TEST(RandomLayout, ChainsAndSlidersMoveAsAWhole) {
   for (const char* name : {"strings", "lidbox", "hatch_robot", "screws"}) {
     const scene::SceneSpec scene = Shipped(name);

@@ -73,7 +73,10 @@ TEST_F(ExperimentPage, HostileNamesAndMessagesAreTextsOnly) {
 }
 
 TEST_F(ExperimentPage, ShowsPicturesPlacesAndErrors) {
-  const std::string page = PageWith(ResultOf({{kBlock, Pose(0)}}));
+  Json result = ResultOf({{kBlock, Pose(0)}});
+  result["effects"] = {{{"kind", "pressed"}, {"text", "Bell pressed"}, {"achieved", false}}};
+  const std::string page = PageWith(result);
+  EXPECT_NE(page.find("Bell pressed"), std::string::npos);
   EXPECT_NE(page.find("src=\"data:image/png;base64,iVBOR"), std::string::npos);
   EXPECT_NE(page.find("1.00, 0.00, 0.50"), std::string::npos);
   EXPECT_NE(page.find("too far"), std::string::npos);

@@ -273,7 +273,7 @@ TEST_F(HandsTest, HandsMarkPropertiesOfHeldObjects) {
                                        .properties = {"size", "color", "maker"}}));
   EXPECT_EQ(attend({"size", "sise"}),
             "'a' has no property \"sise\", expected color, shape, size, position, orientation, "
-            "order or maker; did you mean \"size\"?");
+            "order, support or maker; did you mean \"size\"?");
   EXPECT_EQ(attend(Words(33, "size")), "found 33 properties, expected at most 32");
   EXPECT_EQ(attended_of("a"), (Words{"size", "color", "maker"})) << "a refusal changes nothing";
   const SimulationState saved = simulation_->Save();
@@ -288,8 +288,8 @@ TEST_F(HandsTest, HandsMarkPropertiesOfHeldObjects) {
   ASSERT_EQ(Do(Release{.hand = kRight}), "");
   ASSERT_EQ(Grab(kLeft, "b"), "");
   EXPECT_EQ(attend({"maker"}),
-            "'b' has no property \"maker\", expected color, shape, size, position, orientation or "
-            "order");
+            "'b' has no property \"maker\", expected color, shape, size, position, orientation, "
+            "order or support");
   EXPECT_EQ(attend({"order"}), "");
   EXPECT_EQ(attended_of("a"), (Words{"size", "color", "maker"})) << "it stays after release";
   EXPECT_EQ(attended_of("b"), Words{"order"});

@@ -189,6 +189,25 @@ TEST(StructureComparison, AChainMayBeCutAnywhereButNoOtherChain) {
   EXPECT_FALSE(is_achieved_by("other-link0"));
 }
 
+TEST(StructureComparison, AnyOfEqualObjectsMayBeRemoved) {
+  // The demonstration destroys `a` and puts `b` onto `c`; here, `a` is on `c` and `b` on the floor.
+  const Structure structure{
+      .objects = {CubeAt("b", {0.3, 0, 0.15}, kRed), CubeAt("c", {0.3, 0, 0.05}, kBlue)},
+      .order = {"b"},
+      .effects = {DestroyedEffect{"a"}},
+      .others = {CubeAt("a", {0, 0, 0.05}, kRed)}};
+  const std::vector<scene::ObjectSpec> outcome{CubeAt("a", {0.3, 0, 0.15}, kRed),
+                                               CubeAt("b", {1.2, 0, -0.7}, kRed),
+                                               CubeAt("c", {0.3, 0, 0.05}, kBlue)};
+  const StructureComparison comparison = CompareWith(structure, EpisodeTo(outcome));
+  EXPECT_TRUE(comparison.is_achieved());
+  EXPECT_EQ(comparison.match, (Match{{"a", "b"}, {"b", "a"}, {"c", "c"}}));
+  // With both on the table, one is too many.
+  std::vector<scene::ObjectSpec> kept = outcome;
+  kept[1].whole.X_PE = RigidTransform(Vector3(0.6, 0, 0.05));
+  EXPECT_EQ(CompareWith(structure, EpisodeTo(kept)).achieved, std::vector<bool>{false});
+}
+
 TEST(StructureComparison, EndsSoonWithIdenticalObjects) {
   Structure structure;
   for (int i = 0; i < 200; ++i) {

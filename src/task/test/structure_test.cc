@@ -132,7 +132,7 @@ TEST_F(StructureTest, ReportsFallenObjects) {
 {"hand":"left","do":"grasp","object":"b"}
 {"hand":"left","do":"release"})")));
   EXPECT_EQ(structure.fallen, Ids{"a"});
-  EXPECT_EQ(TextOf(structure), "1. a fell to the floor\nas it was: b on the table\n");
+  EXPECT_EQ(TextOf(structure), "as it was: b on the table\nachieved: a removed from the table\n");
   EXPECT_EQ(ToJson(structure, 0.1)["fallen"], Json({"a"}));
 }
 
@@ -161,6 +161,74 @@ TEST_F(StructureTest, ReportsEffectsOfMechanisms) {
   const Structure screws = StructureOf(Play("screws"));
   ASSERT_EQ(screws.effects.size(), 2u);
   EXPECT_EQ(WordsOf(screws.effects[0], 0.1), "BrassScrewTip fastened to NutHole, stage 3");
+}
+
+// What is dropped beyond the table's edge or destroyed needs to go, and has no place.
+TEST_F(StructureTest, RemovedObjectsAreAnEffect) {
+  const recording::Recording demo = recording::OpenRecording(Record(
+      R"({"hand":"left","do":"grasp","object":"a"}
+{"hand":"left","do":"destroy"}
+{"do":"wait","seconds":0.1})"));
+  const Structure structure = StructureOf(demo);
+  EXPECT_EQ(structure.effects, std::vector<Effect>{DestroyedEffect{"a"}});
+  EXPECT_EQ(TextOf(structure), "achieved: a removed from the table\n");
+  EXPECT_EQ(ToJson(structure, 0.1)["effects"][0], Json({{"kind", "destroyed"}, {"object", "a"}}));
+  Episode episode = EpisodeOf(demo);
+  EXPECT_TRUE(CompareWith(structure, episode).is_achieved());
+  EXPECT_EQ(CompareWith(structure, AtBegin(episode)).score, 0);
+  // A robot cannot destroy it, but take it from the table.
+  episode.end.objects[0] = TracePoseAt(RigidTransform(Vector3(-1.4, 0, -0.7)));
+  episode.end.objects[0].is_present = true;
+  EXPECT_TRUE(CompareWith(structure, episode).is_achieved());
+}
+
+TEST_F(StructureTest, WhatIsTurnedInPlaceOrTiltedIsAnEffect) {
+  const auto turned_by = [&](const char* angles, const char* height = "1.01") {
+    const std::string script = std::string(R"({"hand":"left","do":"grasp","object":"a"}
+{"hand":"left","do":"move_to","position":[0,-2,3]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"rotate","angles":)") +
+                               angles + R"(}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"move_to","position":[0,-2,)" +
+                               height +
+                               R"(]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"release"}
+{"do":"wait","until":"still"})";
+    std::filesystem::remove_all(root_ / "demo");
+    return recording::OpenRecording(
+        Record(script.c_str(), false, nullptr,
+               R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+<block id="a" location="(0, -2, 1)" zspan="2"/></tabletop>)xml"));
+  };
+  const recording::Recording tilted = turned_by("[90,0,0]", "0.51");
+  const Structure lying = StructureOf(tilted);
+  EXPECT_EQ(TextOf(lying), "1. a on the table\nachieved: a tilted by 90 degrees\n");
+  const Episode episode = EpisodeOf(tilted);
+  EXPECT_TRUE(CompareWith(lying, episode).is_achieved());
+  EXPECT_EQ(CompareWith(lying, AtBegin(episode)).score, 0);
+  const Structure turned = StructureOf(turned_by("[0,0,40]"));
+  EXPECT_EQ(TextOf(turned),
+            "1. a on the table\nachieved: a turned in place by 40 degrees\n"
+            "what matters is the place on the table\n");
+  EXPECT_EQ(StructureOf(turned_by("[0,0,10]")).effects, std::vector<Effect>());
+}
+
+TEST_F(StructureTest, APressThatLeavesNoTraceIsAnEffect) {
+  std::string thrice;
+  for (int i = 0; i < 3; ++i) {
+    thrice += R"({"hand":"right","do":"trigger","control":"Switch"}
+{"do":"wait","seconds":0.5}
+)";
+  }
+  // Three lights: each press leads to the next one.
+  const recording::Recording demo = Play("controls", thrice + thrice);
+  const Structure structure = StructureOf(demo);
+  EXPECT_EQ(TextOf(structure), "achieved: Switch pressed\n");
+  const Episode episode = EpisodeOf(demo);
+  EXPECT_TRUE(CompareWith(structure, episode).is_achieved());
+  EXPECT_EQ(CompareWith(structure, AtBegin(episode)).score, 0);
 }
 
 TEST_F(StructureTest, ScrewsThatWereLoosenedAndFastenedAgainMustBeTight) {
@@ -195,6 +263,43 @@ TEST_F(StructureTest, EqualScrewsMayBeInOneAnothersHoles) {
   for (Effect& effect : tighter) ++std::get<BondEffect>(effect).tightness;
   EXPECT_EQ(AreAchieved(tight, episode, counterpart, kTolerance), std::vector<bool>(4, true));
   EXPECT_EQ(AreAchieved(tighter, episode, counterpart, kTolerance), std::vector<bool>(4, false));
+}
+
+// The rules of the Tower of Hanoi are what the demonstrator attends: the support of each disc.
+TEST_F(StructureTest, AShortcutThroughTheTowerOfHanoiIsNoSuccess) {
+  const recording::Recording demo =
+      Play("hanoi", ReadFile(DataFile("examples/hanoi.jsonl"), 1 << 20));
+  const Structure structure = StructureOf(demo);
+  EXPECT_TRUE(CompareWith(structure, EpisodeOf(demo)).is_achieved());
+  const auto move = [](const std::string& disc, double from, double to, double z) {
+    const std::string at = R"({"hand":"left","do":"move_to","position":[)";
+    const std::string arrived =
+        "]}\n"
+        R"({"do":"wait","until":"arrived"})"
+        "\n";
+    return R"({"hand":"left","do":"grasp","object":")" + disc + "\"}\n" + at +
+           std::to_string(from) + ",1,4" + arrived + at + std::to_string(to) + ",1,4" + arrived +
+           at + std::to_string(to) + ",1," + std::to_string(z) + arrived +
+           R"({"hand":"left","do":"release"})"
+           "\n"
+           R"({"do":"wait","until":"still"})"
+           "\n";
+  };
+  // Medium goes onto Small.
+  const recording::Recording shortcut =
+      Play("hanoi", move("SmallDisc", -3, 0, 0.51) + move("MediumDisc", -3, 0, 1.11) +
+                        move("LargeDisc", -3, 3, 0.51) + move("MediumDisc", 0, 3, 1.11) +
+                        move("SmallDisc", 0, 3, 1.71));
+  const Episode episode = EpisodeOf(shortcut);
+  const StructureComparison comparison = CompareWith(structure, episode);
+  EXPECT_LT(comparison.mean_error().distance, 0.001) << "all discs are where they should be";
+  ASSERT_EQ(comparison.broken_rules.size(), 1u);
+  EXPECT_EQ(comparison.broken_rules[0].object, "MediumDisc");
+  EXPECT_EQ(comparison.broken_rules[0].other, "SmallDisc");
+  const auto reason = FailureReasonOf(structure, episode, comparison, {.status = "exited"});
+  ASSERT_TRUE(reason);
+  EXPECT_EQ(reason->code, "rule_broken");
+  EXPECT_EQ(CompareWith(structure, observed_).broken_rules, comparison.broken_rules);
 }
 
 TEST_F(StructureTest, IsAchievedByItselfAndNotByAnIdleRun) {

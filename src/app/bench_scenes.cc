@@ -53,8 +53,11 @@ void Swing(sim::Simulation* simulation) {
   if (simulation->tick() % kSwingTicks != 0) return;
   const double speed = kSwingAngle / sim::SecondsOf(kSwingTicks);
   const bool is_forth = simulation->tick() / kSwingTicks % 2 == 0;
-  const std::vector<double> velocities(7, is_forth ? speed : -speed);
-  simulation->Apply(sim::JointVelocities{.arms = {{"left", velocities}, {"right", velocities}}});
+  sim::JointVelocities command;
+  for (const robot::Arm& arm : simulation->model().robot()->arms) {
+    command.arms[arm.name] = std::vector(arm.joints.size(), is_forth ? speed : -speed);
+  }
+  simulation->Apply(command);
 }
 
 Carrying::Carrying(sim::Simulation* simulation, const std::string& object, const Vector3& p_WFrom)

@@ -23,7 +23,7 @@ std::unique_ptr<sim::Simulation> MakeUm(const RobotOptions& robot);
 /// Duration of a swing, and how far it turns each joint [rad].
 inline constexpr int kSwingTicks = sim::kTicksPerSecond / 2;
 inline constexpr double kSwingAngle = 0.15;
-/// Swings both arms of the robot to and fro. Call before each tick; begins at a multiple of
+/// Swings all arms of the robot to and fro. Call before each tick; begins at a multiple of
 /// 2 * kSwingTicks.
 void Swing(sim::Simulation* simulation);
 

@@ -9,15 +9,31 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <tuple>
 #include <utility>
 
 namespace smile::mesh {
 namespace {
 
-/// Lexicographic order of points.
-bool IsBefore(const LatticePoint& a, const LatticePoint& b) {
-  return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z());
+/// Sorts points by x, y and z, and leaves out equal ones.
+void SortUnique(std::vector<LatticePoint>* points) {
+  // As one number per point, which compares like its coordinates, and much faster.
+  constexpr int kBits = 21;
+  static_assert(kLatticeSteps < std::int64_t{1} << kBits);
+  std::vector<std::uint64_t> keys;
+  keys.reserve(points->size());
+  for (const LatticePoint& point : *points) {
+    const Eigen::Matrix<std::uint64_t, 3, 1> p = point.cast<std::uint64_t>();
+    keys.push_back(p.x() << 2 * kBits | p.y() << kBits | p.z());
+  }
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  points->clear();
+  constexpr std::uint64_t kCoordinate = (std::uint64_t{1} << kBits) - 1;
+  for (const std::uint64_t key : keys) {
+    const Eigen::Matrix<std::uint64_t, 3, 1> p(key >> 2 * kBits, key >> kBits & kCoordinate,
+                                               key & kCoordinate);
+    points->push_back(p.cast<std::int64_t>());
+  }
 }
 
 double LengthOf(const LatticePoint& v) { return v.cast<double>().norm(); }
@@ -30,8 +46,7 @@ class Quickhull {
   Quickhull(std::vector<LatticePoint> points, double tolerance)
       : points_(std::move(points)), tolerance_(tolerance) {
     // Sorted and unique: the result depends on the set of points only.
-    std::sort(points_.begin(), points_.end(), IsBefore);
-    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+    SortUnique(&points_);
   }
 
   std::optional<LatticeHull> Run(int max_corners) {
@@ -58,7 +73,10 @@ class Quickhull {
     std::array<int, 3> neighbours;  // across the edge from corner i to the next
     LatticePoint normal;
     double length;
-    std::vector<std::pair<double, int>> outside;  // distance [steps] and point
+    std::vector<int> outside;  // points
+    // The first of the farthest of them: its distance [steps], 0 if there is none, and its number.
+    double most = 0;
+    int farthest = -1;
     bool is_alive = true;
   };
   struct Farthest {
@@ -75,7 +93,7 @@ class Quickhull {
 
   int AddFace(int a, int b, int c) {
     const LatticePoint normal = NormalOf(points_[a], points_[b], points_[c]);
-    faces_.push_back({{a, b, c}, {-1, -1, -1}, normal, LengthOf(normal), {}});
+    faces_.push_back({{a, b, c}, {-1, -1, -1}, normal, LengthOf(normal)});
     return static_cast<int>(faces_.size()) - 1;
   }
 
@@ -83,8 +101,12 @@ class Quickhull {
   template <class Measure>
   int ArgMax(Measure measure) const {
     int best = 0;
+    auto greatest = measure(points_.front());
     for (int i = 1; i < static_cast<int>(points_.size()); ++i) {
-      if (measure(points_[i]) > measure(points_[best])) best = i;
+      const auto measured = measure(points_[i]);
+      if (measured <= greatest) continue;
+      greatest = measured;
+      best = i;
     }
     return best;
   }
@@ -142,7 +164,11 @@ class Quickhull {
           best = &face;
         }
       }
-      if (best) best->outside.emplace_back(most, point);
+      if (best == nullptr) continue;
+      best->outside.push_back(point);
+      if (most <= best->most) continue;
+      best->most = most;
+      best->farthest = point;
     }
   }
 
@@ -150,8 +176,9 @@ class Quickhull {
   void Reassign() {
     std::vector<int> left;
     for (Face& face : faces_) {
-      for (const auto& [distance, point] : face.outside) left.push_back(point);
+      left.insert(left.end(), face.outside.begin(), face.outside.end());
       face.outside.clear();
+      face.most = 0;
     }
     Assign(left, 0);
   }
@@ -161,11 +188,9 @@ class Quickhull {
     double most = tolerance_;
     std::optional<Farthest> farthest;
     for (std::size_t i = 0; i < faces_.size(); ++i) {
-      for (const auto& [distance, point] : faces_[i].outside) {
-        if (distance <= most) continue;
-        most = distance;
-        farthest = {static_cast<int>(i), point};
-      }
+      if (faces_[i].most <= most) continue;
+      most = faces_[i].most;
+      farthest = {static_cast<int>(i), faces_[i].farthest};
     }
     return farthest;
   }
@@ -222,10 +247,11 @@ class Quickhull {
     // Only the new faces can have the points of the removed ones outside.
     std::vector<int> orphans;
     for (const int gone : visible) {
-      for (const auto& [distance, point] : faces_[gone].outside) {
+      for (const int point : faces_[gone].outside) {
         if (point != farthest.point) orphans.push_back(point);
       }
       faces_[gone].outside = {};
+      faces_[gone].most = 0;
     }
     Assign(orphans, first);
   }

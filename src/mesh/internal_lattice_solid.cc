@@ -51,10 +51,11 @@ class Polygon {
   }
 
   /// Clips at the planes of a box across the first `num_axes` axes.
-  void CutToBox(const LatticeBox& box, int num_axes) {
+  /// @param bounds  of the polygon: planes beside it need no cut.
+  void CutToBox(const LatticeBox& box, const LatticeBox& bounds, int num_axes) {
     for (int axis = 0; axis < num_axes && size_ > 0; ++axis) {
-      Cut(axis, static_cast<double>(box.low[axis]), 1);
-      Cut(axis, static_cast<double>(box.high[axis]), -1);
+      if (bounds.low[axis] <= box.low[axis]) Cut(axis, static_cast<double>(box.low[axis]), 1);
+      if (bounds.high[axis] >= box.high[axis]) Cut(axis, static_cast<double>(box.high[axis]), -1);
     }
   }
 
@@ -201,7 +202,6 @@ LatticeSolid::Numbers LatticeSolid::Touching(const LatticeBox& box, const Number
   Numbers touching;
   for (const std::uint32_t i : among) {
     const LatticeBox& bounds = triangle_bounds_[i];
-    const LatticePoint normal = NormalOf(triangles_[i][0], triangles_[i][1], triangles_[i][2]);
     bool is_inside = true;
     for (int axis = 0; axis < 3 && is_inside; ++axis) {
       if (bounds.low[axis] != bounds.high[axis]) {
@@ -210,6 +210,7 @@ LatticeSolid::Numbers LatticeSolid::Touching(const LatticeBox& box, const Number
         // In a plane across the axis: the surface belongs to the side of the solid, behind the
         // normal.
         const std::int64_t place = bounds.low[axis];
+        const LatticePoint normal = NormalOf(triangles_[i][0], triangles_[i][1], triangles_[i][2]);
         is_inside = (place > box.low[axis] && place < box.high[axis]) ||
                     (place == box.low[axis] && normal[axis] < 0) ||
                     (place == box.high[axis] && normal[axis] > 0);
@@ -241,7 +242,7 @@ void LatticeSolid::AppendSurface(const LatticeBox& box, const Numbers& touching,
   work_ += touching.size();
   for (const std::uint32_t i : touching) {
     Polygon polygon(triangles_[i]);
-    polygon.CutToBox(box, 3);
+    polygon.CutToBox(box, triangle_bounds_[i], 3);
     for (const Point& point : polygon) {
       // Rounding moves a clipped point by at most half a step, far below the tolerance of the
       // hulls.
@@ -265,7 +266,7 @@ double LatticeSolid::VolumeWithin(const LatticeBox& box, const Numbers& above) c
     // The column under a triangle within the box: what is under the clipped triangle, less what is
     // above the ceiling.
     Polygon column(triangles_[i]);
-    column.CutToBox(box, 2);
+    column.CutToBox(box, bounds, 2);
     // Parts below the floor would count as negative columns.
     if (bounds.low.z() < box.low.z()) column.Cut(2, floor, 1);
     volume += column.VolumeAbove(floor);

@@ -115,13 +115,16 @@ std::optional<std::string> AddMimics(const std::vector<Mimic>& mimics, RobotMode
     scene::LinkSpec& leader = model->links[link.mimic->leader];
     const double at_lower = (link.lower - link.mimic->offset) / link.mimic->multiplier;
     const double at_upper = (link.upper - link.mimic->offset) / link.mimic->multiplier;
-    leader.lower = std::max(leader.lower, std::min(at_lower, at_upper));
-    leader.upper = std::min(leader.upper, std::max(at_lower, at_upper));
+    const double least = std::min(at_lower, at_upper), most = std::max(at_lower, at_upper);
+    const std::string own_range = NumberText(leader.lower) + " to " + NumberText(leader.upper);
+    leader.lower = std::max(leader.lower, least);
+    leader.upper = std::min(leader.upper, most);
     leader.max_velocity =
         std::min(leader.max_velocity, link.max_velocity / std::abs(link.mimic->multiplier));
     if (leader.lower < leader.upper) continue;
     return "joint " + Quoted(link.joint_name) + " mimics " + Quoted(leader.joint_name) +
-           ", and its limits leave that one no motion, expected wider limits";
+           ", and its limits allow that one only " + NumberText(least + 0.0) + " to " +
+           NumberText(most + 0.0) + ", expected a part of the range " + own_range;
   }
   return std::nullopt;
 }

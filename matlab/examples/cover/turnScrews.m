@@ -4,7 +4,7 @@ function actions = turnScrews(robot, aside, holder, screws, isLoosening)
 % The last joint of the arm turns the tool about its own axis. A stroke is half a turn and a little more; then the
 % tip is lifted out of the head, and the wrist turns back. Four strokes loosen a screw, five fasten it until it
 % is surely tight.
-  for arm = [2 1]
+  for arm = numel(robot.arms):-1:1
     for start = startAngles(robot, arm, aside)'
       actions = planFrom(robot, aside, arm, start', holder, screws, isLoosening);
       if ~isempty(actions), return, end

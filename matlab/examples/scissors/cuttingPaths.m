@@ -4,24 +4,28 @@ function paths = cuttingPaths(scissors, string, legs)
   grasp = 0.45;      % height of the tool above the middle of the scissors
   away = 3.4;        % distance of the middle of the scissors from the string
   blades = 2.2;      % and when it is between their blades
-  turn = [5, 3.4];   % beside the string and before it, where the scissors are turned towards it
+  turns = [5, 3, 2.4; 3.4, 3.4, 4.2];  % beside the string and before it, where the scissors are turned towards it
   seen = insidePlace(string, scissors.middle);
-  turn(1) = turn(1) * (1 - 2 * (seen(1) < 0));
+  turns(1, :) = turns(1, :) * (1 - 2 * (seen(1) < 0));
   paths = {};
-  for offset = [0, 0.5, -0.5]
-    for across = {'line', 'joints'}
-      for side = [1, -1]
-        for leg = legs'
-          height = leg(2) + grasp;
-          over = poseAt(pointAt(scissors, 0, offset, 2 + grasp), side * scissors.x);
-          take = poseAt(pointAt(scissors, 0, offset, 0.4 + grasp), side * scissors.x);
-          put = poseAt(pointAt(scissors, 0, offset, 0.42 + grasp), side * scissors.x);
-          beside = poseAt(pointAt(string, turn(1), offset - turn(2), height), side * string.x);
-          before = poseAt(pointAt(string, leg(1), offset - away, height), side * string.x);
-          there = poseAt(pointAt(string, leg(1), offset - blades, height), side * string.x);
-          how = across{1};
-          paths{end + 1} = {'joints', over; 'line', take; 'line', over; how, beside; how, before; 'line', there; ...
-                            'line', before; how, beside; how, over; 'line', put; 'line', over};
+  for lifted = [2, 1]  % height of the middle of the scissors before and after
+    for offset = [0, 0.5, -0.5]
+      for across = {'line', 'joints'}
+        for side = [1, -1]
+          for leg = legs'
+            height = leg(2) + grasp;
+            over = poseAt(pointAt(scissors, 0, offset, lifted + grasp), side * scissors.x);
+            take = poseAt(pointAt(scissors, 0, offset, 0.4 + grasp), side * scissors.x);
+            put = poseAt(pointAt(scissors, 0, offset, 0.42 + grasp), side * scissors.x);
+            before = poseAt(pointAt(string, leg(1), offset - away, height), side * string.x);
+            there = poseAt(pointAt(string, leg(1), offset - blades, height), side * string.x);
+            how = across{1};
+            for turn = turns
+              beside = poseAt(pointAt(string, turn(1), offset - turn(2), height), side * string.x);
+              paths{end + 1} = {'joints', over; 'line', take; 'line', over; how, beside; how, before; 'line', there; ...
+                                'line', before; how, beside; how, over; 'line', put; 'line', over};
+            end
+          end
         end
       end
     end

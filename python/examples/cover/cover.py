@@ -21,6 +21,7 @@ SCREW_X, SCREW_Y = 1.55, 0.75      # of the screws, from the middle of the housi
 KNOB, KNOB_ON_STAND = 2.2, 2       # heights of the tool that holds the knob of the cover, ...
 FUSE, FUSE_INSIDE = 1.1, 1.2       # a fuse on the table, and one in the socket or the bin
 OVER, OVER_FUSE = 3.4, 2.9         # heights at which the cover and a fuse are carried
+LIFT = 1.8                         # of a fuse that stands alone, before it rises on its way across
 DROP = 0.02                        # height above its place from which an object is released
 WIDE = 0.9                         # opening of the gripper around an object of 0.4
 
@@ -42,15 +43,16 @@ def replace(motor, aux):
     yield from plan_drive(arms, screwdriver.middle, screws, True, TABLE).drive()
     yield from carry(arms, housing, KNOB, stand, KNOB_ON_STAND, OVER)
     yield from carry(arms, housing, FUSE_INSIDE, waste, FUSE_INSIDE, OVER_FUSE)
-    yield from carry(arms, spare, FUSE, housing, FUSE_INSIDE, OVER_FUSE)
+    yield from carry(arms, spare, FUSE, housing, FUSE_INSIDE, OVER_FUSE, LIFT)
     yield from carry(arms, stand, KNOB_ON_STAND, housing, KNOB, OVER)
     yield from plan_drive(arms, screwdriver.middle, screws, False, TABLE).drive()
 
 
-def carry(arms, start, start_height, goal, goal_height, over):
-    """Carries an object from a place to another one, and sets it down parallel to it."""
+def carry(arms, start, start_height, goal, goal_height, over, *lower_lifts):
+    """Carries an object from a place to another one, and sets it down parallel to it. It is lifted
+    to `over`, or lower if no arm can lift it so high there."""
     arm, (to_start, lower, raise_, cross, put, leave) = carrying_plan(
-        arms, start, start_height, goal, goal_height, over)
+        arms, start, start_height, goal, goal_height, over, lower_lifts)
     print("carrying with the", arm.name, "arm")
     yield from arm.grip(-1, WIDE)
     yield from arm.follow(to_start, lower)
@@ -61,18 +63,18 @@ def carry(arms, start, start_height, goal, goal_height, over):
     yield from arm.go_aside()
 
 
-def carrying_plan(arms, start, start_height, goal, goal_height, over):
+def carrying_plan(arms, start, start_height, goal, goal_height, over, lower_lifts):
     """Returns an arm and its motions: to the object, down, up, across, down, up.
 
     The fingers are at the longer sides of the object; it may be grasped, and stand, in two ways. A
     straight way keeps it level on its way across.
     """
-    ways = itertools.product(["line", "joints"], [1, -1], [1, -1])
-    for across, start_side, goal_side in ways:
+    ways = itertools.product([over, *lower_lifts], ["line", "joints"], [1, -1], [1, -1])
+    for lift, across, start_side, goal_side in ways:
         from_above, grasp, above, put = [
             pose_at(place.at(0, 0, height), side * place.y)
             for place, height, side in [
-                (start, over, start_side), (start, start_height, start_side),
+                (start, lift, start_side), (start, start_height, start_side),
                 (goal, over, goal_side), (goal, goal_height + DROP, goal_side)]]
         planned = plan(arms, [("joints", from_above), ("line", grasp), ("line", from_above),
                               (across, above), ("line", put), ("line", above)], TABLE)

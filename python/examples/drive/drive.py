@@ -21,6 +21,7 @@ RELEASED = 1.3         # opening of the gripper when the drive, 0.9 wide, is fre
 DROP = 0.02            # height above its place from which a drive is released
 SLOT, BIN = 0.3, 0.15  # heights of the bottoms of a slot and of the bin
 CARRY = 2.2            # height of the bottom of a drive that passes over others
+LIFT = 0.8             # and of one that stands alone, before it rises on its way across
 LOW = 1                # height of closed fingers over a button, if they cannot be as high as that
 BUTTON = 0.4           # height that closed fingers go down to, to press the raised button
 BUTTON_SIDE = 0.42     # from the middle of a switch to the middle of the fingers
@@ -42,8 +43,8 @@ def replace(motor, aux):
         return
     slot = rack.moved(failed[0], SLOT_DEPTH)
     yield from switch("off", failed[0], rack, arms, aux)
-    yield from carry(slot, SLOT, waste, BIN, arms)
-    yield from carry(spare, 0, slot, SLOT, arms)
+    yield from carry(slot, SLOT, waste, BIN, [CARRY], arms)
+    yield from carry(spare, 0, slot, SLOT, [CARRY, LIFT], arms)
     yield from switch("ready", failed[0], rack, arms, aux)
 
 
@@ -79,9 +80,10 @@ def press(button, arms):
     yield from arm.go_aside()
 
 
-def carry(start, start_height, goal, goal_height, arms):
-    """Carries the drive that stands at a place to another one, and sets it down parallel to it."""
-    for path in carrying_paths(start, start_height, goal, goal_height + DROP):
+def carry(start, start_height, goal, goal_height, lifts, arms):
+    """Carries the drive that stands at a place to another one, and sets it down parallel to it. It is
+    lifted to the first of several heights at which an arm can do so."""
+    for path in carrying_paths(start, start_height, goal, goal_height + DROP, lifts):
         planned = plan(arms, path, TABLE)
         if planned:
             break
@@ -98,13 +100,13 @@ def carry(start, start_height, goal, goal_height, arms):
     yield from arm.go_aside()
 
 
-def carrying_paths(start, start_height, goal, goal_height):
+def carrying_paths(start, start_height, goal, goal_height, lifts):
     """Yields the ways to carry a drive, the best first. A straight way does not dip on its way
     across; the left finger goes left or right of the drive."""
-    for across, side in itertools.product(["line", "joints"], [1, -1]):
+    for lift, across, side in itertools.product(lifts, ["line", "joints"], [1, -1]):
         from_above, grasp, above, put = [
             pose_at(place.at(0, 0, height + GRASP), side * place.x)
-            for place, height in [(start, CARRY), (start, start_height),
+            for place, height in [(start, lift), (start, start_height),
                                   (goal, CARRY), (goal, goal_height)]]
         yield [("joints", from_above), ("line", grasp), ("line", from_above),
                (across, above), ("line", put), ("line", above)]

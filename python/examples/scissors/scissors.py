@@ -21,10 +21,10 @@ from sight import find_scissors, find_string, is_hanging
 SINKS = 3           # time after which the string has sunk and rests [s]
 ON_TABLE = 0.4      # height of the middle of scissors that lie on the table
 GRASP = 0.45        # height of the tool above it
-LIFTED = 2          # height of the middle before and after
+LIFTED = 2, 1       # height of the middle before and after
 BLADES = 2.2        # from the middle of the scissors to the string between their blades
 AWAY = 3.4          # and when they are not yet there
-TURN = 5, 3.4       # beside the string and before it, where the scissors are turned towards it
+TURN = (5, 3.4), (3, 3.4), (2.4, 4.2)  # beside the string and before it, where they turn
 GRIPS = 0, 0.5, -0.5  # where the fingers take the grip, from its middle towards the blades
 DROP = 0.02         # height above the table from which the scissors are released
 ATTEMPTS = 3
@@ -75,13 +75,13 @@ def use_scissors(scissors, string, legs, arms):
 def cutting_paths(scissors, string, legs):
     """Yields ways to take the scissors, cut a leg of the string, and put them back. The left finger
     goes left or right of the grip, nearer to the blades or to the rings."""
-    x_turn = np.copysign(TURN[0], string.inside(scissors.middle[np.newaxis])[0, 0])
-    for grip, across, side, (x, height) in itertools.product(GRIPS, ["line", "joints"], [1, -1],
-                                                             legs):
+    side_of_scissors = np.sign(string.inside(scissors.middle[np.newaxis])[0, 0])
+    for lifted, grip, across, side, (x, height), (beside, before) in itertools.product(
+            LIFTED, GRIPS, ["line", "joints"], [1, -1], legs, TURN):
         above, grasp, put = [pose_at(scissors.at(0, grip, z + GRASP), side * scissors.x)
-                             for z in (LIFTED, ON_TABLE, ON_TABLE + DROP)]
+                             for z in (lifted, ON_TABLE, ON_TABLE + DROP)]
         turn, away, there = [pose_at(string.at(x, grip - y, height + GRASP), side * string.x)
-                             for x, y in [(x_turn, TURN[1]), (x, AWAY), (x, BLADES)]]
+                             for x, y in [(side_of_scissors * beside, before), (x, AWAY), (x, BLADES)]]
         yield [("joints", above), ("line", grasp), ("line", above),
                (across, turn), (across, away), ("line", there),
                ("line", away), (across, turn), (across, above), ("line", put), ("line", above)]

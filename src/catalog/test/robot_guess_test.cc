@@ -91,8 +91,8 @@ TEST_F(RobotGuessTest, NamesTheUrdfWhoseMimicHasNoRange) {
     EXPECT_EQ(
         std::string(error.what()),
         (folder_ / "r.urdf").string() +
-            ": joint \"rod\" mimics \"a2\", and its limits leave that one no motion, expected "
-            "wider limits");
+            ": joint \"rod\" mimics \"a2\", and its limits allow that one only 3 to 4, expected a "
+            "part of the range -2 to 2");
   }
 }
 

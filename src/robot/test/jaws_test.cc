@@ -135,8 +135,8 @@ TEST_F(Jaws, AreRefusedIfTheirMimicsMakeNoSense) {
   EXPECT_EQ(complaint(R"(<mimic joint="x"/>)"),
             "r.robot.json: joint \"r\" mimics \"x\", expected a joint that moves");
   EXPECT_EQ(complaint(R"(<mimic joint="l" offset="9"/>)"),
-            "r.robot.json: joint \"r\" mimics \"l\", and its limits leave that one no motion, "
-            "expected wider limits");
+            "r.robot.json: joint \"r\" mimics \"l\", and its limits allow that one only -11 to -7, "
+            "expected a part of the range -2 to 2");
   EXPECT_EQ(complaint(R"(<mimic joint="l" multiplier="0"/>)"),
             "r.robot.json: joint \"r\" mimics \"l\" with the multiplier 0 and the offset 0, "
             "expected finite ones, the multiplier not 0");

@@ -68,6 +68,9 @@ record firm_lidbox lidbox examples/scenes/lidbox.jsonl --no-robot --no-symbols
 record firm_presses controls "$scripts/presses.jsonl" --no-robot --no-symbols
 record firm_scissors scissors "$scripts/firm_scissors.jsonl" --no-robot --no-symbols
 
+# Loads (physics version 6): a tower that is taken apart, block by block.
+record loads_unstack unstack examples/unstack.jsonl --no-robot --no-symbols --seconds 10
+
 # Robots at work: a gripper presses a switch, and closes on a tool that cuts; other grippers and numbers of arms.
 record robot_press tower "$scripts/robot_press.jsonl" --robot tern
 record robot_cut tower "$scripts/robot_cut.jsonl" --robot tern

@@ -1,11 +1,13 @@
 #include "app/bench_recording.h"
 
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 
 #include <chrono>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
+#include <string>
 
 #include "app/bench_scenes.h"
 #include "app/bench_scratch.h"
@@ -100,15 +102,16 @@ void OpenEightHours(benchmark::State& state) {
   ReportSize(state, recording.demo(), LongRecording::kSeconds);
 }
 
-/// Returns a scene of fifty blocks in rows.
-scene::SceneSpec FiftyBlocks() {
-  scene::SceneSpec scene{.name = "fifty"};
-  for (int i = 0; i < 50; ++i) {
-    const int row = i / 10, column = i % 10;
+/// Returns a scene of blocks in rows, at a distance of each other [m].
+scene::SceneSpec RowsOfBlocks(int count, int per_row, double distance) {
+  scene::SceneSpec scene{.name = "rows"};
+  for (int i = 0; i < count; ++i) {
+    const int row = i / per_row, column = i % per_row;
     scene::ObjectSpec object;
-    object.whole = {.id = "b" + std::to_string(i),
-                    .X_PE = RigidTransform(Vector3(-0.8 + 0.16 * column, -0.4 + 0.16 * row, 0.05)),
-                    .shape = scene::Block{{0.1, 0.1, 0.1}}};
+    object.whole = {
+        .id = "b" + std::to_string(i),
+        .X_PE = RigidTransform(Vector3(-0.8 + distance * column, -0.4 + distance * row, 0.05)),
+        .shape = scene::Block{{0.1, 0.1, 0.1}}};
     scene.objects.push_back(std::move(object));
   }
   return scene;
@@ -117,7 +120,7 @@ scene::SceneSpec FiftyBlocks() {
 /// Measures only the undo, of a grasp and a second of carrying.
 void UndoAmongFiftyBlocks(benchmark::State& state) {
   const ScratchFolder folder;
-  sim::Simulation simulation(FiftyBlocks());
+  sim::Simulation simulation(RowsOfBlocks(50, 10, 0.16));
   recorder::Recorder recorder(folder.path() / "demo", {}, nullptr, simulation);
   simulation.AddListener(&recorder);
   for (auto _ : state) {
@@ -128,6 +131,39 @@ void UndoAmongFiftyBlocks(benchmark::State& state) {
     if (simulation.Apply(sim::Undo())) state.SkipWithError("nothing to undo");
     state.SetIterationTime(
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+}
+
+/// Returns how many bytes of the heap are in use.
+double HeapBytes() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks + info.hblkhd);
+}
+
+/// Keeps 10,000 states to which undo can go back, of a hand that does something twenty times a
+/// second with one block after another, and reports the memory.
+void RememberActions(benchmark::State& state) {
+  constexpr int kNumActions = 10000, kNumBlocks = 100, kTicksBetween = sim::kTicksPerSecond / 20;
+  for (auto _ : state) {
+    sim::Simulation simulation(RowsOfBlocks(kNumBlocks, 14, 0.12));
+    const double before = HeapBytes();
+    for (int i = 0; i < kNumActions; ++i) {
+      // Each block is lifted a little, and falls.
+      if (i % 2 == 0) {
+        const std::string block = "b" + std::to_string(i / 2 % kNumBlocks);
+        const Vector3 p_WB =
+            simulation.scene().objects[i / 2 % kNumBlocks].whole.X_PE.translation();
+        simulation.Apply(sim::Grasp{.hand = HandName::kLeft, .object = block});
+        simulation.Apply(sim::MoveTo{.hand = HandName::kLeft, .p_WH = p_WB + Vector3(0, 0, 0.1)});
+      } else {
+        simulation.Apply(sim::Release{.hand = HandName::kLeft});
+      }
+      for (int tick = 0; tick < kTicksBetween; ++tick) simulation.Tick();
+    }
+    state.counters["MB"] = (HeapBytes() - before) / 1e6;
+    int steps = 0;
+    while (!simulation.Apply(sim::Undo())) ++steps;
+    state.counters["steps"] = steps;
   }
 }
 
@@ -167,6 +203,9 @@ void RegisterRecordingBenchmarks() {
   RegisterBenchmark("opening of eight hours", &OpenEightHours)->Unit(benchmark::kMillisecond);
   RegisterBenchmark("undo among 50 blocks, recorded", &UndoAmongFiftyBlocks)
       ->UseManualTime()
+      ->Unit(benchmark::kMillisecond);
+  RegisterBenchmark("10,000 actions among 100 blocks", &RememberActions)
+      ->Iterations(1)
       ->Unit(benchmark::kMillisecond);
   for (const bool with_robot : {false, true}) {
     RegisterBenchmark(with_robot ? "replay of UM with robot" : "replay of UM", &ReplayUm,

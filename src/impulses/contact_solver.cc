@@ -21,6 +21,9 @@ constexpr double kAnchorCorrection = 0.2;
 /// Part of the greatest possible friction from which on a contact slips.
 constexpr double kSlipping = 0.999;
 
+/// Points have a load across their plane if the squares of their weights add up to this.
+constexpr double kLeastWeights = 0.1;
+
 /// Bodies that may roll, and turn faster than this against each other, roll [rad/s].
 constexpr double kRollingSpeed = 0.01;
 
@@ -67,7 +70,99 @@ bool ContactSolver::Begin(const Config& config, std::span<const Body> bodies,
     AddRows({Side{&a, center - a.p_WBcm}, Side{&b, center - b.p_WBcm}}, patch.friction, center,
             own);
   }
+  if (may_rest && config.finds_loads) FindLoads(bodies);
   return false;
+}
+
+/// Changes the normal impulses of patches that bore something in the last step.
+void ContactSolver::FindLoads(std::span<const Body> bodies) {
+  loaded_.clear();
+  loads_.clear();
+  for (const Rows& rows : rows_) {
+    Loaded& loaded = loaded_.emplace_back(LoadedOf(rows, PointsOf(rows)));
+    loaded.first_load = static_cast<int>(loads_.size());
+    // Two points, or points in line, hold nothing against tipping in one direction.
+    const int num_loads = loaded.count > 2 ? 3 : std::min(loaded.count, 1);
+    for (int load = 0; load < num_loads; ++load) AddLoad(bodies, &loaded, load);
+  }
+  load_solver_.Solve(static_cast<int>(bodies.size()), loads_);
+  for (const Loaded& loaded : loaded_) ApplyLoads(loaded);
+}
+
+ContactSolver::Loaded ContactSolver::LoadedOf(const Rows& rows, std::span<const Point> points) {
+  Loaded loaded{.rows = &rows};
+  const Contact* first = nullptr;
+  for (const Point& point : points) {
+    if (point.impulse == 0) continue;
+    if (first == nullptr) first = point.contact;
+    loaded.p_WQ += point.contact->p_WB;
+    loaded.most = std::max(loaded.most, point.impulse);
+    ++loaded.count;
+  }
+  if (first == nullptr) return loaded;
+  loaded.p_WQ /= loaded.count;
+  double squared = 0;
+  for (const Point& point : points) {
+    if (point.impulse != 0) squared += (point.contact->p_WB - loaded.p_WQ).squaredNorm();
+  }
+  // Weights are about 1.
+  loaded.across = AxesOfPlane(first->normal);
+  for (Vector3& axis : loaded.across) {
+    if (squared > 0) axis /= std::sqrt(squared / loaded.count);
+  }
+  return loaded;
+}
+
+/// Returns the part of a unit of a load that acts at a point. The first load acts at all points
+/// alike, the others turn about the two axes of the plane.
+double ContactSolver::Loaded::WeightOf(const Point& point, int load) const {
+  return load == 0 ? 1 : across[load - 1].dot(point.contact->p_WB - p_WQ);
+}
+
+/// Adds a load of a patch, unless its points are too close to each other in this direction.
+void ContactSolver::AddLoad(std::span<const Body> bodies, Loaded* loaded, int load) {
+  Vector6 unit;
+  double wanted = 0, squared_weights = 0;
+  for (const Point& point : PointsOf(*loaded->rows)) {
+    if (point.impulse == 0) continue;
+    const double weight = loaded->WeightOf(point, load);
+    squared_weights += weight * weight;
+    unit.Add(weight, point.normal);
+    // Depth is left to the sweeps: what is jammed cannot be pushed apart.
+    const double depth = std::max(-point.contact->distance, 0.0);
+    wanted += weight * (point.wanted - depth * kDepthCorrection / config_.step_seconds);
+  }
+  if (squared_weights < kLeastWeights) return;
+  LoadSolver::Load& added = loads_.emplace_back();
+  for (int k = 0; k < 2; ++k) {
+    const auto& [body, arm] = loaded->rows->sides[k];
+    added.sides[k].body = static_cast<int>(body - bodies.data());
+    if (!body->is_movable()) continue;
+    const double sign = k == 0 ? 1 : -1;
+    const Vector3 linear = sign * unit.linear();
+    const Vector3 angular = sign * unit.angular() + arm.cross(linear);
+    added.sides[k].jacobian = Vector6::Of(linear, angular);
+    added.sides[k].response = Vector6::Of(body->inverse_mass * linear, TurnedBy(angular, *body));
+    wanted -= linear.dot(ChangeOfV(*body)) + angular.dot(ChangeOfW(*body));
+  }
+  added.wanted = wanted;
+  added.most = loaded->most;
+  loaded->kinds[loaded->num_loads++] = load;
+}
+
+void ContactSolver::ApplyLoads(const Loaded& loaded) {
+  Vector6 impulse;
+  for (Point& point : PointsOf(*loaded.rows)) {
+    if (point.impulse == 0) continue;
+    double change = 0;
+    for (int i = 0; i < loaded.num_loads; ++i) {
+      change += loads_[loaded.first_load + i].change * loaded.WeightOf(point, loaded.kinds[i]);
+    }
+    change = std::max(change, -point.impulse);
+    point.impulse += change;
+    impulse.Add(change, point.normal);
+  }
+  Apply(*loaded.rows, impulse);
 }
 
 /// Lets the bodies stand still if they do already, and would with the last impulses.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "impulses/body.h"
+#include "impulses/load_solver.h"
 #include "impulses/vector6.h"
 
 namespace smile::impulses {
@@ -41,6 +42,9 @@ class ContactSolver {
     double step_seconds = 1.0 / 480;
     double warm_start = 0.85;   ///< part of the last impulses to begin with
     double bounce_speed = 0.2;  ///< slower bodies do not bounce [m/s]
+    /// The loads of patches are found all together before the sweeps, where nothing but contacts
+    /// acts: see LoadSolver.
+    bool finds_loads = true;
   };
 
   /// Begins a step of an island with the impulses of the last step.
@@ -92,11 +96,30 @@ class ContactSolver {
     double lever;  ///< torque per normal force [m]
     Friction friction;
   };
+  /// A patch that bore something in the last step, with its points that did.
+  struct Loaded {
+    const Rows* rows;
+    Vector3 p_WQ = Vector3::Zero();     ///< the mean of these points [m]
+    std::array<Vector3, 2> across;      ///< weights of the points by their places, as vectors [1/m]
+    double most = 0;                    ///< of the points' impulses [N s]
+    int count = 0;                      ///< of these points
+    int first_load = 0, num_loads = 0;  ///< what AddLoad() added
+    std::array<int, 3> kinds{};         ///< of these loads: see WeightOf()
+
+    double WeightOf(const Point& point, int load) const;
+  };
   /// Relative velocity at a patch's center that each unit impulse there causes.
   using Responses = std::array<Vector6, 6>;
 
   bool StayAtRest(std::span<const Body> bodies, std::span<const Patch> patches,
                   std::span<const Contact> contacts);
+  void FindLoads(std::span<const Body> bodies);
+  static Loaded LoadedOf(const Rows& rows, std::span<const Point> points);
+  void AddLoad(std::span<const Body> bodies, Loaded* loaded, int load);
+  void ApplyLoads(const Loaded& loaded);
+  std::span<Point> PointsOf(const Rows& rows) {
+    return std::span(points_).subspan(rows.first, rows.count);
+  }
   void AddRows(const std::array<Side, 2>& sides, double friction, const Vector3& center,
                std::span<Contact> contacts);
   void AddPoint(const Rows& rows, const Responses& responses, const Vector3& center,
@@ -117,6 +140,9 @@ class ContactSolver {
   std::vector<Rolling> rolling_;
   std::vector<Vector6> impulses_;        ///< by body; scratch space of StayAtRest()
   std::vector<double> against_rolling_;  ///< likewise
+  std::vector<Loaded> loaded_;           ///< scratch space of FindLoads()
+  std::vector<LoadSolver::Load> loads_;  ///< likewise
+  LoadSolver load_solver_;
 };
 
 }  // namespace smile::impulses

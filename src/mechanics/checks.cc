@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -81,30 +82,35 @@ bool IsAscending(const Records& records) {
 }
 
 /// Checks that no two objects share an id. Bodies and links share one counter.
-void CheckIds(const Snapshot& snapshot) {
+/// @param unknown  indices of the bodies that are not known to be sound.
+void CheckIds(const Snapshot& snapshot, std::span<const std::size_t> unknown) {
   // Ids are stored as Bullet's user index, an int.
   DemandOfSnapshot(snapshot.next_id <= std::numeric_limits<int>::max(), "its next id is too large");
-  DemandOfSnapshot(IsAscending(snapshot.bodies) && IsAscending(snapshot.articulations) &&
-                       IsAscending(snapshot.joints),
-                   "its bodies, robots or joints are not in the order of their ids");
-  // Bodies and articulations are sorted by id separately; together they must not overlap.
-  std::vector<bool> is_link;
-  const auto demand_free = [&snapshot, &is_link](std::uint64_t first, std::uint64_t count) {
-    // Ids begin at 1. The counter must be above all of them, or a new object would get a used one.
-    DemandOfSnapshot(first > 0 && first + count <= snapshot.next_id, "an id was never assigned");
-    for (std::uint64_t id = first; id < std::min<std::uint64_t>(first + count, is_link.size());
-         ++id) {
-      DemandOfSnapshot(!is_link[id], "two objects have the same id");
-    }
+  const auto& bodies = snapshot.bodies;
+  const bool are_bodies_in_order = std::ranges::all_of(unknown, [&bodies](std::size_t i) {
+    return (i == 0 || bodies[i - 1].id < bodies[i].id) &&
+           (i + 1 == bodies.size() || bodies[i].id < bodies[i + 1].id);
+  });
+  DemandOfSnapshot(
+      are_bodies_in_order && IsAscending(snapshot.articulations) && IsAscending(snapshot.joints),
+      "its bodies, robots or joints are not in the order of their ids");
+  // Ids begin at 1. The counter must be above all of them, or a new object would get a used one.
+  const auto demand_assigned = [&snapshot](std::uint64_t first, std::uint64_t end) {
+    DemandOfSnapshot(first > 0 && end <= snapshot.next_id, "an id was never assigned");
   };
+  if (!bodies.empty()) demand_assigned(bodies.front().id.value, bodies.back().id.value + 1ull);
+  std::uint64_t free = 0;  // ids from here on belong to no robot so far
   for (const auto& [id, spec] : snapshot.articulations) {
     DemandOfSnapshot(spec != nullptr, "a robot is missing");
     const std::uint64_t end = id.value + std::uint64_t{spec->links.size()} + 1;
-    demand_free(id.value, spec->links.size() + 1);
-    is_link.resize(std::max<std::uint64_t>(is_link.size(), end), false);
-    for (std::uint64_t link = id.value; link < end; ++link) is_link[link] = true;
+    demand_assigned(id.value, end);
+    const auto body =
+        std::lower_bound(bodies.begin(), bodies.end(), BodyId{id.value},
+                         [](const auto& entry, BodyId key) { return entry.id < key; });
+    DemandOfSnapshot(id.value >= free && (body == bodies.end() || body->id.value >= end),
+                     "two objects have the same id");
+    free = end;
   }
-  for (const auto& record : snapshot.bodies) demand_free(record.id.value, 1);
   if (snapshot.joints.empty()) return;
   DemandOfSnapshot(snapshot.joints.front().id.value > 0 &&
                        snapshot.joints.back().id.value < snapshot.next_joint_id,
@@ -172,14 +178,16 @@ void CheckJoint(const JointSpec& spec, const std::function<bool(BodyId)>& is_sta
   }
 }
 
-void CheckSnapshot(const Snapshot& snapshot) {
-  CheckIds(snapshot);
+void CheckSnapshot(const Snapshot& snapshot, const SharedList<Snapshot::BodyEntry>& known) {
+  const std::vector<std::size_t> unknown = snapshot.bodies.MayDifferFrom(known);
+  CheckIds(snapshot, unknown);
   const auto find_body = [&snapshot](BodyId id) {
     return Find(snapshot.bodies, id, "a joint is of an unknown body").spec;
   };
   // Ids are sound from here on, so bodies and articulations can be looked up.
-  for (const auto& [id, spec, state] : snapshot.bodies) {
-    DemandOfSnapshot(spec != nullptr && state != nullptr, "a body is missing");
+  for (const std::size_t i : unknown) {
+    const Snapshot::BodyEntry& body = snapshot.bodies[i];
+    DemandOfSnapshot(body.spec != nullptr && body.state != nullptr, "a body is missing");
   }
   for (const Joint& joint : snapshot.joints) {
     CheckJoint(

@@ -28,7 +28,8 @@ void CheckJoint(const JointSpec& spec, const std::function<bool(BodyId)>& is_sta
 /// Checks that ids are in order and used once, and that joints refer to existing bodies and links.
 /// Does not read states, nor the definitions of bodies and articulations, which most of the time a
 /// world has already.
+/// @param known  bodies of a sound snapshot: of those, only what was set since is checked.
 /// @throws std::invalid_argument if not.
-void CheckSnapshot(const Snapshot& snapshot);
+void CheckSnapshot(const Snapshot& snapshot, const SharedList<Snapshot::BodyEntry>& known = {});
 
 }  // namespace smile::mechanics

@@ -27,7 +27,7 @@ bool TreeMotion::Solve(double seconds) {
   for (std::size_t i = 0; i < links.size(); ++i) {
     const JointGoal& goal = goals[i];
     if (goal.leader >= 0) continue;
-    if (goal.wanted < goal.least || goal.wanted > goal.most) return false;
+    if (goal.wanted < goal.allowed.least || goal.wanted > goal.allowed.most) return false;
     next_[i] = goal.wanted;
   }
   for (std::size_t i = 0; i < links.size(); ++i) {

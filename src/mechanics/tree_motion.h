@@ -20,12 +20,16 @@ struct TreeLink {
   Vector3 inertia = Vector3::Zero();   ///< principal moments [kg m2]
 };
 
+/// Range of velocities of a joint [rad/s or m/s].
+struct JointSpeeds {
+  double least = 0, most = 0;
+};
+
 /// What the motor of a joint is to do in a step.
 struct JointGoal {
-  double v = 0;       ///< velocity now [rad/s or m/s]
-  double wanted = 0;  ///< velocity at the end; of a follower: beyond that of its leader
-  double least = 0;   ///< velocities that its limits allow
-  double most = 0;
+  double v = 0;            ///< velocity now [rad/s or m/s]
+  double wanted = 0;       ///< velocity at the end; of a follower: beyond that of its leader
+  JointSpeeds allowed;     ///< by its limits
   double max_impulse = 0;  ///< of its motor [N m s or N s]; followers have none
   int leader = -1;         ///< joint that it follows; -1: none
   double ratio = 1;        ///< of its velocity to the leader's

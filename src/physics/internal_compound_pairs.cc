@@ -38,11 +38,19 @@ std::span<const PosedPart> PartsOf(const btCollisionObjectWrapper* object, Posed
   return {single, 1};
 }
 
-/// Returns true if two boxes are so close that contacts of what is in them may persist.
-bool AreClose(const PosedPart& a, const PosedPart& b) {
-  const btVector3 reach(gContactBreakingThreshold, gContactBreakingThreshold,
-                        gContactBreakingThreshold);
-  return TestAabbAgainstAabb2(a.min - reach, a.max + reach, b.min, b.max);
+/// Rounding of boxes and distances is less than this [m].
+constexpr btScalar kReachSlack = 1e-5;
+
+/// Returns the distance up to which two objects, and their parts, have contacts [m].
+btScalar ReachOf(const btCollisionShape& a, const btCollisionShape& b) {
+  return std::min(a.getContactBreakingThreshold(gContactBreakingThreshold),
+                  b.getContactBreakingThreshold(gContactBreakingThreshold));
+}
+
+/// Returns true if two boxes are so close that what is in them may have contacts.
+bool AreClose(const PosedPart& a, const PosedPart& b, btScalar reach) {
+  const btVector3 margin(reach, reach, reach);
+  return TestAabbAgainstAabb2(a.min - margin, a.max + margin, b.min, b.max);
 }
 
 /// Returns a box around all parts, without a pose.
@@ -56,11 +64,11 @@ PosedPart BoxOf(std::span<const PosedPart> parts) {
 }
 
 /// Writes the numbers of the parts that are close to a box, or of all parts, to `close`.
-void FindCloseTo(const PosedPart& box, std::span<const PosedPart> parts, bool all,
+void FindCloseTo(const PosedPart& box, std::span<const PosedPart> parts, btScalar reach,
                  std::vector<int>* close) {
   close->clear();
   for (int i = 0; i < static_cast<int>(parts.size()); ++i) {
-    if (all || AreClose(box, parts[i])) close->push_back(i);
+    if (AreClose(box, parts[i], reach)) close->push_back(i);
   }
 }
 
@@ -154,11 +162,14 @@ void CompoundPairAlgorithm::UpdatePairs(const Parts& a, const Parts& b) {
   const bool all = AllPartPairsScope::is_active();
   // Only their memory outlives the call.
   static thread_local std::vector<int> close_a, close_b;
-  FindCloseTo(BoxOf(b.posed), a.posed, all, &close_a);
-  FindCloseTo(BoxOf(a.posed), b.posed, all, &close_b);
+  const btScalar reach =
+      all ? BT_LARGE_FLOAT
+          : kReachSlack + ReachOf(*a.whole->getCollisionShape(), *b.whole->getCollisionShape());
+  FindCloseTo(BoxOf(b.posed), a.posed, reach, &close_a);
+  FindCloseTo(BoxOf(a.posed), b.posed, reach, &close_b);
   for (const int i : close_a) {
     for (const int j : close_b) {
-      if (!all && !AreClose(a.posed[i], b.posed[j])) continue;
+      if (!AreClose(a.posed[i], b.posed[j], reach)) continue;
       const auto [entry, is_new] = pairs_.try_emplace({i, j});
       entry->second.are_close = true;
       if (!is_new) continue;
@@ -196,8 +207,7 @@ void CompoundPairAlgorithm::MeasureClearance(const Parts& a, const Parts& b,
   }
   const btCollisionShape* shape_a = a.whole->getCollisionShape();
   const btCollisionShape* shape_b = b.whole->getCollisionShape();
-  const btScalar reach = std::min(shape_a->getContactBreakingThreshold(gContactBreakingThreshold),
-                                  shape_b->getContactBreakingThreshold(gContactBreakingThreshold));
+  const btScalar reach = ReachOf(*shape_a, *shape_b);
   btScalar least = reach + kMaxClearance;
   for (std::size_t i = 0; i < a.posed.size(); ++i) {
     for (std::size_t j = 0; j < b.posed.size(); ++j) {

@@ -12,8 +12,9 @@ namespace smile::physics {
 /// row. All typed constraints must be JointConstraints with their place in the order as user id.
 class ConstraintSolver : public btMultiBodyConstraintSolver {
  public:
-  /// @param has_firm_contacts  see WorldConfig.
-  explicit ConstraintSolver(bool has_firm_contacts) : has_firm_contacts_(has_firm_contacts) {}
+  /// See WorldConfig for these.
+  ConstraintSolver(bool has_firm_contacts, bool finds_loads)
+      : has_firm_contacts_(has_firm_contacts), contacts_(finds_loads) {}
 
   btScalar solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int num_bodies,
                                          const btContactSolverInfo& info) override;

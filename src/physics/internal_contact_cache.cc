@@ -3,39 +3,41 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/sparse_fields.h"
 #include "physics/internal_compound_pairs.h"
 
 // Contact points in snapshots. Impulses of the last step are the solver's starting point in the
 // next one, so points must be restored field by field. Layout: number of manifolds u32; each: key
-// (three i32), number of points i32, and the fields of each point in the order of ForEachField().
-// Each list belongs to a body, or to all links.
+// (three i32), number of points i32, and each point as PutSparse() writes it. Each list belongs to
+// a body, or to all links.
 
 namespace smile::physics {
 namespace {
 
-/// Applies `field` to each number of a contact point that persists between steps. Saving and
-/// restoring walk the same list, so they cannot disagree. Not byte by byte, since Bullet's struct
-/// has padding.
-template <class Point, class Field>
-void ForEachField(Point& point, Field field) {
-  for (auto* v : {&point.m_localPointA, &point.m_localPointB, &point.m_positionWorldOnA,
-                  &point.m_positionWorldOnB, &point.m_normalWorldOnB, &point.m_lateralFrictionDir1,
-                  &point.m_lateralFrictionDir2}) {
-    for (int i = 0; i < 3; ++i) field((*v)[i]);
+/// The numbers of a contact point that persist between steps. Not byte by byte, since Bullet's
+/// struct has padding.
+struct PointFields {
+  template <class Point, class Field>
+  static void Visit(Point& point, Field field) {
+    for (auto* v : {&point.m_localPointA, &point.m_localPointB, &point.m_positionWorldOnA,
+                    &point.m_positionWorldOnB, &point.m_normalWorldOnB,
+                    &point.m_lateralFrictionDir1, &point.m_lateralFrictionDir2}) {
+      for (int i = 0; i < 3; ++i) field((*v)[i]);
+    }
+    for (auto* number :
+         {&point.m_distance1, &point.m_combinedFriction, &point.m_combinedRollingFriction,
+          &point.m_combinedSpinningFriction, &point.m_combinedRestitution, &point.m_appliedImpulse,
+          &point.m_prevRHS, &point.m_appliedImpulseLateral1, &point.m_appliedImpulseLateral2,
+          &point.m_contactMotion1, &point.m_contactMotion2, &point.m_contactCFM,
+          &point.m_contactERP, &point.m_frictionCFM}) {
+      field(*number);
+    }
+    for (auto* number : {&point.m_partId0, &point.m_partId1, &point.m_index0, &point.m_index1,
+                         &point.m_contactPointFlags, &point.m_lifeTime}) {
+      field(*number);
+    }
   }
-  for (auto* number :
-       {&point.m_distance1, &point.m_combinedFriction, &point.m_combinedRollingFriction,
-        &point.m_combinedSpinningFriction, &point.m_combinedRestitution, &point.m_appliedImpulse,
-        &point.m_prevRHS, &point.m_appliedImpulseLateral1, &point.m_appliedImpulseLateral2,
-        &point.m_contactMotion1, &point.m_contactMotion2, &point.m_contactCFM, &point.m_contactERP,
-        &point.m_frictionCFM}) {
-    field(*number);
-  }
-  for (auto* number : {&point.m_partId0, &point.m_partId1, &point.m_index0, &point.m_index1,
-                       &point.m_contactPointFlags, &point.m_lifeTime}) {
-    field(*number);
-  }
-}
+};
 
 }  // namespace
 
@@ -49,9 +51,7 @@ void ReadContacts(int owner, ByteReader* in, std::vector<SavedManifold>* contact
   for (std::uint32_t i = 0; i < num_manifolds && in->ok(); ++i) {
     SavedManifold& manifold = contacts->emplace_back();
     manifold.owner = owner;
-    std::get<0>(manifold.key) = in->Get<int>();
-    std::get<1>(manifold.key) = in->Get<int>();
-    std::get<2>(manifold.key) = in->Get<int>();
+    manifold.key = ManifoldKey{in->Get<int>(), in->Get<int>(), in->Get<int>()};
     manifold.count = in->Get<int>();
     if (manifold.count < 1 || manifold.count > MANIFOLD_CACHE_SIZE) {
       throw std::invalid_argument("snapshot: a contact manifold has " +
@@ -61,7 +61,7 @@ void ReadContacts(int owner, ByteReader* in, std::vector<SavedManifold>* contact
       manifold.points[k] =
           btManifoldPoint(btVector3(0, 0, 0), btVector3(0, 0, 0), btVector3(0, 0, 0), 0);
       // Fields that are not saved have the values of a new point.
-      ForEachField(manifold.points[k], [in]<class T>(T& value) { value = in->Get<T>(); });
+      GetSparse<PointFields>(in, &manifold.points[k]);
     }
   }
   if (!in->ok()) throw std::invalid_argument("snapshot: its contacts are truncated");
@@ -132,7 +132,7 @@ void SaveContacts(std::span<const OwnedManifold> touching, ByteWriter* out) {
     out->Put(parts);
     out->Put(manifold->getNumContacts());
     for (int k = 0; k < manifold->getNumContacts(); ++k) {
-      ForEachField(manifold->getContactPoint(k), [out](const auto& value) { out->Put(value); });
+      PutSparse<PointFields>(manifold->getContactPoint(k), out);
     }
   }
 }

@@ -7,7 +7,7 @@ namespace smile::physics {
 Engine::Engine(const WorldConfig& config)
     : dispatcher(&collision_configuration),
       broadphase(config.has_close_bounds),
-      solver(config.has_firm_contacts),
+      solver(config.has_firm_contacts, config.finds_loads),
       world(&dispatcher, &broadphase, &solver, &collision_configuration),
       dormant_islands(world, dispatcher, broadphase) {
   world.SetDormantIslands(&dormant_islands);

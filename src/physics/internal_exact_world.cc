@@ -33,7 +33,7 @@ void RemoveInOrder(btAlignedObjectArray<Constraint*>& constraints, Constraint* c
 /// after its last iteration.
 void LimitJointSpeeds(double seconds, btMultiBody* multibody) {
   for (int i = 0; i < multibody->getNumLinks(); ++i) {
-    const JointSpeeds allowed = AllowedSpeeds(*multibody, i, seconds);
+    const mechanics::JointSpeeds allowed = AllowedSpeeds(*multibody, i, seconds);
     const double v = multibody->getJointVel(i);
     if (v < allowed.least) multibody->setJointVel(i, allowed.least);
     if (v > allowed.most) multibody->setJointVel(i, allowed.most);

@@ -26,11 +26,8 @@ const btMultiBody* TreeOf(const btCollisionObject* object) {
 
 template <class T, class Predicate>
 void EraseIf(btAlignedObjectArray<T>* array, Predicate predicate) {
-  int kept = 0;
-  for (int i = 0; i < array->size(); ++i) {
-    if (!predicate(array->at(i))) array->at(kept++) = array->at(i);
-  }
-  array->resize(kept);
+  const auto all = All(*array);
+  array->resize(static_cast<int>(std::remove_if(all.begin(), all.end(), predicate) - all.begin()));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ struct JointDrive::Range {
   double lower, upper;
 };
 
-JointSpeeds AllowedSpeeds(const btMultiBody& multibody, int link, double seconds) {
+mechanics::JointSpeeds AllowedSpeeds(const btMultiBody& multibody, int link, double seconds) {
   const btMultibodyLink& joint = multibody.getLink(link);
   const double q = multibody.getJointPos(link);
   return {.least = std::max(-joint.m_jointMaxVelocity, (joint.m_jointLowerLimit - q) / seconds),
@@ -40,11 +40,9 @@ void JointDrive::SetTarget(double velocity, double max_impulse) {
 }
 
 mechanics::JointGoal JointDrive::GoalFor(double seconds) const {
-  const JointSpeeds allowed = AllowedSpeeds(*m_bodyA, m_linkA, seconds);
   return {.v = m_bodyA->getJointVel(m_linkA),
           .wanted = velocity_,
-          .least = allowed.least,
-          .most = allowed.most,
+          .allowed = AllowedSpeeds(*m_bodyA, m_linkA, seconds),
           .max_impulse = max_impulse_,
           .leader = leader_ ? leader_->link : -1,
           .ratio = leader_ ? leader_->multiplier : 1};
@@ -80,7 +78,7 @@ void JointDrive::createConstraintRows(btMultiBodyConstraintArray& rows,
   }
   // Limits count as velocities: the speed that would reach the position limit at the end of the
   // step.
-  const JointSpeeds allowed = AllowedSpeeds(*m_bodyA, m_linkA, info.m_timeStep);
+  const mechanics::JointSpeeds allowed = AllowedSpeeds(*m_bodyA, m_linkA, info.m_timeStep);
   const double v = m_bodyA->getJointVel(m_linkA);
   const double near = kWatch * m_bodyA->getLink(m_linkA).m_jointMaxVelocity;
   if (v < allowed.least + near) {

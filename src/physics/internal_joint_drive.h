@@ -51,11 +51,8 @@ class JointDrive : public btMultiBodyConstraint {
   double velocity_ = 0, max_impulse_ = 0;
 };
 
-/// Range of velocities [rad/s or m/s] with which a joint respects its speed limit and ends a step
-/// of `seconds` within its position limits.
-struct JointSpeeds {
-  double least = 0, most = 0;
-};
-JointSpeeds AllowedSpeeds(const btMultiBody& multibody, int link, double seconds);
+/// Returns the velocities with which a joint respects its speed limit and ends a step of `seconds`
+/// within its position limits.
+mechanics::JointSpeeds AllowedSpeeds(const btMultiBody& multibody, int link, double seconds);
 
 }  // namespace smile::physics

@@ -61,7 +61,8 @@ void ManifoldSolver::Begin(std::span<const SolverManifold> manifolds, bool may_r
   }
   const impulses::ContactSolver::Config config{.step_seconds = info.m_timeStep,
                                                .warm_start = info.m_warmstartingFactor,
-                                               .bounce_speed = info.m_restitutionVelocityThreshold};
+                                               .bounce_speed = info.m_restitutionVelocityThreshold,
+                                               .finds_loads = finds_loads_};
   const bool is_at_rest = solver_.Begin(config, bodies_, patches_, contacts_, may_rest);
   // What rests keeps the impulses that hold it.
   if (is_at_rest) {

@@ -19,6 +19,8 @@ struct SolverManifold {
 /// Solves Bullet's contacts between free bodies by ContactSolver (WorldConfig::has_firm_contacts).
 class ManifoldSolver {
  public:
+  explicit ManifoldSolver(bool finds_loads) : finds_loads_(finds_loads) {}
+
   /// Begins a step of an island. See ContactSolver for this and the next two.
   /// @param bodies  stay the caller's until End().
   void Begin(std::span<const SolverManifold> manifolds, bool may_rest,
@@ -30,6 +32,7 @@ class ManifoldSolver {
  private:
   void AddPatch(std::span<const SolverManifold> of_two_bodies);
 
+  bool finds_loads_;
   std::span<const impulses::Body> bodies_;
   std::vector<impulses::Patch> patches_;
   std::vector<impulses::Contact> contacts_;

@@ -1,8 +1,7 @@
 #include "physics/internal_shapes.h"
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
+#include <cstring>
 
 #include "base/overloaded.h"
 #include "scene/shrunk_hull.h"
@@ -21,9 +20,7 @@ constexpr double kHullMargin = 0.0005;
 /// not.
 bool HaveEqualBits(const btTransform& a, const btTransform& b) {
   const auto equal = [](const btVector3& v, const btVector3& w) {
-    return std::ranges::equal(std::span(&v[0], 3), std::span(&w[0], 3), {},
-                              std::bit_cast<std::uint64_t, btScalar>,
-                              std::bit_cast<std::uint64_t, btScalar>);
+    return std::memcmp(&v[0], &w[0], 3 * sizeof(btScalar)) == 0;
   };
   return equal(a.getOrigin(), b.getOrigin()) && equal(a.getBasis()[0], b.getBasis()[0]) &&
          equal(a.getBasis()[1], b.getBasis()[1]) && equal(a.getBasis()[2], b.getBasis()[2]);

@@ -32,10 +32,11 @@ BodyId IdOf(const btCollisionObject* object) {
 /// Returns the state of a body with the contacts that are saved with it.
 std::shared_ptr<const std::vector<std::byte>> StateOf(const Body& body,
                                                       std::span<const OwnedManifold> contacts) {
-  ByteWriter bytes;
-  body.dynamics().Save(&bytes);
-  SaveContacts(contacts, &bytes);
-  return std::make_shared<const std::vector<std::byte>>(bytes.Take());
+  ByteWriter out;
+  body.dynamics().Save(&out);
+  SaveContacts(contacts, &out);
+  // A copy takes no more room than it needs: thousands are kept for undo.
+  return std::make_shared<const std::vector<std::byte>>(out.bytes().begin(), out.bytes().end());
 }
 
 }  // namespace
@@ -378,6 +379,7 @@ void WorldObjects::AddTo(StateHash* hash) const {
 }
 
 WorldObjects::Replacement WorldObjects::ReplacementFor(const Snapshot& snapshot) const {
+  mechanics::CheckSnapshot(snapshot, entries_);
   Replacement result{.next_id = snapshot.next_id};
   // Articulations are never removed, so a snapshot's list must begin with those of this world.
   for (std::size_t i = 0; i < std::max(articulations_.size(), snapshot.articulations.size()); ++i) {

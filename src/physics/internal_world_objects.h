@@ -86,8 +86,9 @@ class WorldObjects {
       return fresh_articulations.empty() && fresh_bodies.empty() && gone.empty();
     }
   };
-  /// Computes the changes without applying them.
-  /// @throws std::invalid_argument if the snapshot lacks an articulation of this world, or contains
+  /// Checks a snapshot and computes the changes without applying them.
+  /// @throws std::invalid_argument if the snapshot is not sound, lacks an articulation of this
+  /// world, or contains
   ///         a definition that is not possible.
   Replacement ReplacementFor(const Snapshot& snapshot) const;
   void Apply(Replacement replacement);

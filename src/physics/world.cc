@@ -5,7 +5,6 @@
 
 #include "base/bytes.h"
 #include "base/state_hash.h"
-#include "mechanics/checks.h"
 #include "mechanics/joint_graph.h"
 #include "physics/internal_body_dynamics.h"
 #include "physics/internal_engine.h"
@@ -204,7 +203,6 @@ Snapshot World::Save() const {
 
 /// The procedure is explained in docs/decisions/physics.md.
 void World::Restore(const Snapshot& snapshot) {
-  CheckSnapshot(snapshot);
   WorldObjects::Replacement replacement = objects_->ReplacementFor(snapshot);
   // From here on nothing fails until states are read.
   if (!replacement.is_empty() || !joints_->AreThoseOf(snapshot) ||

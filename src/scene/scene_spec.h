@@ -17,7 +17,7 @@ inline constexpr double kMetersPerUnit = 0.1;
 
 /// Version of the physics. A recording keeps the version it was made with, so that it replays to
 /// the same bits; docs/decisions/physics.md lists what each version changed.
-inline constexpr int kPhysicsVersion = 5;
+inline constexpr int kPhysicsVersion = 6;
 
 /// Name and value of the author's choice, for the recording's symbolic log.
 struct Description {

@@ -23,7 +23,8 @@ physics::WorldConfig RulesOf(int physics_version) {
           .has_close_bounds = physics_version >= 3,
           .sums_hashes = physics_version >= 3,
           .has_firm_contacts = physics_version >= 5,
-          .moves_free_trees = physics_version >= 5};
+          .moves_free_trees = physics_version >= 5,
+          .finds_loads = physics_version >= 6};
 }
 
 }  // namespace

@@ -252,10 +252,15 @@ TabletopState Tabletop::state() const {
 }
 
 void Tabletop::Restore(const TabletopState& state, std::shared_ptr<const model::Model> model) {
-  // Another model has other specs and may have more objects.
-  if (model != model_) objects_ = ObjectsOf(*model, state.bodies);
+  if (model != model_) {
+    // It has other specs and may have more objects.
+    objects_ = ObjectsOf(*model, state.bodies);
+  } else {
+    for (const std::size_t i : state.bodies.MayDifferFrom(bodies_)) {
+      objects_[i].body = state.bodies[i];
+    }
+  }
   bodies_ = state.bodies;
-  for (Object& object : objects_) object.body = bodies_[object.index];
   object_states_ = state.objects;
   controls_.Restore(state.controls, *model);
   bonds_.Restore(state.bonds, *model);

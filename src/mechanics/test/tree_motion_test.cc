@@ -30,7 +30,7 @@ class Tree {
   TreeMotion At(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const {
     TreeMotion motion;
     std::vector<TreeLink>& links = motion.links = links_;
-    for (const double one : v) motion.goals.push_back({.v = one, .least = -9, .most = 9});
+    for (const double one : v) motion.goals.push_back({.v = one, .allowed = {-9, 9}});
     for (std::size_t i = 0; i < links.size(); ++i) {
       const RigidTransform X_PL = PoseInParent(i, q[i]);
       links[i].R_LP = X_PL.rotation().transpose();
@@ -137,7 +137,7 @@ TEST(TreeMotionTest, JointsDoWhatIsWantedOrNothingIsSaid) {
   EXPECT_FALSE(motion.Solve(kStep)) << "the motor is too weak";
 
   motion.goals[0].max_impulse = 5;
-  motion.goals[0].most = 0.49;
+  motion.goals[0].allowed.most = 0.49;
   EXPECT_FALSE(motion.Solve(kStep)) << "a limit is in the way";
 }
 

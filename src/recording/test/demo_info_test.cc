@@ -78,7 +78,7 @@ TEST_F(DemoInfoTest, ComplaintsNameThePlaceWhatWasFoundAndWhatWasExpected) {
       {"/scene", {"[]", "<scene>: found array, expected a string"}},
       {"/meters_per_unit", {"0", "<meters_per_unit>: found 0, expected 1e-09 to 1e+09"}},
       {"/ticks_per_second", {"30", "<ticks_per_second>: found 30, expected 60 to 60"}},
-      {"/physics", {"6", "<physics>: found 6, expected a whole number from 1 to 5"}},
+      {"/physics", {"7", "<physics>: found 7, expected a whole number from 1 to 6"}},
       {"/origin", {"\"made\"", "<origin>: found \"made\", expected recorded, edited or imported"}},
       {"/start/line",
        {"-1", "<start/line>: found -1, expected a whole number from 0 to 1000000000"}},

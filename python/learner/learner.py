@@ -11,6 +11,8 @@ from arms import arms_for, arms_of
 from constants import TASK_PLANNING
 from demonstration import read_demonstration
 from execution import Action, execute_action
+from explain import explain
+from sentences import page_of
 from motion_planning import retreat
 from perception import Eye
 from task_model import infer_task
@@ -22,7 +24,10 @@ def init(aux):
     if "demonstration" not in aux:
         raise ValueError("this brain needs a demonstration: "
                          "smile imitate DEMO SCENE --brain python/learner/learner.py")
-    steps, container = infer_task(read_demonstration(aux.demonstration), aux.attention)
+    demo = read_demonstration(aux.demonstration)
+    steps, container = infer_task(demo, aux.attention)
+    for line in page_of(explain(demo, container)):
+        print(line)
     for k, step in enumerate(steps):
         place = ", ".join(steps[lower].name for lower in step.on) or "the table"
         print(f"shown: {k + 1}. {step} on {place}")

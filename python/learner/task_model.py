@@ -53,7 +53,7 @@ def infer_task(demo, attention):
     """
     moved = moved_objects(demo)
     carried = [n for n in moved if not was_dragged(demo.moves[n])]
-    appearances = measure_objects(demo, carried)
+    appearances = demo.appearances = measure_objects(demo, carried)
     placed = [step_of(demo, n, appearances[n], attention) if n in carried
               else measure_handle(demo, n) for n in moved]
     steps = supports_of(placed, [

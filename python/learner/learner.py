@@ -35,7 +35,10 @@ def init(aux):
     arms = arms_of(aux)
     aux.hands = arms_for(steps, arms)
     aux.eye = Eye(aux.cameraIntrinsics, aux.cameraPose)
-    aux.state = TaskState(steps, container)  # beliefs about this scene, and progress
+    # Beliefs about this scene, and progress. Agents to compare with, in python/examples/agents, set
+    # what the learner does without, or another way to see.
+    aux.state = TaskState(steps, container, without=vars(aux).get("without", ()),
+                          see=vars(aux).get("see"))
     aux.actions = [Action("observe")]  # the next actions, in this order
     aux.num_retreats = 0  # number of successive retreats after failed actions
 

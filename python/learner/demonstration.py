@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from perception import Eye
+from eye import Eye
 
 
 @dataclass

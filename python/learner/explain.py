@@ -18,7 +18,7 @@ class Keyframe:
     deed: str  # one line: who did what; empty at the start
     facts: list  # as from relate.facts_at
     made: list  # those of the facts that were not true before, without what hands hold
-    is_means: bool = False  # true if the deed made something, and nothing of it is kept until the end
+    is_means: bool = False  # true if the deed made something, and nothing of it is kept
 
 
 @dataclass

@@ -12,9 +12,9 @@ from constants import TASK_PLANNING
 from demonstration import read_demonstration
 from execution import Action, execute_action
 from explain import explain
-from sentences import page_of
+from eye import Eye
 from motion_planning import retreat
-from perception import Eye
+from sentences import page_of
 from task_model import infer_task
 from task_planning import TaskState, choose_actions, give_up, remember_failure
 

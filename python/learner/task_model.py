@@ -9,10 +9,13 @@ import numpy as np
 
 from blocks import Block, same_size
 from clearance import footprint, is_inside, overlap
+from colors import color_mask, frequent_colors
 from constants import BLOCKS, PERCEPTION, TASK_MODEL as C
+from containers import detect_rims
 from demonstration import read_picture
-from perception import (color_mask, detect_rims, fit_face, frequent_colors, label_regions,
-                        onto_plane, pixel_at)
+from eye import onto_plane, pixel_at
+from faces import fit_face
+from regions import label_regions
 
 
 @dataclass(eq=False)

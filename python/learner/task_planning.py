@@ -8,15 +8,17 @@ import numpy as np
 
 from beliefs import assumed_support, update_beliefs
 from blocks import Block, has_equal_sides, is_in_place, is_same_kind, yaw_difference
+from building_site import choose_site
 from clearance import (container_walls, footprint, grasp_yaws, gripper_clearance, is_grasp_blocked,
                        overlap)
 from constants import CLEARANCE, MOTION_PLANNING, PERCEPTION, TASK_PLANNING as C, numbers_of
+from detection import detect_blocks
 from execution import Action, Grasp
+from eye import height_map, to_pixel
 from motion_planning import is_reachable, plan_pick_and_place
-from perception import (detect_blocks, detect_unknown_objects, height_map, is_top_hidden,
-                        to_pixel)
-from building_site import choose_site
+from sight import is_top_hidden
 from task_model import Container, Step
+from unknown_objects import detect_unknown_objects
 
 
 class Claim(NamedTuple):

@@ -15,19 +15,23 @@ from PIL import Image
 
 from beliefs import update_beliefs
 from blocks import Block, yaw_difference
+from building_site import choose_site, shifted, site_cost
 from clearance import container_walls, grasp_yaws, is_grasp_blocked, overlap
+from containers import detect_container
 from demonstration import read_demonstration
+from detection import detect_blocks
 from execution import Action, Grasp
 from explain import explain
+from eye import Eye, height_map, pixel_at, to_pixel
 from motion_planning import grip_depth, has_failed, plan_pick_and_place
-from perception import (Eye, detect_blocks, detect_container, detect_unknown_objects, height_map,
-                        is_cut, is_top_hidden, label_regions, pixel_at, to_pixel)
+from regions import is_cut, label_regions
 from sentences import page_of
+from sight import is_top_hidden
 from task_model import Step, infer_task
-from building_site import choose_site, shifted, site_cost
 from task_planning import (Move, TaskState, assess_progress, blocks_grasps, clearing_moves,
                            num_failures, open_steps, propose_moves, remember_failure,
                            uncovering_moves)
+from unknown_objects import detect_unknown_objects
 
 RED, GREEN, BLUE = np.eye(3)
 CUBE = np.array([1.0, 1, 1])

@@ -16,8 +16,11 @@ import numpy as np
 sys.path.append(str(Path(__file__).resolve().parents[2] / "learner"))
 import learner
 from blocks import Block, same_size
+from colors import table_color
+from eye import height_map, onto_plane
+from faces import fit_face
 from learner import step
-from perception import fit_face, height_map, measure_block, onto_plane, table_color
+from measuring import measure_block
 
 
 def init(aux):

@@ -12,8 +12,10 @@ from dataclasses import replace
 import numpy as np
 
 from deeds import Action, continue_carrying, execute_action, fail, prepare
+
 from blocks import is_same_kind, yaw_difference
-from perception import Eye, detect_blocks, height_map
+from detection import detect_blocks
+from eye import Eye, height_map
 
 
 def init(aux):

@@ -1,4 +1,4 @@
-function [steps, container] = inferTask(demo, attention)
+function [steps, container, appearances] = inferTask(demo, attention)
 % Infers from a demonstration what is to be done: a list of steps in the order shown, one for each object
 % that takes part.
 %   name      of the object in the demonstration, for messages
@@ -11,7 +11,8 @@ function [steps, container] = inferTask(demo, attention)
 %             size of a dragged object are those of its handle.
 %   stays     true for an object that the demonstration did not move
 % Objects that were not moved but support others come first.
-% container is the open box that objects were put into: see measureContainer.
+% container is the open box that objects were put into: see measureContainer; appearances, of all objects: see
+% measureObjects.
   moved = movedObjects(demo);
   is_dragged = arrayfun(@(n) wasDragged(demo, n), moved);
   if isfield(demo, 'appearances')

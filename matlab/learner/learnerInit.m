@@ -7,7 +7,11 @@ if exist(fullfile(aux.demonstration, '0.txt'), 'file')
 else  % a recording without texts: from its pictures alone
   demo = watchDemonstration(aux.demonstration);
 end
-[steps, container] = inferTask(demo, aux.attention);
+[steps, container, appearances] = inferTask(demo, aux.attention);
+if isfield(demo, 'events')
+  [keyframes, goal] = explain(demo, appearances, container);
+  printPage(keyframes, goal);
+end
 printSteps(steps);
 
 arms = armsOf(aux);

@@ -7,8 +7,10 @@ function demo = readDemonstration(folder)
 %   demo.start   pose of each object at the beginning, Nx6
 %   demo.final   pose of each object at the end, Nx6
 %   demo.placed  numbers of the released objects, in the order of release
+%   demo.events  all lines except moves, 1xN struct: frame, word ('grasp', 'release', ...), fields, 1xM cell
 %   demo.eye     camera of the observing robot: intrinsics 3x3, pose 4x4 [units], as in aux
-  demo = struct('folder', folder, 'ids', {{}}, 'moves', zeros(0, 8), 'placed', []);
+  demo = struct('folder', folder, 'ids', {{}}, 'moves', zeros(0, 8), 'placed', [], ...
+                'events', struct('frame', {}, 'word', {}, 'fields', {}));
   held = struct();  % number of the object in each hand
   segment = 0;
   while exist(fullfile(folder, sprintf('%d.txt', segment)), 'file')
@@ -16,6 +18,9 @@ function demo = readDemonstration(folder)
     lines = regexp(text, '[^\r\n]+', 'match');
     for i = 1:numel(lines)
       words = regexp(lines{i}, ',', 'split');  % frame, event, fields of the event
+      if ~strcmp(words{2}, 'move')
+        demo.events(end + 1) = struct('frame', str2double(words{1}), 'word', words{2}, 'fields', {words(3:end)});
+      end
       switch words{2}
         case 'create'
           demo.ids{end + 1} = words{3};

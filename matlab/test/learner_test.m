@@ -234,6 +234,15 @@ function check_inference()
   check(isequal([steps.stays], [true, false, false]), 'what was not moved stays');
   check(isempty(steps(3).color), 'the demonstrator specified that only the size of Blue matters');
 
+  [~, container, appearances] = inferTask(demo, []);
+  [keyframes, goal] = explain(demo, appearances, container);
+  check(isequal({keyframes.deed}, {'', 'LeftHand carries Blue', 'AnyHand carries Red', 'LeftHand carries Blue'}), ...
+        'each carry is a deed');
+  check(isequal([keyframes.isMeans], [false, true, false, false]), 'what is not kept is a means');
+  check(any(strcmp(keyframes(3).facts, 'on Blue table')), 'facts are those before the next deed');
+  check(isequal(goal, {'on Red Plank', 'place Red Plank 0.10 0.49 84', 'on Blue Red', ...
+                       'place Blue Red 0.00 0.00 -95'}), 'the goal is what is made and kept');
+
   delete(fullfile(folder, 'rgb', '0.png'));
   message = '';
   try
@@ -243,6 +252,16 @@ function check_inference()
   end
   check(~isempty(strfind(message, 'no picture of the demonstration shows Red')), ...
         'an invisible object is reported');
+
+  file = fopen(fullfile(folder, 'demo.json'), 'w');
+  fputs(file, '{"meters_per_unit": 0.1, "eye": null}');
+  fclose(file);
+  try
+    readDemonstration(folder);
+  catch problem
+    message = problem.message;
+  end
+  check(~isempty(strfind(message, 'has no pictures')), 'a recording without pictures is reported');
 end
 
 function check_unstacking()

@@ -10,7 +10,7 @@ import numpy as np
 from smile.motion import robot_of
 
 from constants import ARMS as C, numbers_of
-from perception import Eye, to_pixel
+from eye import Eye, to_pixel
 
 
 @dataclass(eq=False)

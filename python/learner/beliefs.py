@@ -5,8 +5,10 @@ from dataclasses import replace
 import numpy as np
 
 from blocks import is_same_kind, same_color
+from colors import table_color
 from constants import BELIEFS as C, PERCEPTION
-from perception import is_top_hidden, pixel_at, table_color, top_points
+from eye import pixel_at
+from sight import is_top_hidden, top_points
 
 
 def update_beliefs(known, seen, picture, eye, heights=None):

@@ -10,8 +10,9 @@ from beliefs import assumed_support
 from blocks import has_equal_sides, is_in_place, is_same_kind, yaw_difference
 from clearance import is_grasp_blocked
 from constants import BUILDING_SITE as C, numbers_of
+from containers import detect_container
 from motion_planning import is_reachable
-from perception import detect_container, is_top_hidden
+from sight import is_top_hidden
 from task_model import is_dragged
 
 

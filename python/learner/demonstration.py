@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from perception import Eye
+from eye import Eye
 
 
 @dataclass
@@ -20,7 +20,15 @@ class Demonstration:
     moves: list  # of each object, Mx7: frame, x y z of its center [units], angles about x, y, z
     #              [degrees]; the first row is its initial pose
     placed: list  # numbers of the released objects, in the order of release
+    events: list  # all lines except moves: frame, word ('grasp', 'release', ...), list of fields
     eye: Eye  # camera of the observing robot
+    appearances: dict = None  # of the objects, once task_model.measure_objects has measured them
+
+    def pose(self, n, frame):
+        """Returns the pose of an object before an action of a frame: x y z [units], angles about x,
+        y, z [degrees]."""
+        rows = self.moves[n]
+        return rows[max(np.count_nonzero(rows[:, 0] < frame) - 1, 0), 1:]
 
 
 def read_demonstration(folder):
@@ -29,7 +37,7 @@ def read_demonstration(folder):
     Raises FileNotFoundError if the folder contains none.
     """
     folder = Path(folder)
-    ids, moves, placed = [], [], []
+    ids, moves, placed, events = [], [], [], []
     held = {}  # number of the object in each hand
     segment = 0
     while (file := folder / f"{segment}.txt").exists():
@@ -40,7 +48,9 @@ def read_demonstration(folder):
                 moves.append([])
             elif event == "move":
                 moves[ids.index(fields[0])].append([float(it) for it in [frame, *fields[1:7]]])
-            elif event == "grasp":
+            if event != "move":
+                events.append((float(frame), event, fields))
+            if event == "grasp":
                 held[fields[0]] = ids.index(fields[1])
             elif event == "release":
                 placed.append(held[fields[0]])
@@ -48,12 +58,16 @@ def read_demonstration(folder):
     if segment == 0:
         raise FileNotFoundError(f"there is no recording in {folder}: it has no 0.txt")
     info = json.loads((folder / "demo.json").read_text())
-    return Demonstration(folder, ids, [np.array(rows) for rows in moves], placed, eye_of(info))
+    return Demonstration(folder, ids, [np.array(rows) for rows in moves], placed, events,
+                         eye_of(info))
 
 
 def eye_of(info):
     """Returns the Eye that demo.json describes."""
-    eye = info["eye"]
+    eye = info.get("eye")
+    if not eye:
+        raise ValueError("the demonstration has no pictures, so that nothing shows how its objects "
+                         "look: record it without --no-pictures")
     w, x, y, z = eye["rotation_wxyz"]  # a unit quaternion
     v = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])  # v @ a is the cross product with a
     pose = np.eye(4)

@@ -11,8 +11,10 @@ from arms import arms_for, arms_of
 from constants import TASK_PLANNING
 from demonstration import read_demonstration
 from execution import Action, execute_action
+from explain import explain
+from eye import Eye
 from motion_planning import retreat
-from perception import Eye
+from sentences import page_of
 from task_model import infer_task
 from task_planning import TaskState, choose_actions, give_up, remember_failure
 
@@ -22,7 +24,10 @@ def init(aux):
     if "demonstration" not in aux:
         raise ValueError("this brain needs a demonstration: "
                          "smile imitate DEMO SCENE --brain python/learner/learner.py")
-    steps, container = infer_task(read_demonstration(aux.demonstration), aux.attention)
+    demo = read_demonstration(aux.demonstration)
+    steps, container = infer_task(demo, aux.attention)
+    for line in page_of(explain(demo, container)):
+        print(line)
     for k, step in enumerate(steps):
         place = ", ".join(steps[lower].name for lower in step.on) or "the table"
         print(f"shown: {k + 1}. {step} on {place}")
@@ -30,7 +35,10 @@ def init(aux):
     arms = arms_of(aux)
     aux.hands = arms_for(steps, arms)
     aux.eye = Eye(aux.cameraIntrinsics, aux.cameraPose)
-    aux.state = TaskState(steps, container)  # beliefs about this scene, and progress
+    # Beliefs about this scene, and progress. Agents to compare with, in python/examples/agents, set
+    # what the learner does without, or another way to see.
+    aux.state = TaskState(steps, container, without=vars(aux).get("without", ()),
+                          see=vars(aux).get("see"))
     aux.actions = [Action("observe")]  # the next actions, in this order
     aux.num_retreats = 0  # number of successive retreats after failed actions
 

@@ -9,10 +9,13 @@ import numpy as np
 
 from blocks import Block, same_size
 from clearance import footprint, is_inside, overlap
+from colors import color_mask, frequent_colors
 from constants import BLOCKS, PERCEPTION, TASK_MODEL as C
+from containers import detect_rims
 from demonstration import read_picture
-from perception import (color_mask, detect_rims, fit_face, frequent_colors, label_regions,
-                        onto_plane, pixel_at)
+from eye import onto_plane, pixel_at
+from faces import fit_face
+from regions import label_regions
 
 
 @dataclass(eq=False)
@@ -53,7 +56,7 @@ def infer_task(demo, attention):
     """
     moved = moved_objects(demo)
     carried = [n for n in moved if not was_dragged(demo.moves[n])]
-    appearances = measure_objects(demo, carried)
+    appearances = demo.appearances = measure_objects(demo, carried)
     placed = [step_of(demo, n, appearances[n], attention) if n in carried
               else measure_handle(demo, n) for n in moved]
     steps = supports_of(placed, [

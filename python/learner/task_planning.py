@@ -2,21 +2,23 @@
 
 import math
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple, Optional
+from typing import Callable, NamedTuple, Optional
 
 import numpy as np
 
 from beliefs import assumed_support, update_beliefs
 from blocks import Block, has_equal_sides, is_in_place, is_same_kind, yaw_difference
+from building_site import choose_site
 from clearance import (container_walls, footprint, grasp_yaws, gripper_clearance, is_grasp_blocked,
                        overlap)
 from constants import CLEARANCE, MOTION_PLANNING, PERCEPTION, TASK_PLANNING as C, numbers_of
+from detection import detect_blocks
 from execution import Action, Grasp
+from eye import height_map, to_pixel
 from motion_planning import is_reachable, plan_pick_and_place
-from perception import (detect_blocks, detect_unknown_objects, height_map, is_top_hidden,
-                        to_pixel)
-from building_site import choose_site
+from sight import is_top_hidden
 from task_model import Container, Step
+from unknown_objects import detect_unknown_objects
 
 
 class Claim(NamedTuple):
@@ -46,6 +48,8 @@ class TaskState:
     grasp: Optional[Grasp] = None  # of the current actions; its block is the last of the known
     failures: list = field(default_factory=list)  # Grasps that failed, not to be repeated
     claim: Optional[Claim] = None  # about the result, at the end
+    without: tuple = ()  # "depth", "second look": abilities that it does not use
+    see: Optional[Callable] = None  # told what is seen: from sensor, eye and steps to Blocks
 
     def __post_init__(self):
         self.done = [False] * len(self.steps)
@@ -63,8 +67,8 @@ def choose_actions(state, sensor, eye, arms):
     """Updates the beliefs from a picture and plans the next actions: a list; [] when everything is
     built or no plan is found (state.claim says which)."""
     picture = sensor.rgbVision / 255
-    heights = height_map(sensor.depthVision, eye)
-    observe(state, picture, heights, eye)
+    if not state.has_site or "second look" not in state.without:
+        observe(state, sensor, picture, eye)
     if not state.has_site:
         problem = choose_site(state, arms, picture, eye)
         if problem:
@@ -116,8 +120,13 @@ def choose_actions(state, sensor, eye, arms):
     return [Action("observe")]
 
 
-def observe(state, picture, heights, eye):
+def observe(state, sensor, picture, eye):
     """Updates the known blocks from a picture."""
+    heights = None if "depth" in state.without else height_map(sensor.depthVision, eye)
+    if state.see:
+        seen = state.see(sensor, eye, state.steps)
+        state.known = update_beliefs(state.known, seen, picture, eye, heights)
+        return
     # The place of the container is not known before a site is chosen.
     container = state.container if state.has_site else None
     seen = detect_blocks(picture, eye, state.steps + state.unknown_objects, container, heights)

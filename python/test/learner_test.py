@@ -15,17 +15,23 @@ from PIL import Image
 
 from beliefs import update_beliefs
 from blocks import Block, yaw_difference
-from clearance import container_walls, grasp_yaws, is_grasp_blocked, overlap
-from demonstration import read_demonstration
-from execution import Action, Grasp
-from motion_planning import grip_depth, has_failed, plan_pick_and_place
-from perception import (Eye, detect_blocks, detect_container, detect_unknown_objects, height_map,
-                        is_cut, is_top_hidden, label_regions, pixel_at, to_pixel)
-from task_model import Step, infer_task
 from building_site import choose_site, shifted, site_cost
+from clearance import container_walls, grasp_yaws, is_grasp_blocked, overlap
+from containers import detect_container
+from demonstration import read_demonstration
+from detection import detect_blocks
+from execution import Action, Grasp
+from explain import explain
+from eye import Eye, height_map, pixel_at, to_pixel
+from motion_planning import grip_depth, has_failed, plan_pick_and_place
+from regions import is_cut, label_regions
+from sentences import page_of
+from sight import is_top_hidden
+from task_model import Step, infer_task
 from task_planning import (Move, TaskState, assess_progress, blocks_grasps, clearing_moves,
                            num_failures, open_steps, propose_moves, remember_failure,
                            uncovering_moves)
+from unknown_objects import detect_unknown_objects
 
 RED, GREEN, BLUE = np.eye(3)
 CUBE = np.array([1.0, 1, 1])
@@ -284,6 +290,26 @@ class InferenceTest(RecordingTest):
     def test_what_was_not_moved_stays(self):
         steps, _ = self.infer_task()
         self.assertEqual([step.stays for step in steps], [True, False, False])
+
+    def test_the_goal_is_what_is_made_and_kept(self):
+        demo = read_demonstration(self.folder)
+        steps, container = infer_task(demo, {})
+        explanation = explain(demo, container)
+        self.assertEqual([it.deed for it in explanation.keyframes],
+                         ["", "LeftHand carries Blue", "AnyHand carries Red", "LeftHand carries Blue"])
+        self.assertEqual([it.is_means for it in explanation.keyframes], [False, True, False, False])
+        self.assertIn("on Blue table", explanation.keyframes[2].facts)
+        self.assertEqual(explanation.goal, ["on Red Plank", "place Red Plank 0.10 0.49 84", "on Blue Red",
+                                            "place Blue Red 0.00 0.00 -95"])
+        page = page_of(explanation)
+        self.assertIn("1. LeftHand carries Blue (only a means: nothing of it is kept). New:", page)
+        self.assertEqual(page[-1], "  Blue is on Red, at (0.00, 0.00) of Red, rotated by -95 degrees.")
+
+    def test_a_recording_without_pictures_is_reported(self):
+        file = self.folder / "demo.json"
+        file.write_text(json.dumps(json.loads(file.read_text()) | {"eye": None}))
+        with self.assertRaisesRegex(ValueError, "has no pictures"):
+            read_demonstration(self.folder)
 
     def test_what_cannot_be_inferred_is_reported(self):
         with self.assertRaisesRegex(FileNotFoundError, "there is no recording in .*0.txt"):

@@ -11,7 +11,8 @@ import numpy as np
 
 from blocks import Block, yaw_difference
 from clearance import grasp_yaws, is_grasp_blocked, overlap
-from perception import Eye, fit_face, onto_plane, to_pixel
+from eye import Eye, onto_plane, to_pixel
+from faces import fit_face
 
 
 def answers():

@@ -23,7 +23,14 @@ end
 function decideOn(folder, aux)
   printf('case %s\n', folder);
   demo = readDemonstration(fullfile(folder, 'shown'));
-  [steps, container] = inferTask(demo, struct('object', {}, 'properties', {}));
+  [steps, container, appearances] = inferTask(demo, struct('object', {}, 'properties', {}));
+  [keyframes, goal] = explain(demo, appearances, container);
+  for keyframe = keyframes
+    printf('deed %s %d\n', keyframe.deed, keyframe.isMeans);
+    printf('fact %s\n', keyframe.facts{:});
+  end
+  printf('goal %s\n', goal{:});
+  printPage(keyframes, goal);
   for step = steps
     show(['step ', step.name], [step.color, step.size, step.position, step.yaw, step.on - 1]);
   end

@@ -1,6 +1,6 @@
 """The learner chooses the same actions in Python and in Octave: from the same demonstration and the
-same picture of a scene, both infer the same steps, detect the same blocks, choose the same site and
-plan the same actions.
+same picture of a scene, both find the same facts, infer the same steps, detect the same blocks, choose
+the same site and plan the same actions.
 
     decisions_test.py SMILE SOURCE OCTAVE...
 
@@ -21,6 +21,8 @@ from PIL import Image
 
 from arms import arms_for, arms_of
 from demonstration import read_demonstration
+from explain import explain
+from sentences import page_of
 from task_model import infer_task
 from task_planning import TaskState, choose_actions
 
@@ -103,7 +105,13 @@ def decisions(case, aux):
     demo = read_demonstration(f"{case}/shown")
     steps, container = infer_task(demo, {})
     building = TaskState(steps, container)
+    explanation = explain(demo, container)
     lines = [f"case {case}"]
+    for keyframe in explanation.keyframes:
+        lines.append(" ".join(f"deed {keyframe.deed} {keyframe.is_means:d}".split()))
+        lines += [f"fact {it}" for it in keyframe.facts]
+    lines += [f"goal {it}" for it in explanation.goal]
+    lines += page_of(explanation)
     lines += [fact("step", step.name, *step.color, *step.size, *step.position, step.yaw, *step.on)
               for step in steps]
     picture = np.asarray(Image.open(f"{case}/look.png").convert("RGB"))

@@ -1,0 +1,66 @@
+function facts = factsAt(demo, appearances, container, frame, held, others)
+% Relates the objects of a demonstration: facts before an action of a frame, rows of words, 1xN cell, in the
+% order of the objects.
+%   on A B           A stands on B, or on the table
+%   in A B           A is between the walls of the container B
+%   beside A B       A and B are side by side, with no room for a finger between them
+%   aligned A B      A, on or beside B, is parallel to it
+%   held A HAND      a hand holds A
+%   place A B x y r  A is at x, y [units], rotated by r [degrees], in the frame of B: what it stands on, the
+%                    nearest object that is never moved, or the table; inside a container, of that
+%   joint A x y      A was dragged by x, y [units] from where it began
+%   state C S        the control C is in state S
+%   fastened A B     B is fastened to A
+%   gone A           A is no longer there
+%
+%   appearances  as from measureObjects
+%   container    as from measureContainer
+%   held         number of the object in each hand, a struct
+%   others       facts about controls and joints at that time
+  facts = others;
+  there = struct('name', {}, 'size', {}, 'position', {}, 'yaw', {}, 'moves', {});  % all objects that rest
+  hands = fieldnames(held);
+  in_hands = cellfun(@(hand) held.(hand), hands);
+  for n = 1:numel(demo.ids)
+    name = demo.ids{n};
+    if any(strcmp(others, ['gone ', name])), continue; end
+    pose = poseOf(demo, n, frame);
+    if any(in_hands == n)
+      facts{end + 1} = sprintf('held %s %s', name, hands{find(in_hands == n, 1)});
+    elseif wasDragged(demo, n)
+      facts{end + 1} = sprintf('joint %s%s', name, hundredths(pose(1:2) - demo.start(n, 1:2)));
+    elseif ~isempty(appearances(n).size)
+      there(end + 1) = struct('name', name, 'size', appearances(n).size, 'position', pose(1:3), ...
+                              'yaw', pose(6) * pi / 180, 'moves', any(demo.placed == n));
+    end
+  end
+  for k = 1:numel(there), facts = [facts, relations(k, there, container)]; end
+end
+
+function facts = relations(k, there, container)
+% Returns the facts about object number k of those that are there.
+  block = there(k);
+  numbers = 1:numel(there);
+  below = numbers(arrayfun(@(it) standsOn(block, it), there) & numbers ~= k);
+  beside = numbers(arrayfun(@(it) isBeside(block, it), there) & numbers > k);
+  facts = arrayfun(@(it) sprintf('on %s %s', block.name, it.name), there(below), 'UniformOutput', false);
+  is_inside = isInside(container, block.position) && ~strcmp(block.name, container.name);
+  if is_inside
+    facts{end + 1} = sprintf('in %s %s', block.name, container.name);
+  elseif isempty(below) && block.position(3) - block.size(3) / 2 < constants().task_model.max_support_gap
+    facts{end + 1} = sprintf('on %s table', block.name);
+  end
+  for it = there(beside), facts{end + 1} = sprintf('beside %s %s', block.name, it.name); end
+  for it = there([below, beside])
+    if isAligned(block, it), facts{end + 1} = sprintf('aligned %s %s', block.name, it.name); end
+  end
+  if ~block.moves, return; end
+  still = there(~[there.moves]);
+  distances = arrayfun(@(it) norm(it.position(1:2) - block.position(1:2)), still);
+  [~, order] = sort(distances);
+  around = [there(below), still(order)];
+  if is_inside
+    around = struct('name', container.name, 'position', container.position, 'yaw', container.yaw);
+  end
+  facts{end + 1} = placeOf(block, around);
+end

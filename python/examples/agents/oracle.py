@@ -1,0 +1,55 @@
+"""The learner, told which pixels show which object, and the sizes of the demonstrated ones: what it
+still fails at is planning or acting, not seeing.
+
+    smile imitate DEMO SCENE --brain python/examples/agents/oracle.py
+
+A real robot does not have this information: only the simulator has it.
+
+smile: imitates
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+sys.path.append(str(Path(__file__).resolve().parents[2] / "learner"))
+import learner
+from blocks import Block, same_size
+from colors import table_color
+from eye import height_map, onto_plane
+from faces import fit_face
+from learner import step
+from measuring import measure_block
+
+
+def init(aux):
+    aux.see = see
+    learner.init(aux)
+    aux.channels = ["rgb", "depth", "segmentation"]
+
+
+def see(sensor, eye, steps):
+    """Returns the objects whose whole top is visible, as Blocks."""
+    picture = sensor.rgbVision / 255
+    heights = height_map(sensor.depthVision, eye)
+    sizes = {step.name: step.size for step in steps}
+    seen = []
+    for k, name in enumerate(sensor.segmentNames, 1):
+        rows, columns = np.nonzero(sensor.segmentVision == k)
+        if name in ("table", "robot") or len(rows) == 0:
+            continue
+        top = heights[rows, columns].max()
+        is_top = heights[rows, columns] > top - 0.02
+        rows, columns = rows[is_top], columns[is_top]
+        color = np.median(picture[rows, columns], axis=0)
+        if name not in sizes:
+            block = measure_block(color, rows, columns, picture, eye, table_color(picture), heights)
+            seen += [block] if block else []
+            continue
+        size = sizes[name]
+        top = np.median(heights[rows, columns])
+        face = fit_face(*onto_plane(rows, columns, eye, top))
+        if same_size(face.sides, size[:2]) and face.misfit < 0.05:
+            seen.append(Block(color, size, np.append(face.center, top - size[2] / 2), face.yaw))
+    return seen

@@ -1,0 +1,77 @@
+"""Fits blocks to a top face."""
+
+import math
+
+import numpy as np
+
+from blocks import Block
+from clearance import is_inside
+from constants import PERCEPTION as C
+from eye import onto_plane
+from faces import fit_face
+
+
+def fit_blocks(row, column, eye, color, sizes, container, is_possible, bottoms, top=None,
+               max_side_error=C.max_side_error):
+    """Fits blocks to the pixels of a top face: one block of a color and one of some sizes, or equal
+    blocks that touch in a row or a grid. Returns a list, empty if nothing fits.
+
+    row, column: pixels, N numbers each
+    container:   in which they may lie, or None
+    is_possible: predicate: returns true if there can be such a Block at its place
+    bottoms:     for each size, the heights where the bottom is expected [units]
+    top:         measured height of the face [units], or None
+    max_side_error: greatest relative error of the sides
+
+    On a lower plane the same pixels would be a larger top, on a higher one a smaller. Without a
+    measured height, the plane is the one of the expected ones at which the size of the top is
+    right. Inside the container, all planes are higher by its floor. With a measured height, blocks
+    whose bottom would be where it is expected are preferred: the size of the top alone does not
+    distinguish a high block from a low one on a support.
+    """
+    best = max_side_error
+    blocks = []
+    for max_count, is_expected in ((1, True), (1, False), (C.max_abreast, True),
+                                   (C.max_abreast, False)):  # blocks side by side
+        for size, expected in zip(sizes, bottoms):
+            for plane in candidate_tops(size, expected, top, is_expected):
+                face = fit_face(*onto_plane(row, column, eye, plane))
+                if top is None and is_inside(container, face.center):
+                    plane += container.floor
+                    face = fit_face(*onto_plane(row, column, eye, plane))
+                count = np.clip(np.round(face.sides / size[:2]), 1, max_count)
+                max_error = max(*np.abs(face.sides / (count * size[:2]) - 1), face.misfit)
+                if max_error >= best:
+                    continue
+                found = block_grid(face, count.astype(int), plane, color, size)
+                if top is not None and is_expected or all(map(is_possible, found)):
+                    best = max_error
+                    blocks = found
+        if blocks:
+            break
+    return blocks
+
+
+def candidate_tops(size, bottoms, top, is_expected):
+    """Returns the heights at which the top of a block may be [units], a list: its measured height,
+    or, if there is none, those at which its bottom is expected.
+
+    is_expected: whether to return the heights with an expected bottom, or the others
+    """
+    if top is None:
+        return [size[2] + bottom for bottom in bottoms] if is_expected else []
+    error = np.abs(top - size[2] - bottoms).min()
+    is_above_table = top - size[2] > -C.on_table
+    return [top] if (error < C.on_table) == is_expected and is_above_table else []
+
+
+def block_grid(face, count, top, color, size):
+    """Returns count[0] x count[1] equal Blocks that fill a Face at height `top` [units]: a list."""
+    along = np.array([math.cos(face.yaw), math.sin(face.yaw)])
+    across = np.array([-along[1], along[0]])
+    blocks = []
+    for i in np.arange(count[0]) - (count[0] - 1) / 2:
+        for j in np.arange(count[1]) - (count[1] - 1) / 2:
+            at = face.center + i * size[0] * along + j * size[1] * across
+            blocks.append(Block(color, size, np.append(at, top - size[2] / 2), face.yaw))
+    return blocks

@@ -52,7 +52,7 @@ install(FILES ${CMAKE_BINARY_DIR}/matlab/smilelink.mex
               ${CMAKE_BINARY_DIR}/matlab/smile_guard.oct
               ${CMAKE_BINARY_DIR}/matlab/smilemotion.mex
         DESTINATION share/smile/matlab/client OPTIONAL)
-foreach(module smile_brain_native smile_motion_native)
+foreach(module smile_brain_native smile_motion_native smile_simulator_native)
   if(TARGET ${module})
     install(TARGETS ${module} LIBRARY DESTINATION share/smile/python)
   endif()

@@ -1,1 +1,41 @@
-"""Python client of SMILE, for brains."""
+"""SMILE in Python: simulator, and client for brains.
+
+    import smile
+    sim = smile.Simulation(smile.load("scenes/tower.xml"))
+    sim.hand("left").grasp("RedBlock")
+
+SI units and radians; the world has z up and its origin in the middle of the table top; quaternions
+are w, x, y, z. docs/python.md describes the simulator, docs/brains.md brains, which import only
+`smile.brain` and `smile.motion`.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from smile.errors import Diagnostic, Refused, SceneError
+    from smile.picture import Picture
+    from smile.simulation import Event, Model, Simulation, State, load
+
+# Imported when first used: a brain needs none of them.
+_HOMES = {
+    "Diagnostic": "errors", "Refused": "errors", "SceneError": "errors",
+    "Picture": "picture",
+    "Event": "simulation", "Model": "simulation", "Simulation": "simulation", "State": "simulation",
+    "load": "simulation",
+}
+
+__all__ = ["Diagnostic", "Event", "Model", "Picture", "Refused", "SceneError", "Simulation", "State",
+           "load"]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'smile' has no attribute {name!r}")
+    return getattr(importlib.import_module("smile." + _HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

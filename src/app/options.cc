@@ -8,9 +8,8 @@
 
 #include "base/files.h"
 #include "base/wording.h"
-#include "catalog/robot_catalog.h"
+#include "catalog/placed_robot.h"
 #include "library/brain_choices.h"
-#include "robot/urdf_reader.h"
 
 namespace smile::app {
 namespace {
@@ -91,31 +90,21 @@ std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
     if (options == RobotOptions{.no_robot = true}) return std::nullopt;
     throw std::invalid_argument("--no-robot excludes all other options of the robot");
   }
-  const catalog::RobotSource source =
-      catalog::FindRobot(options.urdf.empty() ? "baxter" : options.urdf);
-  const std::filesystem::path& urdf = source.urdf;
-  const std::filesystem::path side_file =
-      options.side_file.empty() ? source.side_file : std::filesystem::path(options.side_file);
-  robot::RobotReading reading =
-      robot::LoadRobot(urdf, {.side_file = side_file,
-                              .package_roots = {path.roots.begin(), path.roots.end()},
-                              .gripper = options.gripper});
+  catalog::PlacedRobot placed =
+      catalog::PlaceRobot(options.urdf.empty() ? "baxter" : options.urdf,
+                          {.side_file = options.side_file,
+                           .package_roots = {path.roots.begin(), path.roots.end()},
+                           .gripper = options.gripper,
+                           .body = options.body});
   // A URDF file alone describes links and joints, but not which of them are arms or grippers.
-  if (!reading.has_side_file) {
+  if (!placed.has_side_file) {
     std::fprintf(
         stderr,
         "%s: the robot has no side file and cannot be moved; `smile robots add` makes one\n",
-        urdf.c_str());
+        placed.urdf.c_str());
   }
-  sim::RobotPlacement placement{.model = std::move(reading.model),
-                                .gripper = std::move(reading.gripper),
-                                .files = std::move(reading.files),
-                                .body = options.body};
-  // The side file may set where the robot stands; otherwise the defaults of RobotPlacement apply.
-  placement.gap = reading.gap.value_or(placement.gap);
-  placement.height = reading.height.value_or(placement.height);
-  if (options.classic) placement.gap = kClassicGap;
-  return placement;
+  if (options.classic) placed.placement.gap = kClassicGap;
+  return std::move(placed.placement);
 }
 
 // CLI11 otherwise takes all following words as further values, even positional ones.

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array kMagic = {'S', 'M', 'I', 'L', 'E', 'S', 'N', 'P'};
 /// Version of the format. Others are refused, since snapshots are exchanged only within one build.
-constexpr std::uint32_t kVersion = 8;
+constexpr std::uint32_t kVersion = 9;
 
 // Walk() names the fields of each type once; the archive writes or reads them. See
 // scene/field_archive.h.

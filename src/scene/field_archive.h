@@ -130,12 +130,18 @@ void Walk(Archive& archive, Hull& hull) {
   }
 }
 
+/// Writes or reads whether a value is present, then the value by `walk`.
+template <class Archive, class T>
+void WalkOptional(Archive& archive, std::optional<T>& value, auto&& walk) {
+  auto has_value = static_cast<std::uint8_t>(value.has_value());
+  archive(has_value);
+  if (has_value != 0 && !value) value.emplace();  // reading
+  if (value) walk(*value);
+}
+
 template <class Archive>
 void Walk(Archive& archive, std::optional<double>& number) {
-  auto has_value = static_cast<std::uint8_t>(number.has_value());
-  archive(has_value);
-  if (has_value != 0 && !number) number = 0;  // reading
-  if (number) archive(*number);
+  WalkOptional(archive, number, [&archive](double& value) { archive(value); });
 }
 
 /// Writes the value each time it is shared; reads it into one of its own.
@@ -162,6 +168,15 @@ void WalkAlternatives(Archive& archive, std::variant<Kinds...>& value, const cha
 }
 
 template <class Archive>
+void Walk(Archive& archive, Trigger& trigger) {
+  archive(trigger.rule.cause);
+  archive(trigger.rule.press_force);
+  archive(trigger.rule.press_angle);
+  WalkMatrix(archive, trigger.inward_in_body);
+  archive(trigger.next_state);
+}
+
+template <class Archive>
 void Walk(Archive& archive, Solid& solid) {
   WalkAlternatives(archive, solid.shape, "shape");
   Walk(archive, solid.X_BS);
@@ -169,17 +184,19 @@ void Walk(Archive& archive, Solid& solid) {
   archive(solid.color.green);
   archive(solid.color.blue);
   archive(solid.part_id);
+  archive(solid.control);
+  archive(solid.variant);
+  WalkOptional(archive, solid.button, [&archive](Button& button) { archive(button); });
+  WalkOptional(archive, solid.trigger, [&archive](Trigger& trigger) { Walk(archive, trigger); });
 }
 
 template <class Archive>
 void Walk(Archive& archive, std::optional<Mimic>& mimic) {
-  auto has_value = static_cast<std::uint8_t>(mimic.has_value());
-  archive(has_value);
-  if (has_value != 0 && !mimic) mimic.emplace();  // reading
-  if (!mimic) return;
-  archive(mimic->leader);
-  archive(mimic->multiplier);
-  archive(mimic->offset);
+  WalkOptional(archive, mimic, [&archive](Mimic& value) {
+    archive(value.leader);
+    archive(value.multiplier);
+    archive(value.offset);
+  });
 }
 
 template <class Archive>

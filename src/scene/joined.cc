@@ -53,4 +53,17 @@ SceneSpec Joined(SceneSpec scene, SceneSpec added) {
   return scene;
 }
 
+SceneSpec AddedTo(const SceneSpec& scene, SceneSpec joined) {
+  const auto erase_first = [](auto& list, std::size_t count) {
+    list.erase(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count));
+  };
+  erase_first(joined.objects, scene.objects.size());
+  erase_first(joined.sliders, scene.sliders.size());
+  erase_first(joined.chains, scene.chains.size());
+  for (SliderSpec& slider : joined.sliders) slider.first_object -= scene.objects.size();
+  for (ChainSpec& chain : joined.chains) chain.first_object -= scene.objects.size();
+  joined.cameras.clear();
+  return joined;
+}
+
 }  // namespace smile::scene

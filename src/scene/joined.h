@@ -15,4 +15,8 @@ std::set<std::string> IdsOf(const SceneSpec& scene);
 /// @param added  in the same unit, and none of its ids is in `scene`.
 SceneSpec Joined(SceneSpec scene, SceneSpec added);
 
+/// Returns what was added to a scene: `Joined(scene, AddedTo(scene, joined))` is `joined`.
+/// @param joined  the scene with others after its own objects, sliders and chains.
+SceneSpec AddedTo(const SceneSpec& scene, SceneSpec joined);
+
 }  // namespace smile::scene

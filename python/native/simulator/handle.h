@@ -1,0 +1,164 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "picture/rendered_eye.h"
+#include "recorder/recording_controller.h"
+#include "sim/command_json.h"
+#include "sim/per_action.h"
+#include "sim/simulation.h"
+
+namespace smile::python {
+
+/// An event and the tick after which it happened.
+struct DatedEvent {
+  std::uint64_t tick = 0;
+  sim::Event event;
+};
+
+/// Keeps the events of a simulation. Those of undone actions are left out until they are redone.
+class EventList : public sim::Listener {
+ public:
+  void OnEvent(const sim::Simulation& simulation, const sim::Event& event) override {
+    events_[simulation.history().done().back().id].push_back({simulation.tick(), event});
+  }
+  std::vector<DatedEvent> EventsOf(const sim::Simulation& simulation) const {
+    std::vector<DatedEvent> all;
+    for (const auto& action : simulation.history().done()) {
+      if (const auto* events = events_.Find(action.id)) {
+        all.insert(all.end(), events->begin(), events->end());
+      }
+    }
+    return all;
+  }
+  void Clear() { events_ = {}; }
+
+ private:
+  sim::PerAction<std::vector<DatedEvent>> events_;
+};
+
+/// A simulation as Python holds it: it can be closed, and refuses to be used by two threads at a
+/// time, since the interpreter's lock is released while it works.
+class Handle {
+ public:
+  explicit Handle(std::shared_ptr<const model::Model> model)
+      : simulation_(std::make_unique<sim::Simulation>(std::move(model))) {
+    simulation_->AddListener(&events_);
+  }
+  ~Handle() { Destroy(); }
+
+  /// Exclusive use of the simulation, for as long as it lives.
+  class Use {
+   public:
+    explicit Use(Handle* handle) : handle_(*handle) {
+      if (handle_.is_in_use_.exchange(true)) {
+        throw std::runtime_error(
+            "the simulation is in use by another thread, expected one thread at a time");
+      }
+      if (handle_.simulation_ != nullptr) return;
+      handle_.is_in_use_ = false;
+      throw std::runtime_error("the simulation is closed, expected an open one");
+    }
+    ~Use() { handle_.is_in_use_ = false; }
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+
+    sim::Simulation& operator*() const { return *handle_.simulation_; }
+    sim::Simulation* operator->() const { return handle_.simulation_.get(); }
+
+   private:
+    Handle& handle_;
+  };
+
+  /// Ends a recording, then the simulation. Does nothing if it is closed.
+  void Close() {
+    if (simulation_ == nullptr) return;
+    {
+      const Use use(this);
+      if (recording_) recording_->Flush();
+    }
+    Destroy();
+  }
+  bool is_closed() const { return simulation_ == nullptr; }
+
+  std::vector<DatedEvent> Events() {
+    const Use use(this);
+    return events_.EventsOf(*use);
+  }
+  void Restore(const sim::SimulationState& state) {
+    const Use use(this);
+    if (recording_ && recording_->is_recording()) {
+      throw std::runtime_error(
+          "a recording is in progress: a state cannot be restored, expected finish() first");
+    }
+    use->Restore(state);
+    events_.Clear();
+  }
+
+  /// Starts a recording in a new directory.
+  /// @param eye  nullopt for a recording without pictures.
+  void Record(const std::filesystem::path& directory, const recorder::RecorderOptions& options,
+              const std::optional<sim::EyeSpec>& eye) {
+    const Use use(this);
+    if (recording_ && recording_->is_recording()) {
+      throw std::runtime_error("a recording is in progress, expected finish() first");
+    }
+    recording_.reset();
+    eye_.reset();
+    if (eye) {
+      sim::EyeView(*use, *eye);  // throws if there is no such camera
+      eye_.emplace(*eye);
+    }
+    recording_.emplace(&*use, recorder::RecordingController::Options{
+                                  .recording = options, .eye = eye_ ? &*eye_ : nullptr});
+    try {
+      recording_->StartIn(directory, *use);
+    } catch (...) {
+      EndRecording();
+      throw;
+    }
+  }
+  /// Ends the recording.
+  /// @returns its directory.
+  std::filesystem::path Finish() {
+    const Use use(this);
+    if (!recording_)
+      throw std::runtime_error("no recording is in progress, expected record() first");
+    if (recording_->failure()) throw std::runtime_error(*recording_->failure());
+    const std::filesystem::path directory = recording_->directories().back();
+    const auto refusal = use->Apply(sim::FinishRecording{});
+    EndRecording();
+    if (refusal) throw std::runtime_error(*refusal);
+    return directory;
+  }
+
+ private:
+  void EndRecording() {
+    if (simulation_ != nullptr && recording_) {
+      simulation_->RemoveListener(&*recording_);
+      simulation_->SetRecordingControl(nullptr);
+    }
+    recording_.reset();
+    eye_.reset();
+  }
+  void Destroy() {
+    EndRecording();
+    simulation_.reset();
+  }
+
+  std::atomic<bool> is_in_use_ = false;
+  EventList events_;
+  std::unique_ptr<sim::Simulation> simulation_;  ///< null once it is closed
+  std::optional<picture::RenderedEye> eye_;      ///< of the recording
+  std::optional<recorder::RecordingController> recording_;
+};
+
+}  // namespace smile::python

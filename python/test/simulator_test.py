@@ -1,0 +1,230 @@
+"""Tests the simulator in Python: what it does is what the program does, to the last bit.
+
+Usage: simulator_test.py SMILE_PROGRAM PROJECT_FOLDER
+"""
+
+import pickle
+import random
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import smile
+
+PROGRAM, PROJECT = sys.argv[1], Path(sys.argv[2])
+TOWER = PROJECT / "scenes/tower.xml"
+PLACE = [0.3, 0.2, 0.2]
+
+
+def tower(robot=None):
+    return smile.Simulation(smile.load(TOWER, robot=robot))
+
+
+def lift(sim, name, position=PLACE):
+    hand = sim.hand("left")
+    hand.grasp(name)
+    hand.move_to(position)
+    sim.run_until("arrived")
+    return hand
+
+
+class HandsTest(unittest.TestCase):
+    def test_an_object_is_carried_released_and_put_back_exactly(self):
+        sim = tower()
+        name = sim.object_ids[0]
+        sim.step(10)
+        before, pose = sim.hash, sim.objects[name].pose
+        hand = lift(sim, name)
+        self.assertEqual(hand.held, name)
+        np.testing.assert_allclose(sim.objects[name].position, PLACE, atol=1e-3)
+        self.assertGreater(np.abs(sim.objects[name].position - pose[:3]).max(), 0.05)
+        hand.rotate([0, 0, np.pi / 2])
+        sim.run_until("arrived")
+        hand.release()
+        sim.run_until("still")
+        self.assertEqual([event["kind"] for event in sim.events], ["grasped", "released"])
+        self.assertLess(sim.objects[name].position[2], 0.1)
+        sim.undo()
+        sim.undo()
+        self.assertEqual((sim.hash, sim.tick, sim.events), (before, 10, []))
+        np.testing.assert_array_equal(sim.objects[name].pose, pose)
+
+    def test_a_refused_command_says_why_and_changes_nothing(self):
+        sim = tower()
+        before = sim.hash
+        with self.assertRaisesRegex(smile.Refused, "holds nothing|empty"):
+            sim.hand("right").move_to(PLACE)
+        with self.assertRaisesRegex(smile.Refused, "nothing|no object"):
+            sim.hand("right").grasp("nothing")
+        self.assertEqual(sim.hash, before)
+
+    def test_a_wait_that_never_ends_times_out(self):
+        sim = tower()
+        with self.assertRaisesRegex(TimeoutError, "never.* within 0.5 s"):
+            def never(_):
+                return False
+            sim.run_until(never, timeout=0.5)
+        self.assertEqual(sim.tick, 30)
+
+
+class StatesTest(unittest.TestCase):
+    def test_another_process_continues_with_the_same_bits(self):
+        sim = tower(robot="tern")
+        lift(sim, sim.object_ids[0])
+        sim.robot.move_to_pose("ready")
+        sim.step(7)
+        state = sim.save()
+        sim.step(100)
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "state.pickle"
+            file.write_bytes(pickle.dumps(state))
+            program = (
+                "import pickle, sys, smile\n"
+                f"sim = smile.Simulation(smile.load({str(TOWER)!r}, robot='tern'))\n"
+                "sim.restore(pickle.load(open(sys.argv[1], 'rb')))\n"
+                "sim.step(100)\n"
+                "print(sim.hash)\n")
+            there = subprocess.run([sys.executable, "-c", program, file], check=True, text=True,
+                                   stdout=subprocess.PIPE).stdout
+        self.assertEqual(int(there), sim.hash)
+        sim.restore(state)
+        sim.step(100)
+        self.assertEqual(int(there), sim.hash)
+
+    def test_a_state_of_another_scene_is_refused(self):
+        state = bytes(tower().save())
+        other = smile.Simulation(smile.load(PROJECT / "scenes/row.xml", robot=None))
+        with self.assertRaisesRegex(ValueError, "another scene"):
+            other.restore(state)
+        with self.assertRaisesRegex(ValueError, "truncated or damaged"):
+            tower().restore(state[:-1] + b"x")
+
+
+class RecordingTest(unittest.TestCase):
+    def test_a_recording_made_in_python_replays_to_the_same_bits(self):
+        with tempfile.TemporaryDirectory() as folder:
+            sim = tower()
+            sim.record(Path(folder) / "demo", size=(64, 48))
+            hand = lift(sim, sim.object_ids[0])
+            hand.release()
+            sim.run_until("still")
+            sim.undo()
+            hand.release()
+            sim.run_until("still")
+            demo = sim.finish()
+            sim.close()
+            report = subprocess.run([PROGRAM, "replay", demo, "--verify"], text=True,
+                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.assertEqual(report.returncode, 0, report.stdout)
+        self.assertIn("identical", report.stdout)
+
+
+class PicturesTest(unittest.TestCase):
+    def test_an_object_is_seen_where_the_camera_projects_it(self):
+        sim = tower()
+        picture = sim.render("eye", size=(200, 150), channels=("rgb", "depth", "id"))
+        self.assertEqual((picture.rgb.shape, picture.rgb.dtype), ((150, 200, 3), np.uint8))
+        self.assertEqual((picture.depth.shape, picture.depth.dtype), ((150, 200), np.float32))
+        for index, name in enumerate(sim.object_ids):
+            in_camera = np.linalg.inv(picture.pose) @ [*sim.objects[name].position, 1]
+            u, v, _ = picture.intrinsics @ in_camera[:3] / in_camera[2]
+            self.assertEqual(picture.id[int(v), int(u)], index + 2)
+            self.assertAlmostEqual(picture.depth[int(v), int(u)], in_camera[2], delta=0.1)
+        self.assertIsNone(sim.render(size=(8, 8)).depth)
+        self.assertTrue(picture.to_png().startswith(b"\x89PNG"))
+        np.testing.assert_array_equal(np.asarray(picture), picture.rgb)
+
+    def test_a_view_for_people_and_unknown_cameras(self):
+        sim = tower(robot="tern")
+        self.assertGreater(sim.render("close", size=(40, 30)).rgb.max(), 100)
+        with self.assertRaisesRegex(ValueError, "expected .*eye"):
+            sim.render("nowhere")
+
+
+class RobotTest(unittest.TestCase):
+    def test_joints_move_as_commanded(self):
+        sim = tower(robot="tern")
+        arm = next(iter(sim.robot.arms.values()))
+        start = arm.q
+        arm.move(np.full(len(start), 0.1), gripper=0.0)
+        sim.step(60)
+        np.testing.assert_allclose(arm.q - start, 0.1, atol=0.01)
+        arm.set_q(start)
+        np.testing.assert_allclose(arm.q, start, atol=1e-12)
+        with self.assertRaisesRegex(ValueError, r"velocities has shape \(2,\), expected \(6,\)"):
+            arm.move([0, 0])
+        with self.assertRaisesRegex(ValueError, r"angles\[1\] is not finite"):
+            arm.set_q([0, np.nan, 0, 0, 0, 0])
+
+
+class MistakesTest(unittest.TestCase):
+    def test_a_faulty_scene_has_an_error_with_each_place(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "wrong.xml"
+            file.write_text(TOWER.read_text().split("\n")[1] + '\n<block id="a" mass="-1"/>\n<blok/>\n</tabletop>\n')
+            with self.assertRaises(smile.SceneError) as caught:
+                smile.load(file, robot=None)
+        lines = [(one.file, one.line) for one in caught.exception.diagnostics]
+        self.assertTrue({(str(file), 2), (str(file), 3)} <= set(lines), caught.exception)
+
+    def test_a_closed_simulation_refuses_everything(self):
+        sim = tower()
+        sim.close()
+        sim.close()
+        for use in (sim.step, sim.save, lambda: sim.tick, lambda: sim.objects, sim.render):
+            with self.assertRaisesRegex(RuntimeError, "closed"):
+                use()
+
+    def test_two_threads_at_a_time_are_refused_and_one_after_the_other_are_not(self):
+        sim = tower()
+        worker = threading.Thread(target=sim.step, args=(200_000,))
+        worker.start()
+        refused = False
+        while worker.is_alive() and not refused:
+            try:
+                _ = sim.tick
+            except RuntimeError as error:
+                refused = "another thread" in str(error)
+        worker.join()
+        self.assertTrue(refused)
+        # Pictures, too: each thread has a renderer of its own.
+        here, there = sim.render(size=(8, 8)).rgb, []
+        worker = threading.Thread(target=lambda: there.append(sim.render(size=(8, 8)).rgb))
+        worker.start()
+        worker.join()
+        np.testing.assert_array_equal(here, there[0])
+
+    def test_nothing_that_python_passes_crashes(self):
+        rng = random.Random(1)
+        values = [None, -1, 0, 1, 10**20, 1.5, float("nan"), float("inf"), "", "left", "\0", "RedBlock", [],
+                  [0, 0, 0], [1e300] * 3, [[1, 2, 3]], {}, object(), b"", b"SMILESIM", ("rgb",), (3, 2),
+                  {"do": "spawn", "xml": "<world><block/></world>"}, {"do": "clear"}]
+        sim = tower(robot="tern")
+        things = [sim, sim.hand("left"), sim.hand("both"), sim.robot,
+                  *sim.robot.arms.values(), *sim.objects.values()]
+        for _ in range(3000):
+            thing = rng.choice(things)
+            name = rng.choice([name for name in dir(type(thing)) if not name.startswith("_")])
+            if name in ("close", "record", "finish"):
+                continue
+            arguments = [rng.choice(values) for _ in range(rng.randrange(4))]
+            if name == "step":
+                arguments = [rng.choice([-1, 0, 3, "a", 1.5, True])]
+            if name == "run_until":
+                arguments = [rng.choice(values), 0.1]
+            try:
+                member = getattr(thing, name)
+                if callable(member):
+                    member(*arguments)
+            except (ValueError, TypeError, KeyError, RuntimeError, TimeoutError):
+                pass
+        self.assertGreater(sim.tick, 0)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

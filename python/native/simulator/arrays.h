@@ -60,7 +60,7 @@ inline Array ArrayOf(const std::vector<double>& values) {
 }
 
 /// Writes a pose as position and quaternion: x, y, z, w, qx, qy, qz.
-inline void PutPose(const RigidTransform& X, double* out) {
+inline void WritePose(const RigidTransform& X, double* out) {
   const Quaternion q = X.quaternion();
   const Vector3& p = X.translation();
   const double values[7] = {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};
@@ -68,7 +68,7 @@ inline void PutPose(const RigidTransform& X, double* out) {
 }
 inline Array PoseArray(const RigidTransform& X) {
   Array array(7);
-  PutPose(X, array.mutable_data());
+  WritePose(X, array.mutable_data());
   return array;
 }
 

@@ -172,7 +172,7 @@ Array PosesOf(const sim::Simulation& simulation) {
   double* out = poses.mutable_data();
   for (const world::Object& object : objects) {
     if (simulation.tabletop().IsPresent(object)) {
-      PutPose(simulation.physics().body(object.body).pose_in_world(), out);
+      WritePose(simulation.physics().body(object.body).pose_in_world(), out);
     } else {
       std::fill(out, out + 7, std::numeric_limits<double>::quiet_NaN());
     }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/overloaded.h"
+#include "demonstrator/demonstrator.h"
 #include "model/eye.h"
 #include "scene/bond_points.h"
 #include "scene/controls_of.h"

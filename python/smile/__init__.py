@@ -17,18 +17,20 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from smile.errors import Diagnostic, Refused, SceneError
     from smile.picture import Picture
+    from smile.recording import Action, Moment, Recording, open
     from smile.simulation import Event, Model, Simulation, State, load
 
 # Imported when first used: a brain needs none of them.
 _HOMES = {
     "Diagnostic": "errors", "Refused": "errors", "SceneError": "errors",
     "Picture": "picture",
+    "Action": "recording", "Moment": "recording", "Recording": "recording", "open": "recording",
     "Event": "simulation", "Model": "simulation", "Simulation": "simulation", "State": "simulation",
     "load": "simulation",
 }
 
-__all__ = ["Diagnostic", "Event", "Model", "Picture", "Refused", "SceneError", "Simulation", "State",
-           "load"]
+__all__ = ["Action", "Diagnostic", "Event", "Model", "Moment", "Picture", "Recording", "Refused",
+           "SceneError", "Simulation", "State", "load", "open"]
 
 
 def __getattr__(name: str) -> Any:

@@ -7,13 +7,13 @@ ticks give the same bits, in C++ and in Python.
 
 from __future__ import annotations
 
+import importlib
 import json
 import math
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from pathlib import Path
 from types import TracebackType
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -21,6 +21,9 @@ import numpy.typing as npt
 from smile.errors import Refused
 from smile.native import load as _load_native
 from smile.picture import Picture
+
+if TYPE_CHECKING:
+    from smile.recording import Recording
 
 _native = _load_native("smile_simulator_native")
 
@@ -61,6 +64,20 @@ def _whole(name: str, value: Any, low: int, high: int) -> int:
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not low <= value <= high:
         raise ValueError(f"{name} is {value!r}, expected a whole number from {low} to {high}")
     return int(value)
+
+
+def picture_size(size: tuple[int, int]) -> tuple[int, int]:
+    """Checks a width and a height [px]."""
+    if not isinstance(size, (tuple, list)) or len(size) != 2:
+        raise ValueError(f"size is {size!r}, expected (width, height)")
+    return _whole("width", size[0], 1, 8192), _whole("height", size[1], 1, 8192)
+
+
+def channel_flags(channels: Sequence[str]) -> list[bool]:
+    """Checks names of channels; returns which of CHANNELS are among them."""
+    if isinstance(channels, str) or not channels or not set(channels) <= set(CHANNELS):
+        raise ValueError(f"channels is {channels!r}, expected some of {', '.join(CHANNELS)}")
+    return [name in channels for name in CHANNELS]
 
 
 def _point(name: str, value: Any) -> Floats:
@@ -245,6 +262,11 @@ class Robot:
         _demand(self._native.apply(json.dumps({"do": "pose", "name": name, "speed": speed})))
 
 
+def _recording() -> Any:
+    # Imported late: it imports this module.
+    return importlib.import_module("smile.recording")
+
+
 class _Lookup(Mapping[str, _T]):
     """Things by name, made when they are looked up."""
 
@@ -412,12 +434,12 @@ class Simulation:
         rate    pictures per second of simulated time, at most 60
         size    width and height of the pictures [px]
         """
-        width, height = (_whole(name, n, 1, 8192) for name, n in zip(("width", "height"), size))
-        self._native.record(os.fspath(directory), rate, pictures, width, height, camera, title, notes)
+        self._native.record(os.fspath(directory), rate, pictures, *picture_size(size), camera, title,
+                            notes)
 
-    def finish(self) -> Path:
-        """Ends the recording, and returns its directory."""
-        return Path(self._native.finish())
+    def finish(self) -> Recording:
+        """Ends the recording, and opens it."""
+        return _recording().open(self._native.finish())
 
     def render(self, camera: str = "eye", size: tuple[int, int] = (640, 480),
                channels: Sequence[str] = ("rgb",)) -> Picture:
@@ -428,9 +450,4 @@ class Simulation:
         size      width and height [px]
         channels  some of `rgb`, `depth`, `id`
         """
-        unknown = [name for name in channels if name not in CHANNELS]
-        if unknown or isinstance(channels, str) or not channels:
-            raise ValueError(f"channels is {channels!r}, expected some of {', '.join(CHANNELS)}")
-        width, height = (_whole(name, n, 1, 8192) for name, n in zip(("width", "height"), size))
-        return Picture(*self._native.render(camera, width, height,
-                                            *(name in channels for name in CHANNELS)))
+        return Picture(*self._native.render(camera, *picture_size(size), *channel_flags(channels)))

@@ -106,22 +106,45 @@ class StatesTest(unittest.TestCase):
 
 
 class RecordingTest(unittest.TestCase):
-    def test_a_recording_made_in_python_replays_to_the_same_bits(self):
+    def test_a_recording_made_in_python_replays_and_is_read_as_it_was(self):
         with tempfile.TemporaryDirectory() as folder:
-            sim = tower()
-            sim.record(Path(folder) / "demo", size=(64, 48))
+            sim = tower(robot="tern")
+            sim.step(5)
+            sim.record(Path(folder) / "demo", size=(64, 48), title="by Python")
             hand = lift(sim, sim.object_ids[0])
+            poses, hashes, events = [], [], sim.events
             hand.release()
             sim.run_until("still")
             sim.undo()
             hand.release()
-            sim.run_until("still")
+            for _ in range(30):
+                poses.append(sim.poses)
+                hashes.append(sim.hash)
+                sim.step()
+            events = sim.events
             demo = sim.finish()
-            sim.close()
-            report = subprocess.run([PROGRAM, "replay", demo, "--verify"], text=True,
+            report = subprocess.run([PROGRAM, "replay", demo.directory, "--verify"], text=True,
                                     stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        self.assertEqual(report.returncode, 0, report.stdout)
-        self.assertIn("identical", report.stdout)
+            self.assertEqual(report.returncode, 0, report.stdout)
+            self.assertIn("identical", report.stdout)
+            demo.verify()
+            self.assertEqual((demo.title, demo.object_ids), ("by Python", sim.object_ids))
+            self.assertEqual((demo.times[0], demo.ticks[0]), (0, 5))
+            np.testing.assert_array_equal(demo.hashes[-30:-1], hashes[1:])
+            np.testing.assert_allclose(demo.poses[-30:-1], poses[1:], atol=1e-12)
+            self.assertEqual(demo.joints.shape, (len(demo), len(demo.joint_names)))
+            self.assertEqual(demo.events, events)
+            self.assertEqual([action.words.split()[2] for action in demo.actions],
+                             ["takes", "drops"])
+            last = demo.at(float(demo.times[-1]))
+            np.testing.assert_array_equal(last.render(size=(40, 30)).rgb,
+                                          sim.render(size=(40, 30)).rgb)
+            with self.assertRaisesRegex(ValueError, "expected a number from 0 to"):
+                demo.at(1000)
+
+    def test_what_is_no_recording_is_refused(self):
+        with self.assertRaisesRegex(smile.SceneError, "demo.json"):
+            smile.open(PROJECT / "scenes")
 
 
 class PicturesTest(unittest.TestCase):

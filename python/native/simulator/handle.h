@@ -15,14 +15,9 @@
 #include "sim/command_json.h"
 #include "sim/per_action.h"
 #include "sim/simulation.h"
+#include "values.h"
 
 namespace smile::python {
-
-/// An event and the tick after which it happened.
-struct DatedEvent {
-  std::uint64_t tick = 0;
-  sim::Event event;
-};
 
 /// Keeps the events of a simulation. Those of undone actions are left out until they are redone.
 class EventList : public sim::Listener {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+// What each file of this module binds, in this order.
+
+namespace smile::python {
+
+void BindModel(pybind11::module_& m);
+void BindSimulation(pybind11::module_& m);
+void BindRecording(pybind11::module_& m);
+
+}  // namespace smile::python

@@ -327,11 +327,6 @@ void BindSimulation(py::module_& m) {
              const Handle::Use use(&handle);
              return use->is_still();
            })
-      .def("can_undo",
-           [](Handle& handle) {
-             const Handle::Use use(&handle);
-             return use->history().can_undo();
-           })
       .def("save",
            [](Handle& handle) {
              const Handle::Use use(&handle);

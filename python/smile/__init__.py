@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from smile.picture import Picture
     from smile.recording import Action, Moment, Recording, open
     from smile.simulation import Event, Model, Simulation, State, load
+    from smile.task import Comparison, ObjectError, Task
 
 # Imported when first used: a brain needs none of them.
 _HOMES = {
@@ -27,10 +28,11 @@ _HOMES = {
     "Action": "recording", "Moment": "recording", "Recording": "recording", "open": "recording",
     "Event": "simulation", "Model": "simulation", "Simulation": "simulation", "State": "simulation",
     "load": "simulation",
+    "Comparison": "task", "ObjectError": "task", "Task": "task",
 }
 
-__all__ = ["Action", "Diagnostic", "Event", "Model", "Moment", "Picture", "Recording", "Refused",
-           "SceneError", "Simulation", "State", "load", "open"]
+__all__ = ["Action", "Comparison", "Diagnostic", "Event", "Model", "Moment", "ObjectError", "Picture",
+           "Recording", "Refused", "SceneError", "Simulation", "State", "Task", "load", "open"]
 
 
 def __getattr__(name: str) -> Any:

@@ -147,6 +147,47 @@ class RecordingTest(unittest.TestCase):
             smile.open(PROJECT / "scenes")
 
 
+class TaskTest(unittest.TestCase):
+    def test_what_was_shown_counts_in_another_layout_and_nothing_else(self):
+        def yaw(one):
+            return 2 * np.arctan2(one.quaternion[3], one.quaternion[0])
+
+        def put_on(sim, mover, base):
+            hand, under = sim.hand("left"), sim.objects[base]
+            hand.grasp(mover)
+            hand.rotate([0, 0, yaw(under) - yaw(sim.objects[mover])])
+            for height in (0.3, 0.151):
+                hand.move_to([*under.position[:2], height])
+                sim.run_until("arrived")
+            hand.release()
+            sim.run_until("still")
+
+        with tempfile.TemporaryDirectory() as folder:
+            sim = tower()
+            sim.record(Path(folder) / "demo", pictures=False)
+            put_on(sim, "RedBlock", "BlueBlock")
+            demo = sim.finish()
+            elsewhere = smile.Simulation(smile.load(TOWER, robot=None).laid_out(3, "scattered"))
+            self.assertGreater(np.abs(elsewhere.poses - tower().poses).max(), 0.05)
+            task = smile.Task(demo, elsewhere)
+            self.assertEqual(sorted(task.object_ids), ["BlueBlock", "RedBlock"])
+            self.assertLess(task.compare().score, 1)
+            put_on(elsewhere, "GreenBlock", "BlueBlock")
+            self.assertFalse(task.compare().is_achieved)
+            elsewhere.undo()
+            elsewhere.undo()
+            put_on(elsewhere, "RedBlock", "BlueBlock")
+            done = task.compare()
+            self.assertTrue(done.is_achieved, done)
+            self.assertLess(done.errors["RedBlock"].distance, 0.005)
+            self.assertEqual(done.match["RedBlock"], "RedBlock")
+            elsewhere.close()
+            with self.assertRaisesRegex(RuntimeError, "closed"):
+                task.compare()
+            with self.assertRaisesRegex(smile.SceneError, "Red|red"):
+                smile.Task(demo, smile.Simulation(smile.load(PROJECT / "scenes/ball.xml", None)))
+
+
 class PicturesTest(unittest.TestCase):
     def test_an_object_is_seen_where_the_camera_projects_it(self):
         sim = tower()

@@ -9,5 +9,6 @@ namespace smile::python {
 void BindModel(pybind11::module_& m);
 void BindSimulation(pybind11::module_& m);
 void BindRecording(pybind11::module_& m);
+void BindTask(pybind11::module_& m);
 
 }  // namespace smile::python

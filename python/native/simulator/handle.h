@@ -15,6 +15,7 @@
 #include "sim/command_json.h"
 #include "sim/per_action.h"
 #include "sim/simulation.h"
+#include "task/episode.h"
 #include "values.h"
 
 namespace smile::python {
@@ -98,6 +99,15 @@ class Handle {
     events_.Clear();
   }
 
+  /// Begins to observe an episode, up to the end of the simulation.
+  /// @returns its number, for observer().
+  std::size_t Observe() {
+    const Use use(this);
+    observers_.push_back(std::make_unique<task::EpisodeObserver>(&*use));
+    return observers_.size() - 1;
+  }
+  const task::EpisodeObserver& observer(std::size_t number) const { return *observers_[number]; }
+
   /// Starts a recording in a new directory.
   /// @param eye  nullopt for a recording without pictures.
   void Record(const std::filesystem::path& directory, const recorder::RecorderOptions& options,
@@ -146,13 +156,15 @@ class Handle {
   }
   void Destroy() {
     EndRecording();
+    observers_.clear();
     simulation_.reset();
   }
 
   std::atomic<bool> is_in_use_ = false;
   EventList events_;
   std::unique_ptr<sim::Simulation> simulation_;  ///< null once it is closed
-  std::optional<picture::RenderedEye> eye_;      ///< of the recording
+  std::vector<std::unique_ptr<task::EpisodeObserver>> observers_;
+  std::optional<picture::RenderedEye> eye_;  ///< of the recording
   std::optional<recorder::RecordingController> recording_;
 };
 

@@ -74,10 +74,15 @@ void BindModel(py::module_& m) {
                              [](const model::Model& model) { return model.robot() != nullptr; })
       .def_property_readonly("camera_names", &model::CameraNames)
       .def_property_readonly("hash", &checkpoint::ModelHash)
-      .def("laid_out", [](const model::Model& model, std::uint64_t seed, const std::string& level) {
-        const py::gil_scoped_release release;
-        return std::const_pointer_cast<model::Model>(LayOut(model, seed, level));
-      });
+      .def(
+          "laid_out",
+          [](const model::Model& model, std::uint64_t seed, const std::string& level) {
+            const py::gil_scoped_release release;
+            return std::const_pointer_cast<model::Model>(LayOut(model, seed, level));
+          },
+          py::arg("seed"), py::arg("level") = "scattered",
+          "Returns the model with random starting positions of its loose objects, the same for the "
+          "same seed; see `smile layout --help` for the levels.");
   m.def("load", [](const std::filesystem::path& scene, const std::optional<std::string>& robot,
                    const std::vector<std::filesystem::path>& search) {
     const py::gil_scoped_release release;

@@ -41,4 +41,5 @@ PYBIND11_MODULE(smile_simulator_native, m) {
   smile::python::BindModel(m);
   smile::python::BindSimulation(m);
   smile::python::BindRecording(m);
+  smile::python::BindTask(m);
 }

@@ -1,7 +1,7 @@
 #include "physics/internal_shapes.h"
 
 #include <algorithm>
-#include <cstring>
+#include <bit>
 
 #include "base/overloaded.h"
 #include "scene/shrunk_hull.h"
@@ -16,14 +16,13 @@ constexpr double kCylinderMargin = 0.0005;
 /// Distance by which hulls are shrunk; Bullet adds it again as margin [m].
 constexpr double kHullMargin = 0.0005;
 
-/// Returns true for poses that give the same results to the last bit. 0 and -0 are equal and do
-/// not.
+/// Returns true for poses of the same bits. 0 and -0 are equal, but lead to other results.
 bool HaveEqualBits(const btTransform& a, const btTransform& b) {
-  const auto equal = [](const btVector3& v, const btVector3& w) {
-    return std::memcmp(&v[0], &w[0], 3 * sizeof(btScalar)) == 0;
-  };
-  return equal(a.getOrigin(), b.getOrigin()) && equal(a.getBasis()[0], b.getBasis()[0]) &&
-         equal(a.getBasis()[1], b.getBasis()[1]) && equal(a.getBasis()[2], b.getBasis()[2]);
+  using Bits = std::array<std::uint64_t, 16>;
+  std::array<btScalar, 16> p, q;
+  a.getOpenGLMatrix(p.data());
+  b.getOpenGLMatrix(q.data());
+  return std::bit_cast<Bits>(p) == std::bit_cast<Bits>(q);
 }
 
 /// Makes a hull whose faces, with Bullet's margin, are those of the polyhedron.

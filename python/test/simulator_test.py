@@ -101,6 +101,8 @@ class StatesTest(unittest.TestCase):
         other = smile.Simulation(smile.load(PROJECT / "scenes/row.xml", robot=None))
         with self.assertRaisesRegex(ValueError, "another scene"):
             other.restore(state)
+        with self.assertRaisesRegex(ValueError, "another scene"):
+            other.restore(tower().save())
         with self.assertRaisesRegex(ValueError, "truncated or damaged"):
             tower().restore(state[:-1] + b"x")
 

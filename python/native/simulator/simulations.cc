@@ -31,32 +31,34 @@ py::bytes BytesOf(const State& state) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+State StateFrom(const py::bytes& bytes) {
+  const std::string_view view = bytes;
+  const auto span = std::as_bytes(std::span(view.data(), view.size()));
+  return {.state = std::nullopt, .bytes = {span.begin(), span.end()}};
+}
+
 void BindState(py::module_& m) {
   py::class_<State>(m, "State", "A saved state of a simulation; bytes(state) writes it.")
-      .def(py::init([](const py::bytes& bytes) {
-        const std::string_view view = bytes;
-        const auto span = std::as_bytes(std::span(view.data(), view.size()));
-        return State{.state = std::nullopt, .bytes = {span.begin(), span.end()}};
-      }))
+      .def(py::init(&StateFrom))
       .def("__bytes__", &BytesOf)
-      .def(py::pickle([](const State& state) { return BytesOf(state); },
-                      [](const py::bytes& bytes) {
-                        const std::string_view view = bytes;
-                        const auto span = std::as_bytes(std::span(view.data(), view.size()));
-                        return State{.state = std::nullopt, .bytes = {span.begin(), span.end()}};
-                      }));
+      .def(py::pickle(&BytesOf, &StateFrom));
 }
 
 void Restore(Handle& handle, const State& state) {
-  if (state.state) {
-    handle.Restore(*state.state);
-    return;
-  }
   const ModelPointer start = [&] {
     const Handle::Use use(&handle);
     return use->start_model();
   }();
-  handle.Restore(checkpoint::ParseState(state.bytes, start));
+  if (!state.state) {
+    handle.Restore(checkpoint::ParseState(state.bytes, start));
+    return;
+  }
+  // Usually the same model; otherwise an equal one.
+  const ModelPointer& its_start = state.state->start_model;
+  if (its_start != start && checkpoint::ModelHash(*its_start) != checkpoint::ModelHash(*start)) {
+    throw std::invalid_argument("saved state: it belongs to another scene or robot");
+  }
+  handle.Restore(*state.state);
 }
 
 const world::Object& FindObject(const sim::Simulation& simulation, const std::string& id) {
@@ -93,14 +95,14 @@ Array PosesOf(const sim::Simulation& simulation) {
 /// @returns false if `max_ticks` passed before.
 bool RunUntil(sim::Simulation& simulation, const std::string& condition, std::uint64_t max_ticks) {
   // As in scripts: bodies at a turning point are slow for a tick, so rest must last.
-  constexpr int kRestTicks = 15;
+  constexpr int kRestTicks = sim::kTicksPerSecond / 4;
   int rest = 0;
   const auto holds = [&]() -> bool {
     if (condition == "arrived") {
       return simulation.demonstrator().has_arrived() && !simulation.is_robot_following();
     }
     rest = simulation.is_still() ? rest + 1 : 0;
-    return rest >= kRestTicks;
+    return rest > kRestTicks;
   };
   for (std::uint64_t i = 0; i < max_ticks; ++i) {
     simulation.Tick();
@@ -126,7 +128,7 @@ auto WithArm(Function function) {
   };
 }
 
-/// Applies a command in its written form, but with SI units and radians.
+/// Applies a command in its written form, with lengths in units of the scene.
 std::optional<std::string> Apply(Handle& handle, const std::string& json) {
   const Handle::Use use(&handle);
   const sim::Command command =

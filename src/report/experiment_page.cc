@@ -1,8 +1,12 @@
 #include "report/experiment_page.h"
 
+#include <filesystem>
 #include <optional>
+#include <sstream>
 #include <string>
+#include <vector>
 
+#include "base/files.h"
 #include "image/png.h"
 #include "picture/recording_renderer.h"
 #include "recording/recording_history.h"
@@ -222,6 +226,29 @@ Markup Work(const ExperimentOutcome& outcome) {
   return Element("div", {{"class", "pair"}}, pair);
 }
 
+/// Returns what the brain printed: what it understood of the demonstration, planned and did. Of a
+/// long output, the middle is left out. Empty without any.
+Markup WordsOfBrain(const recording::Recording& imitation) {
+  constexpr std::size_t kMaxBytes = 16'000'000;  // more than brain.log may have
+  constexpr std::size_t kFirstLines = 200, kLastLines = 50;
+  const std::filesystem::path file = imitation.directory / "brain.log";
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return {};
+  std::vector<std::string> lines;
+  std::istringstream text(ReadFile(file, kMaxBytes));
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  if (lines.size() > kFirstLines + kLastLines) {
+    const std::size_t num_left_out = lines.size() - kFirstLines - kLastLines;
+    const auto middle = lines.begin() + kFirstLines;
+    lines.erase(middle, lines.end() - kLastLines);
+    lines.insert(lines.begin() + kFirstLines,
+                 "[" + std::to_string(num_left_out) + " lines left out]");
+  }
+  Markup content;
+  for (const std::string& line : lines) content += Text(line + "\n");
+  return Section("What the robot's program said", Element("pre", {}, content));
+}
+
 /// Returns links to files next to the page; empty without any.
 Markup Enclosures(const std::vector<Enclosure>& enclosures) {
   Markup list;
@@ -241,6 +268,7 @@ std::string PageOf(const ExperimentOutcome& outcome) {
   body += Places(outcome);
   body += EffectsOf(outcome.result);
   body += Work(outcome);
+  body += WordsOfBrain(outcome.imitation);
   body += Enclosures(outcome.enclosures);
   return Page("Experiment: " + outcome.name, body);
 }

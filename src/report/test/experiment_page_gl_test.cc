@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "base/files.h"
 #include "recorder/recorder.h"
 
 namespace smile::report {
@@ -82,6 +83,16 @@ TEST_F(ExperimentPage, ShowsPicturesPlacesAndErrors) {
   EXPECT_NE(page.find("too far"), std::string::npos);
   EXPECT_NE(page.find("100.0"), std::string::npos);  // one unit off [mm]
   EXPECT_NE(page.find("done: see &lt;img src=http://x&gt; (wrong)"), std::string::npos);
+}
+
+TEST_F(ExperimentPage, QuotesWhatTheBrainPrinted) {
+  std::string log = std::string("I saw ") + kHostile + "\n";
+  for (int i = 0; i < 1000; ++i) log += "line " + std::to_string(i) + "\n";
+  WriteFile(directory_ / "brain.log", log);
+  const std::string page = PageWith(ResultOf({{kBlock, Pose(0)}}));
+  EXPECT_NE(page.find("I saw &lt;img src=http://x&gt;"), std::string::npos);
+  EXPECT_NE(page.find("line 198\n[751 lines left out]\nline 950\n"), std::string::npos);
+  EXPECT_NE(page.find("line 999"), std::string::npos);
 }
 
 TEST_F(ExperimentPage, ReportsMissingObjects) {

@@ -1,9 +1,10 @@
-function [action, motor, status, image_seconds] = executeAction(action, sensor, aux)
+function [action, motor, status, image_seconds, sensor] = executeAction(action, sensor, aux)
 % Executes one step of an action, of one tick, or of several where no feedback is needed. Values needed in
 % the next step are kept in the action.
 %   status  'busy', 'done', or a description of the failure
 %   image_seconds  time to the next picture
-%   action.kind  'observe'  waits for a picture of the arms at rest
+%   sensor  with the mean of several pictures, if the observed ones have noise
+%   action.kind  'observe'  waits for pictures of the arms at rest
 %                'follow'   follows a path with an arm
 %                'open'     brings the fingers of an arm to an opening `to` [units]
 %                'grasp'    closes the fingers on a block of a `width` [units]
@@ -16,12 +17,7 @@ function [action, motor, status, image_seconds] = executeAction(action, sensor, 
   action.time = action.time + sensor.timeElapsed;
   switch action.kind
     case 'observe'
-      if isfield(sensor, 'rgbVision') && action.time > c.settle_s
-        status = 'done';
-      else
-        image_seconds = 0;  % with the next step
-        motor.ticks = max(ticksWithin(c.settle_s - action.time, aux) + 1, 1);
-      end
+      [action, motor.ticks, status, image_seconds, sensor] = lookOn(action, sensor, aux);
     case 'follow'
       [action, velocities, status] = followPath(action, sensor, aux);
       motor.ticks = size(velocities, 2);
@@ -49,6 +45,28 @@ function ticks = ticksWithin(seconds, aux)
   ticks = min(max(floor(seconds / aux.tickSeconds), 0), aux.maxTicks);
 end
 
+function [action, ticks, status, image_seconds, sensor] = lookOn(action, sensor, aux)
+% Waits until the arms rest, then for a picture; if it has noise, for so many that their mean has little,
+% which takes the place of the last one.
+  c = constants().execution;
+  ticks = 1;
+  status = 'busy';
+  image_seconds = 0;  % with the next step
+  if action.time <= c.settle_s || ~isfield(sensor, 'rgbVision')
+    ticks = max(ticksWithin(c.settle_s - action.time, aux) + 1, 1);
+    return
+  end
+  if ~isfield(action, 'pictures')
+    action.pictures = struct('sum', 0, 'count', 0, 'wanted', numPictures(sensor.rgbVision));
+  end
+  action.pictures.sum = action.pictures.sum + sensor.rgbVision;
+  action.pictures.count = action.pictures.count + 1;
+  if action.pictures.count < action.pictures.wanted, return; end
+  if action.pictures.count > 1, sensor.rgbVision = action.pictures.sum / action.pictures.count; end
+  image_seconds = c.no_image_s;
+  status = 'done';
+end
+
 function [action, velocities, status] = followPath(action, sensor, aux)
 % Follows a path until the measured joints have arrived, not until a fixed time. The velocities along the
 % path, nxN, are chunks of N ticks. After its end, each tick has feedback.
@@ -61,22 +79,12 @@ function [action, velocities, status] = followPath(action, sensor, aux)
   wanted = smileSample(action.path, action.time + aux.tickSeconds * (0:num_ticks - 1));
   velocities = diff([q; wanted]).' / aux.tickSeconds;
   if delay <= 0, return; end
-  if ~isfield(action, 'errors'), action.errors = zeros(0, numel(q)); end
-  first = max(1, size(action.errors, 1) - c.num_averaged + 2);
-  action.errors = [action.errors(first:end, :); action.path.positions(end, :) - q];
-  if haveArrived(action.errors, c)
+  if max(abs(action.path.positions(end, :) - q)) < c.joint_tolerance_rad
     velocities = zeros(numel(q), 1);
     status = 'done';
   elseif delay > c.max_delay_s
     status = 'an obstacle is in the way of the arm';
   end
-end
-
-function yes = haveArrived(errors, c)
-% Returns true if the last joint error, or the mean of the last ones, Nxn [rad], is small. Averaging
-% suppresses the noise of the measurements.
-  yes = max(abs(errors(end, :))) < c.joint_tolerance_rad || ...
-        (size(errors, 1) == c.num_averaged && max(abs(mean(errors, 1))) < c.joint_tolerance_rad);
 end
 
 function [action, velocity, ticks, status] = closeOn(action, sensor, aux)

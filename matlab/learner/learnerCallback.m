@@ -1,5 +1,7 @@
 % Callback: continues the first action. After the last one, a picture of the table determines the next.
-[action, motor, status, aux.imageSeconds] = executeAction(actions{1}, sensor, aux);
+[joints, sensor] = correctJoints(joints, sensor, aux.tickSeconds);
+[action, motor, status, aux.imageSeconds, sensor] = executeAction(actions{1}, sensor, aux);
+joints.told = arrayfun(@(arm) arm.velocities, motor.arms, 'UniformOutput', false);
 actions{1} = action;
 
 if strcmp(status, 'done')

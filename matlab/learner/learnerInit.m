@@ -25,3 +25,4 @@ aux.channels = {'rgb', 'depth'};
 
 % The arms start outside the picture.
 for k = 1:numel(arms), aux.arms(k).initJoints = arms(k).parked; end
+joints = jointEstimates(arrayfun(@(arm) arm.initJoints(:), aux.arms, 'UniformOutput', false));

@@ -24,6 +24,8 @@ BUILDING_SITE = _GROUPS["building_site"]
 TASK_PLANNING = _GROUPS["task_planning"]
 ARMS = _GROUPS["arms"]
 MOTION_PLANNING = _GROUPS["motion_planning"]
+PICTURES = _GROUPS["pictures"]
+JOINT_ESTIMATES = _GROUPS["joint_estimates"]
 EXECUTION = _GROUPS["execution"]
 
 

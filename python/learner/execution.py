@@ -8,6 +8,7 @@ from smile.motion import Trajectory
 
 from arms import Arm
 from constants import EXECUTION as C
+from pictures import num_pictures
 
 
 @dataclass
@@ -36,7 +37,8 @@ class Action:
     time: float = 0  # since its start [s]
     opening: float = np.inf  # at which the fingers came to rest [units]
     still_time: float = 0  # since then [s]
-    errors: list = field(default_factory=list)  # of the joints after the end of the path [rad]
+    pictures: list = field(default_factory=list)  # of the arms at rest
+    num_pictures: int = 0  # wanted
 
 
 def execute_action(action, sensor, motor, aux):
@@ -58,12 +60,21 @@ def ticks_within(seconds, aux):
 
 
 def observe(action, sensor, motor, aux):
-    """Waits until the arms rest, then for a picture."""
-    if action.time > C.settle_s and "rgbVision" in sensor:
-        return "done"
+    """Waits until the arms rest, then for a picture; if it has noise, for so many that their mean
+    has little, which takes the place of the last one."""
     aux.imageSeconds = 0  # with the next step
-    motor.ticks = max(ticks_within(C.settle_s - action.time, aux) + 1, 1)
-    return "busy"
+    if action.time <= C.settle_s or "rgbVision" not in sensor:
+        motor.ticks = max(ticks_within(C.settle_s - action.time, aux) + 1, 1)
+        return "busy"
+    if not action.pictures:
+        action.num_pictures = num_pictures(sensor.rgbVision)
+    action.pictures.append(sensor.rgbVision)
+    if len(action.pictures) < action.num_pictures:
+        return "busy"
+    if len(action.pictures) > 1:
+        sensor.rgbVision = np.mean(action.pictures, axis=0)
+    aux.imageSeconds = C.no_image_s
+    return "done"
 
 
 def follow(action, sensor, motor, aux):
@@ -71,10 +82,8 @@ def follow(action, sensor, motor, aux):
     along the path are chunks of some ticks. After its end, each tick has feedback."""
     q = sensor.arms[action.arm.index].joints
     delay = action.time - action.path.duration
-    if delay > 0:
-        action.errors = [*action.errors[1 - C.num_averaged:], action.path.positions[-1] - q]
-        if have_arrived(action.errors):
-            return "done"
+    if delay > 0 and np.abs(action.path.positions[-1] - q).max() < C.joint_tolerance_rad:
+        return "done"
     num_ticks = min(ticks_within(-delay, aux) + 1, C.chunk_ticks)
     # action.time is the end of the first of these ticks.
     wanted, _ = action.path.at(action.time + aux.tickSeconds * np.arange(num_ticks))
@@ -82,15 +91,6 @@ def follow(action, sensor, motor, aux):
     velocities = np.diff([q, *wanted], axis=0).T / aux.tickSeconds
     motor.arms[action.arm.index].velocities = velocities
     return "an obstacle is in the way of the arm" if delay > C.max_delay_s else "busy"
-
-
-def have_arrived(errors):
-    """Returns true if the last joint error, or the mean of the last ones [rad], is small. Averaging
-    suppresses the noise of the measurements."""
-    if np.abs(errors[-1]).max() < C.joint_tolerance_rad:
-        return True
-    mean = np.abs(np.mean(errors, axis=0)).max()
-    return len(errors) == C.num_averaged and mean < C.joint_tolerance_rad
 
 
 def open_fingers(action, sensor, motor, aux):

@@ -13,6 +13,7 @@ from demonstration import read_demonstration
 from execution import Action, execute_action
 from explain import explain
 from eye import Eye
+from joint_estimates import JointEstimates
 from motion_planning import retreat
 from sentences import page_of
 from task_model import infer_task
@@ -47,12 +48,15 @@ def init(aux):
     # The arms start outside the picture.
     for arm in arms:
         aux.arms[arm.index].initJoints = arm.parked
+    aux.joints = JointEstimates([arm.initJoints for arm in aux.arms])
 
 
 def step(sensor, motor, aux):
     """Continues the first action. After the last one, a picture of the table determines the
     next."""
+    aux.joints.correct(sensor, aux.tickSeconds)
     status = execute_action(aux.actions[0], sensor, motor, aux)
+    aux.joints.remember(motor)
     if status == "done":
         aux.actions.pop(0)
         if not aux.actions:

@@ -23,7 +23,9 @@ from detection import detect_blocks
 from execution import Action, Grasp
 from explain import explain
 from eye import Eye, height_map, pixel_at, to_pixel
+from joint_estimates import JointEstimates
 from motion_planning import grip_depth, has_failed, plan_pick_and_place
+from pictures import num_pictures
 from regions import is_cut, label_regions
 from sentences import page_of
 from sight import is_top_hidden
@@ -194,6 +196,43 @@ class PerceptionTest(unittest.TestCase):
         self.assertEqual(label_regions(spiral).max(), 20)
         spiral[:, 39] = True
         self.assertEqual(label_regions(spiral).max(), 1)
+
+
+class NoiseTest(unittest.TestCase):
+    """What the sensors measure has noise."""
+
+    TICK = 1 / 60  # [s]
+
+    def estimates_while(self, truths, told, noise):
+        """Returns the estimates of one arm of two joints that begins at [0, 0]."""
+        random = np.random.default_rng(1)
+        joints = JointEstimates([np.zeros(2)])
+        estimates = []
+        for truth, velocities in zip(truths, told):
+            arm = SimpleNamespace(joints=truth + noise * random.standard_normal(2))
+            joints.correct(SimpleNamespace(timeElapsed=self.TICK, arms=[arm]), self.TICK)
+            joints.remember(SimpleNamespace(arms=[SimpleNamespace(velocities=velocities)]))
+            estimates.append(arm.joints)
+        return np.array(estimates)
+
+    def test_noisy_joints_are_where_the_motors_brought_them(self):
+        told = np.repeat([[0, 0], [0.5, -0.5], [0, 0]], [20, 60, 20], axis=0)
+        truths = np.cumsum(np.vstack([[0, 0], told[:-1]]), axis=0) * self.TICK
+        exact = self.estimates_while(truths, told, 0)
+        np.testing.assert_array_equal(exact, truths)
+        noisy = self.estimates_while(truths, told, 0.01)
+        self.assertLess(np.abs(noisy - truths).max(), 0.004)
+
+    def test_joints_stop_at_an_obstacle_whatever_the_motors_are_told(self):
+        told = np.repeat([[0, 0], [0.2, 0]], [20, 120], axis=0)
+        blocked = self.estimates_while(np.zeros((140, 2)), told, 0.01)
+        self.assertLess(np.abs(blocked).max(), 0.1, "the motors were told to go to 0.4")
+
+    def test_noisy_pictures_are_taken_repeatedly(self):
+        picture = 255 * picture_of([block(RED, PLANK, 0, -2)])
+        self.assertEqual(num_pictures(picture), 1)
+        noise = 255 * 0.02 * np.random.default_rng(1).standard_normal(picture.shape)
+        self.assertAlmostEqual(num_pictures(picture + noise), 16, delta=1)
 
 
 class ClearanceTest(unittest.TestCase):

@@ -1,11 +1,11 @@
 """A learner uses only information that a robot could have, nothing that only the simulator knows; and
-the joints may be measured inexactly.
+joints and colors may be measured inexactly.
 
     inputs_only_test.py SMILE SOURCE BRAIN COMMAND...
 
 SMILE is the program, SOURCE the folder of the project, BRAIN the learner, COMMAND runs its client.
 
-The learner rebuilds a tower with noise in the joint sensors, while all messages between it and the
+The learner rebuilds a tower with noise in the joint sensors and pictures, while all messages between it and the
 simulator are recorded. Then this script alone repeats them to a new learner: the simulator has ended,
 scene and recordings are deleted, of the demonstration only pictures and symbols remain, and in each
 step everything is false except the pictures, their depth, the measured joints, and the time. The answers must be
@@ -42,7 +42,7 @@ def main(smile, source, brain, *command):
         listener.chmod(0o755)
         subprocess.run([smile, "imitate", "shown", f"{source}/scenes/tower_robot.xml", "--seed", "3",
                         "--brain", "./listener", "--out", "built", "--no-pictures", "--timeout",
-                        "60", "--noise", "joints=0.001"], check=True)
+                        "60", "--noise", "joints=0.01,image=0.03"], check=True)
         result = json.loads(Path("built/result.json").read_text())
         assert result["success"], "the tower was not rebuilt"
         assert result["mean_error_mm"] < 5

@@ -1,6 +1,7 @@
 #include "physics/articulation.h"
 
 #include <algorithm>
+#include <cstring>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -224,7 +225,9 @@ void Articulation::Restore(ByteReader* in) {
   ByteWriter present;
   Save(&present);
   ByteReader ahead = *in;
-  if (std::ranges::equal(ahead.GetBytes(present.size()), present.bytes())) {
+  const std::span<const std::byte> saved = ahead.GetBytes(present.size());
+  if (saved.size() == present.size() &&
+      std::memcmp(saved.data(), present.bytes().data(), saved.size()) == 0) {
     *in = ahead;
     return;
   }

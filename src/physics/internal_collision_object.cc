@@ -1,5 +1,8 @@
 #include "physics/internal_collision_object.h"
 
+#include <array>
+#include <span>
+
 namespace smile::physics {
 namespace {
 
@@ -41,7 +44,8 @@ void SetPose(const RigidTransform& X_W, btCollisionObject* object) {
 }
 
 void WriteVector(const btVector3& v, ByteWriter* out) {
-  for (int i = 0; i < 3; ++i) out->Put(static_cast<double>(v[i]));
+  const std::array<double, 3> numbers{v.x(), v.y(), v.z()};
+  out->PutBytes(std::as_bytes(std::span(numbers)));
 }
 
 void SaveObject(const btCollisionObject& object, ByteWriter* out) {

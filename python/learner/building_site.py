@@ -13,7 +13,7 @@ from constants import BUILDING_SITE as C, numbers_of
 from containers import detect_container
 from motion_planning import is_reachable
 from sight import is_top_hidden
-from task_model import is_dragged
+from steps import is_dragged
 
 
 def choose_site(state, arms, picture, eye):

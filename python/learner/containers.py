@@ -5,11 +5,14 @@ from dataclasses import replace
 import numpy as np
 
 from blocks import same_size, yaw_difference
+from clearance import is_inside
 from colors import color_mask
-from constants import PERCEPTION as C
-from eye import onto_plane
+from constants import PERCEPTION as C, TASK_MODEL
+from demonstration import read_picture
+from eye import onto_plane, pixel_at
 from faces import fit_face
 from regions import label_regions
+from steps import Container
 
 
 def detect_rims(picture, eye, color, height):
@@ -39,3 +42,30 @@ def detect_container(picture, eye, container):
             position = np.append(face.center, container.position[2])
             return replace(container, position=position, yaw=container.yaw + rotation), rotation
     return None, 0
+
+
+def measure_container(demo, steps):
+    """Measures the open box that the blocks of steps were put into, in the first picture of the
+    demonstration; None if all of them stand on the table or on each other."""
+    inside = [step for step in steps
+              if step.bottom > TASK_MODEL.min_inside_bottom and not step.on
+              and step.displacement is None]
+    if not inside:
+        return None
+    for n, moves in enumerate(demo.moves):
+        if n in demo.placed:
+            continue
+        frame, x, y, z = moves[0, :4]
+        height = 2 * z  # it stands on the table
+        picture = read_picture(demo, frame)
+        pixel = pixel_at(picture, demo.eye, [x, y, height]) if picture is not None else None
+        if pixel is None:
+            continue
+        for face in detect_rims(picture, demo.eye, picture[pixel], height):
+            container = Container(picture[pixel], np.append(face.sides, height),
+                                  np.append(face.center, z), face.yaw, demo.ids[n],
+                                  min(step.bottom for step in inside))
+            is_there = np.hypot(*(face.center - [x, y])) < TASK_MODEL.max_container_error
+            if is_there and all(is_inside(container, step.position) for step in inside):
+                return container
+    raise ValueError(f"no picture of the demonstration shows the container of {inside[0].name}")

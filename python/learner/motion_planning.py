@@ -9,7 +9,7 @@ from arms import can_hold, nearest_first
 from clearance import footprint, grasp_yaws, overlap
 from constants import MOTION_PLANNING as C
 from execution import Action, Grasp
-from task_model import is_dragged
+from steps import is_dragged
 
 
 def plan_pick_and_place(arms, block, goal, others, sensor, failures=()):

@@ -17,7 +17,7 @@ import math
 
 from blocks import Block
 from relations import hundredths, relations
-from task_model import was_dragged
+from handles import was_dragged
 
 
 def facts_at(demo, container, frame, held, others):

@@ -6,7 +6,7 @@ import numpy as np
 
 from clearance import footprint, is_inside, overlap
 from constants import RELATE as C, TASK_MODEL
-from task_model import stands_on
+from steps import stands_on
 
 
 def relations(demo, k, name, there, container):

@@ -24,13 +24,15 @@ from execution import Action, Grasp
 from explain import explain
 from eye import Eye, height_map, pixel_at, to_pixel
 from motion_planning import grip_depth, has_failed, plan_pick_and_place
+from progress import assess_progress, open_steps
+from proposals import Move, clearing_moves, propose_moves, uncovering_moves
 from regions import is_cut, label_regions
 from sentences import page_of
 from sight import is_top_hidden
-from task_model import Step, infer_task
-from task_planning import (Move, TaskState, assess_progress, blocks_grasps, clearing_moves,
-                           num_failures, open_steps, propose_moves, remember_failure,
-                           uncovering_moves)
+from steps import Step
+from task_model import infer_task
+from task_state import TaskState, num_failures, remember_failure
+from temporary_places import blocks_grasps
 from unknown_objects import detect_unknown_objects
 
 RED, GREEN, BLUE = np.eye(3)

@@ -24,7 +24,8 @@ from demonstration import read_demonstration
 from explain import explain
 from sentences import page_of
 from task_model import infer_task
-from task_planning import TaskState, choose_actions
+from task_planning import choose_actions
+from task_state import TaskState
 
 # For each robot: task, and the layout of the robot's scene; [] keeps the scene as it is.
 CASES = {

@@ -9,13 +9,14 @@ from pathlib import Path
 import numpy as np
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "learner"))
+from appearances import measure_objects
 from arms import arms_for, arms_of
 from blocks import Block
 from constants import BLOCKS
 from demonstration import read_demonstration
 from execution import Action, execute_action
 from motion_planning import plan_pick_and_place, retreat
-from task_model import infer_task, measure_objects
+from task_model import infer_task
 
 
 @dataclass

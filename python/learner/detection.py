@@ -8,6 +8,7 @@ import numpy as np
 from blocks import same_color, same_size
 from colors import color_mask, colors_to_detect, table_color
 from constants import PERCEPTION as C
+from covered import fit_covered
 from fitting import fit_blocks
 from regions import is_cut, is_level, label_regions
 from sight import is_supported
@@ -21,6 +22,7 @@ def detect_blocks(picture, eye, like, container=None, heights=None):
              eye measures no depth
     """
     table = table_color(picture)
+    staying = [it for it in like if getattr(it, "stays", False)]
     blocks = []
     for color in colors_to_detect(picture, like):
         sizes = block_sizes(like, color)
@@ -37,9 +39,14 @@ def detect_blocks(picture, eye, like, container=None, heights=None):
                 top = np.median(heights[row, column])
                 if is_cut(row, column, top, heights):
                     max_error = C.max_cut_side_error
-            blocks += fit_blocks(row, column, eye, color, sizes, container,
-                                 lambda block: is_supported(block, picture, eye, table), bottoms,
-                                 top, max_error)
+            found = fit_blocks(row, column, eye, color, sizes, container,
+                               lambda block: is_supported(block, picture, eye, table), bottoms,
+                               top, max_error)
+            # What stays carries others: they hide a part of its top from the start.
+            if not found and top is not None:
+                found = fit_covered(row, column, eye, color, block_sizes(staying, color), top,
+                                    heights)
+            blocks += found
     return blocks
 
 

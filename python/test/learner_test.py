@@ -9,13 +9,14 @@ import unittest
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
+from unittest.mock import patch
 
 import numpy as np
 from PIL import Image
 
 from beliefs import update_beliefs
 from blocks import Block, yaw_difference
-from building_site import choose_site, shifted, site_cost
+from building_site import choose_site, shifted
 from clearance import container_walls, grasp_yaws, is_grasp_blocked, overlap
 from containers import detect_container
 from demonstration import read_demonstration
@@ -23,12 +24,14 @@ from detection import detect_blocks
 from execution import Action, Grasp
 from explain import explain
 from eye import Eye, height_map, pixel_at, to_pixel
+from landmarks import place_by_what_stays
 from motion_planning import grip_depth, has_failed, plan_pick_and_place
 from progress import assess_progress, open_steps
 from proposals import Move, clearing_moves, propose_moves, uncovering_moves
 from regions import is_cut, label_regions
 from sentences import page_of
 from sight import is_top_hidden
+from sites import site_cost
 from steps import Step
 from task_model import infer_task
 from task_state import TaskState, num_failures, remember_failure
@@ -167,6 +170,19 @@ class PerceptionTest(unittest.TestCase):
         floor = empty_box(1, -2, 0)
         picture, heights = view_of(floor)
         self.assertEqual(detect_unknown_objects(picture, EYE, [], heights), [])
+
+    def test_what_stays_is_seen_below_what_stands_on_it(self):
+        plate = block(GREEN, np.array([1.8, 1.8, 0.2]), -2, -2.5, yaw=0.3)
+        cube = block(RED, CUBE, -2, -2.4, bottom=0.2, yaw=0.5)
+        picture, heights = view_of([plate, cube])
+        self.assertEqual(detect_blocks(picture, EYE, [plate], heights=heights), [])
+        stays = replace(step(plate, []), stays=True)
+        [found] = detect_blocks(picture, EYE, [stays], heights=heights)
+        np.testing.assert_allclose(found.position, plate.position, atol=0.02)
+        self.assertLess(abs(yaw_difference(plate, found.yaw)), math.radians(1))
+        # A hole that nothing hides belongs to another shape.
+        picture[heights > 0.5], heights[heights > 0.5] = TABLE, 0
+        self.assertEqual(detect_blocks(picture, EYE, [stays], heights=heights), [])
 
     def test_what_cuts_a_top_is_known(self):
         post, behind = block(BLUE, np.array([1, 1, 3]), 0.7, -2.2), block(RED, CUBE, 0, -0.5)
@@ -504,6 +520,18 @@ class TaskPlanningTest(unittest.TestCase):
         choose_site(state, [], None, EYE)
         np.testing.assert_allclose([it.position for it in state.steps],
                                    [it.position for it in turned[:2]], atol=1e-9)
+
+    def test_each_object_that_stays_determines_where_the_steps_on_it_go(self):
+        plates = [replace(step(block(RED, np.array([2, 2, 0.2]), -2, 1), []), stays=True),
+                  replace(step(block(BLUE, np.array([2, 2, 0.2]), 2, 1), []), stays=True)]
+        steps = [*plates, step(block(GREEN, CUBE, -2, 1, bottom=0.2), [0]),
+                 step(block(RED, CUBE, 2, 1.2, bottom=0.2), [1])]
+        known = [block(RED, plates[0].size, -3, -2), block(BLUE, plates[0].size, 2, -3, yaw=0.3)]
+        with patch("sites.is_reachable", return_value=True), patch("sites.nearest_first"):
+            moved = place_by_what_stays(steps, known, [], EYE)
+        np.testing.assert_allclose(moved[2].position, [-3, -2, 0.7])
+        np.testing.assert_allclose(moved[3].position, [2 - 0.2 * math.sin(0.3),
+                                                       -3 + 0.2 * math.cos(0.3), 0.7])
 
     def test_a_site_must_not_hide_needed_blocks(self):
         steps = [step(block(BLUE, CUBE, 0, -2, bottom=k), []) for k in range(3)]

@@ -5,13 +5,10 @@ import math
 import numpy as np
 
 from blocks import Block
-from colors import color_mask
-from constants import PERCEPTION, TASK_MODEL as C
+from constants import TASK_MODEL as C
 from demonstration import read_picture
-from eye import onto_plane, pixel_at
-from faces import fit_face
-from regions import label_regions
 from steps import stands_on
+from tops import measure_ball, measure_top, measure_top_with_knob
 
 
 def measure_objects(demo, needed):
@@ -19,17 +16,15 @@ def measure_objects(demo, needed):
     the pose of each object in each picture, so its top can be found there. An object began on the
     table or on a lower one; its height is twice the distance of its middle from there.
 
-    Returns a dict: number -> color, 3 numbers from 0 to 1, and size along its own x, y and z axes
-    [units]. Objects that are not among the needed ones are left out if no picture shows them.
+    Returns a dict: number -> Block at its first place, its sides along its own axes. Objects that
+    are not among the needed ones are left out if no picture shows them.
     """
     appearances = {}
-    at_start = []  # those measured so far, as Blocks at their first places
     pictures = {}  # cache
     for n in sorted(range(len(demo.ids)), key=lambda n: demo.moves[n][0, 3]):
-        found = measure_object(demo, n, at_start, pictures)
+        found = measure_object(demo, n, list(appearances.values()), pictures)
         if found:
-            appearances[n] = found.color, found.size
-            at_start.append(found)
+            appearances[n] = found
         elif n in needed:
             raise ValueError(f"no picture of the demonstration shows {demo.ids[n]} entirely")
     return appearances
@@ -53,11 +48,14 @@ def measure_object(demo, n, lower, pictures):
             top = measure_top(pictures[frame], demo.eye, np.array(pose), height)
             if not top:
                 continue
-            color, sides = top
-            block = Block(color, np.append(sides, height), np.array(start), math.radians(degrees))
+            color, face = top
+            block = Block(color, np.append(face.sides, height), np.array(start),
+                          math.radians(degrees), form="disc" if face.is_round else "block")
             if bottom == 0 or any(stands_on(block, it) for it in lower):
                 return block
-    return None
+    start = np.array(start)
+    return (measure_ball(demo, start, frames, pictures)
+            or measure_top_with_knob(demo, n, start, math.radians(degrees), frames, pictures))
 
 
 def select_frames(demo, n):
@@ -71,22 +69,3 @@ def select_frames(demo, n):
     others = [[frame, *moves[moves[:, 0] <= frame][-1, 1:]] for frame in frames[chosen]
               if frame >= moves[0, 0]]
     return np.array([moves[0], *moves[highest], *others])
-
-
-def measure_top(picture, eye, pose, height):
-    """Measures the top of an upright object: its color, and its sides along the object's x and y
-    axes [units]; None if it is not entirely visible.
-
-    pose: x y z of its center [units], angles about x, y, z [degrees]
-    """
-    top = pose[:3] + [0, 0, height / 2]
-    pixel = pixel_at(picture, eye, top) if picture is not None else None
-    if pixel is None:
-        return None
-    color = picture[pixel]
-    number = label_regions(color_mask(picture, color))
-    row, column = np.nonzero(number == number[pixel])
-    face = fit_face(*onto_plane(row, column, eye, top[2]), math.radians(pose[5]))
-    off = np.hypot(*(face.center - top[:2]))
-    is_whole = off < C.max_center_error and face.misfit < PERCEPTION.misfit
-    return (color, face.sides) if is_whole else None

@@ -5,9 +5,10 @@ from dataclasses import replace
 import numpy as np
 
 from blocks import is_same_kind, yaw_difference
-from constants import BUILDING_SITE as C, numbers_of
+from clearance import container_walls, grasp_yaws, rotated
+from constants import BLOCKS, BUILDING_SITE as C, numbers_of
 from containers import detect_container
-from landmarks import place_by_what_stays, rotated
+from landmarks import place_by_what_stays, turned_about
 from sites import first_within_reach, site_cost
 from steps import is_dragged
 
@@ -20,7 +21,8 @@ def choose_site(state, arms, picture, eye):
     try:
         carried = [step for step in state.steps if not is_dragged(step)]
         if state.container:
-            carried, state.container = place_in_container(carried, state.container, picture, eye)
+            carried, state.container = place_in_container(carried, state.container, state.known,
+                                                          picture, eye)
         elif carried:
             carried = (place_by_what_stays(carried, state.known, arms, eye)
                        or place_on_table(carried, state.known, arms, eye))
@@ -49,17 +51,34 @@ def place_dragged(step, known):
                    position=found[0].position + [*displacement, 0])
 
 
-def place_in_container(steps, container, picture, eye):
-    """Moves steps together with their container to where it is detected. Returns both."""
+def place_in_container(steps, container, known, picture, eye):
+    """Moves steps together with their container to where it is detected, or, where it is covered from
+    the start, to where it must be below its cover. Returns both."""
     found, rotation = detect_container(picture, eye, container)
+    if not found:
+        found, rotation = below_cover(steps, container, known)
     if not found:
         raise NoSite(f"the container {container.name} is not visible")
     moved = []
     for step in steps:
         displacement = rotated(step.position[:2] - container.position[:2], rotation)
         position = np.append(found.position[:2] + displacement, step.position[2])
-        moved.append(replace(step, position=position, yaw=step.yaw + rotation))
+        step = replace(step, position=position, yaw=step.yaw + rotation)
+        # What fingers cannot put there is dropped, and lies anywhere inside.
+        if not grasp_yaws(step, container_walls(found)):
+            step.tolerance = BLOCKS.confined_tolerance
+        moved.append(step)
     return moved, found
+
+
+def below_cover(steps, container, known):
+    """Returns where a Container must be below a known block that is in its final place from the start,
+    like a lid, and the rotation from the demonstration [rad]; None and 0 if there is none."""
+    for step in [it for it in steps if it.begins_there]:
+        for block in [it for it in known if is_same_kind(it, step)]:
+            rotation = yaw_difference(step, block.yaw)
+            return turned_about(step, container, rotation, block), rotation
+    return None, 0
 
 
 def place_on_table(steps, known, arms, eye):

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from blocks import has_equal_sides, is_in_place, is_same_kind, yaw_difference
+from clearance import rotated
 from constants import BUILDING_SITE as C
 from sites import first_within_reach, site_cost
 from steps import stands_on
@@ -63,9 +64,3 @@ def turned_about(anchor, step, rotation, block):
     away = rotated(step.position[:2] - anchor.position[:2], rotation)
     position = np.append(block.position[:2] + away, step.position[2])
     return replace(step, position=position, yaw=step.yaw + rotation)
-
-
-def rotated(v, angle):
-    """Returns a vector, x y, rotated by an angle [rad]."""
-    c, s = math.cos(angle), math.sin(angle)
-    return np.array([v[0] * c - v[1] * s, v[0] * s + v[1] * c])

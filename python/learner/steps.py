@@ -1,13 +1,13 @@
 """Steps of a task: blocks at their places in the finished building, and open boxes around them."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Optional
 
 import numpy as np
 
 from blocks import Block
 from clearance import footprint, overlap
-from constants import TASK_MODEL as C
+from constants import BLOCKS, TASK_MODEL as C
 
 
 @dataclass(eq=False)
@@ -20,6 +20,10 @@ class Step(Block):
     displacement: Optional[np.ndarray] = None  # x y [units] of a dragged object, whose color and
     #                                            size are those of its handle
     stays: bool = False  # true for an object that the demonstration did not move
+    begins_there: bool = False  # true for an object that began where it ends
+    after: list = field(default_factory=list)  # numbers of steps that must be done before it, also if
+    #                                            it does not stand on them
+    tolerance: float = BLOCKS.position_tolerance  # of its position [units]
 
     def __str__(self):
         return "%s (%.3g x %.3g x %.3g)" % (self.name, *self.size)
@@ -44,3 +48,10 @@ def stands_on(upper, lower):
     gap = upper.bottom - lower.top
     [one] = footprint([upper], 0)
     return abs(gap) < C.max_support_gap and overlap(one, footprint([lower], 0)).any()
+
+
+def is_above(upper, lower):
+    """Returns true if a block is over another one, at any distance."""
+    [one] = footprint([upper], -C.min_above)
+    is_higher = upper.bottom > lower.top - C.max_support_gap
+    return is_higher and overlap(one, footprint([lower], 0)).any()

@@ -6,10 +6,10 @@ from dataclasses import replace
 import numpy as np
 
 from appearances import measure_objects
-from constants import BLOCKS
+from constants import BLOCKS, TASK_MODEL as C
 from containers import measure_container
 from handles import measure_handle, was_dragged
-from steps import Step, stands_on
+from steps import Step, is_above, stands_on
 
 
 def infer_task(demo, attention):
@@ -27,8 +27,12 @@ def infer_task(demo, attention):
     steps = supports_of(placed, [
         replace(step_of(demo, n, appearances[n], attention), stays=True)
         for n in range(len(demo.ids)) if n in appearances and n not in moved]) + placed
+    carriers = []  # of each step, the numbers of those that carry it, directly or not
     for k, step in enumerate(steps):
         step.on = [i for i, lower in enumerate(steps[:k]) if stands_on(step, lower)]
+        carriers.append(set(step.on).union(*(carriers[i] for i in step.on)))
+        step.after = [i for i, lower in enumerate(steps[:k])
+                       if i not in carriers[k] and is_above(step, lower)]
     return steps, measure_container(demo, steps)
 
 
@@ -54,9 +58,9 @@ def supports_of(steps, others):
 
 
 def step_of(demo, n, appearance, attention):
-    """Returns the Step of a carried object, at its final place; appearance: color and size along
-    its own axes."""
-    color, size = appearance
+    """Returns the Step of a carried object, at its final place; appearance: the Block at its first
+    place."""
+    color, size = appearance.color, appearance.size
     _, x, y, z, _, _, degrees = demo.moves[n][-1]
     yaw = math.radians(degrees)
     if size[1] > BLOCKS.equal_sides * size[0]:
@@ -64,10 +68,18 @@ def step_of(demo, n, appearance, attention):
         yaw += math.pi / 2
     if not color_matters(attention, demo.ids[n]):
         color = None
-    return Step(color, size, np.array([x, y, z]), yaw, demo.ids[n], [])
+    return Step(color, size, np.array([x, y, z]), yaw, demo.ids[n], [],
+                form=appearance.form, has_knob=appearance.has_knob,
+                begins_there=is_same_pose(demo.moves[n][0, 1:], demo.moves[n][-1, 1:]))
 
 
 def color_matters(attention, name):
     """Returns true unless the demonstrator specified the properties of an object that matter,
     without color."""
     return "color" in (attention.get(name) or ["color"])
+
+
+def is_same_pose(one, other):
+    """Returns true if two poses, x y z [units] and three angles [degrees], are almost equal."""
+    away = np.abs(one - other)
+    return away[:3].max() < C.max_rest_error and away[3:].max() < C.max_rest_degrees

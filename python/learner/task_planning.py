@@ -8,7 +8,7 @@ import numpy as np
 from beliefs import assumed_support
 from blocks import is_same_kind
 from building_site import choose_site
-from clearance import container_walls
+from clearance import container_walls, grasp_yaws, is_inside, with_held_parts
 from constants import TASK_PLANNING as C
 from execution import Action
 from motion_planning import plan_pick_and_place
@@ -82,14 +82,18 @@ def plan_move(state, step, move, eye, arms, sensor):
     Returns actions; the block where it will be, and whether that is a temporary place; and the
     reason if there are no actions.
     """
-    others = [block for block in state.known if block is not move.block]
+    others = with_held_parts([block for block in state.known if block is not move.block])
     others += assumed_support(move.block) + container_walls(state.container)
     container = [state.container] if state.container else []
     standing = [step for step, done in zip(state.steps, state.done) if done] + container
     sites = [state.steps + container]
-    if move.goal:
+    goal = move.goal
+    if goal:
+        # Where the fingers have no room in a container, it is released above the rim.
+        if is_inside(state.container, goal.position) and not grasp_yaws(goal, others):
+            goal = raised_above(goal, state.container)
         sites.append(standing)
-        actions, reason = plan_pick_and_place(arms, move.block, move.goal, others, sensor,
+        actions, reason = plan_pick_and_place(arms, move.block, goal, others, sensor,
                                               state.failures)
         if actions:
             place = replace(move.block, position=move.goal.position, yaw=move.goal.yaw)
@@ -100,5 +104,12 @@ def plan_move(state, step, move, eye, arms, sensor):
     if not move.goal:
         left = [it for it in [*state.left, move.block] if is_same_kind(move.block, it)]
     actions, place, reason = plan_temporary_placement(arms, eye, move.block, others, sites, sensor,
-                                                      move.goal, state.failures, left)
+                                                      goal, state.failures, left,
+                                                      state.unexplained)
     return actions, place, True, reason
+
+
+def raised_above(goal, container):
+    """Returns a goal in a container, as high as necessary for the fingers to stay above its rim."""
+    position = np.append(goal.position[:2], container.top + goal.size[2] / 2)
+    return replace(goal, position=position)

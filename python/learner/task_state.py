@@ -5,6 +5,7 @@ from typing import Callable, NamedTuple, Optional
 
 import numpy as np
 
+from clearance import held_part
 from constants import MOTION_PLANNING
 from execution import Grasp
 from steps import Container
@@ -27,6 +28,8 @@ class TaskState:
     known: list = field(default_factory=list)  # beliefs: Blocks at their last seen places
     unknown_objects: list = field(default_factory=list)  # appearances of blocks of no step; their
     #                                                      places are among the known
+    unexplained: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))  # as from
+    #                                                                            unexplained_points
     done: list = field(init=False)  # whether each step's block is in its place
     attempts: list = field(init=False)  # number of times that each step's block was carried there
     num_temporary: int = 0  # number of blocks that were put at a temporary place so far
@@ -60,5 +63,5 @@ def remember_failure(state, actions):
 
 def num_failures(state, block):
     """Returns the number of failed grasps of a block at its place."""
-    return sum(np.linalg.norm(grasp.position - block.position) < MOTION_PLANNING.same_place_distance
+    return sum(np.linalg.norm(grasp.position - held_part(block).position) < MOTION_PLANNING.same_place_distance
                for grasp in state.failures)

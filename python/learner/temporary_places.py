@@ -12,9 +12,11 @@ from eye import to_pixel
 from motion_planning import is_reachable, plan_pick_and_place
 from proposals import is_close
 from sight import is_top_hidden
+from unexplained import is_unexplained
 
 
-def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, failures, left):
+def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, failures, left,
+                             unexplained):
     """Plans the actions that bring a block to a free place on the table, within the eye's view.
 
     others:   obstacles, as Blocks
@@ -23,6 +25,7 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
     goal:     target to which an arm must be able to move it from there, or None
     failures: Grasps that are not to be repeated
     left:     places to which it does not return, as Blocks
+    unexplained: as from unexplained_points
     Returns actions, the block at that place, and None; or [], None and a reason if there is none.
     """
     if not can_reach(arms, block):
@@ -30,7 +33,7 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
     reason = "there is no free place on the table"
     for site in sites:
         tried = []
-        for place in free_placements(arms, block, others + site, goal):
+        for place in free_placements(arms, block, others + site, goal, unexplained):
             has_yaw = [it for it in tried if it.yaw == place.yaw]
             if (is_near(place, left + has_yaw) or not is_in_view(place, eye)
                     or is_grasp_blocked(place, site) or is_top_hidden(place, site, eye)
@@ -46,7 +49,7 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
     return [], None, reason
 
 
-def free_placements(arms, block, taken, goal):
+def free_placements(arms, block, taken, goal, unexplained=()):
     """Returns free places for a block on the table, a list of up to max_places, the best first:
     with room for its fingers and for those of its neighbors, and away from the feet of the arms."""
     yaw, y, x = (it.ravel() for it in np.meshgrid(
@@ -61,6 +64,8 @@ def free_placements(arms, block, taken, goal):
     # Square blocks can also be held across the other sides.
     for rectangle in gripper_clearance([it for it in taken if not has_equal_sides(it)]):
         free &= ~overlap(rectangle, covered)
+
+    free &= ~is_unexplained(covered, unexplained)
 
     for arm in arms:
         free &= np.hypot(x - arm.foot[0], y - arm.foot[1]) > C.foot_distance

@@ -3,7 +3,7 @@ learner's arms, without a look at the result."""
 
 import math
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -51,13 +51,13 @@ def prepare(aux):
 
 
 def block_at(pose, appearance):
-    """Returns an object at a pose, x y z and three angles [degrees], as a Block; appearance: color,
-    and size along its own axes."""
-    color, size = appearance
+    """Returns an object at a pose, x y z and three angles [degrees], as a Block; appearance: the same
+    at its first place."""
+    size = appearance.size
     yaw = math.radians(pose[5])
     if size[1] > BLOCKS.equal_sides * size[0]:
         size, yaw = size[[1, 0, 2]], yaw + math.pi / 2
-    return Block(color, size, pose[:3], yaw)
+    return replace(appearance, size=size, position=pose[:3], yaw=yaw)
 
 
 def continue_carrying(sensor, motor, aux):

@@ -27,13 +27,23 @@ def infer_task(demo, attention):
     steps = supports_of(placed, [
         replace(step_of(demo, n, appearances[n], attention), stays=True)
         for n in range(len(demo.ids)) if n in appearances and n not in moved]) + placed
+    set_order(steps, {name for name, properties in attention.items() if "order" in properties})
+    return steps, measure_container(demo, steps)
+
+
+def set_order(steps, ordered):
+    """Determines what each step stands on, and what else must be done before it: what it will cover, and,
+    where the order of an object matters, all that was placed before.
+
+    ordered: names of objects whose order the demonstrator attended
+    """
     carriers = []  # of each step, the numbers of those that carry it, directly or not
     for k, step in enumerate(steps):
         step.on = [i for i, lower in enumerate(steps[:k]) if stands_on(step, lower)]
         carriers.append(set(step.on).union(*(carriers[i] for i in step.on)))
         step.after = [i for i, lower in enumerate(steps[:k])
-                       if i not in carriers[k] and is_above(step, lower)]
-    return steps, measure_container(demo, steps)
+                       if i not in carriers[k] and is_above(step, lower)
+                       or not lower.stays and not {step.name, lower.name}.isdisjoint(ordered)]
 
 
 def moved_objects(demo):

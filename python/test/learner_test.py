@@ -366,6 +366,15 @@ class InferenceTest(RecordingTest):
         np.testing.assert_allclose(red.color, RED)
         self.assertIsNone(blue.color, "the demonstrator specified that only its size matters")
 
+    def test_an_order_that_matters_is_kept(self):
+        steps, _ = self.infer_task()
+        self.assertEqual([step.after for step in steps], [[], [], []])
+        steps, _ = self.infer_task({"Red": ["color", "size", "order"]})
+        self.assertEqual([step.after for step in steps], [[], [], [1]])
+        state = TaskState(steps)
+        state.done = [True, False, False]
+        self.assertEqual(open_steps(state), [1])
+
     def test_what_was_not_moved_stays(self):
         steps, _ = self.infer_task()
         self.assertEqual([step.stays for step in steps], [True, False, False])

@@ -39,7 +39,6 @@ CASES = {
 }
 # Tasks of which both understand the same, while only Python does them.
 UNDERSTOOD = ["swap", "hanoi", "ball", "lid"]
-DECISIONS = ("arm", "known", "site", "claim", "action", "tool")
 TOLERANCE = 1e-6  # of units and radians
 # Of the tool's pose at the end of a path: the residual of inverse kinematics. Joints may differ
 # more, where rounding decides which of many solutions is found.
@@ -69,7 +68,6 @@ def main(smile, source, *octave):
             expected += subprocess.run([*octave, f"{robot}.json", *folders], check=True,
                                        stdout=subprocess.PIPE, text=True).stdout.splitlines()
             found += [line for folder in folders for line in decisions(folder, aux)]
-    found, expected = without_decisions(found), without_decisions(expected)
     case = ""
     wrong = len(found) != len(expected)
     for one, other in zip(found, expected):
@@ -79,17 +77,6 @@ def main(smile, source, *octave):
             wrong = True
     assert sum(line.startswith("action") for line in found) > 50
     sys.exit(wrong)
-
-
-def without_decisions(lines):
-    """Returns the lines without the decisions in tasks that are only understood."""
-    kept, is_understood = [], False
-    for line in lines:
-        if line.startswith("case "):
-            is_understood = "understood_" in line
-        if not (is_understood and line.split()[0] in DECISIONS):
-            kept.append(line)
-    return kept
 
 
 def prepare(smile, source, name, task, layout):
@@ -133,6 +120,8 @@ def decisions(case, aux):
     lines += page_of(explanation)
     lines += [fact("step", step.name, *step.color, *step.size, *step.position, step.yaw, *step.on)
               for step in steps]
+    if "understood_" in case:
+        return lines
     picture = np.asarray(Image.open(f"{case}/look.png").convert("RGB"))
     arms = arms_of(SimpleNamespace(**aux | {
         "arms": [SimpleNamespace(**arm) for arm in aux["arms"]],

@@ -2,7 +2,7 @@ function faces = detectRims(picture, eye, color, height)
 % Detects rectangles of a color, 1x3, at a height [units], that may be the rims of open boxes; anything
 % may be inside. Returns a 1xN struct array as from fitFace, the largest first, each with the longer side
 % first.
-  faces = struct('center', {}, 'yaw', {}, 'sides', {}, 'misfit', {});
+  faces = struct('center', {}, 'yaw', {}, 'isRound', {}, 'sides', {}, 'misfit', {});
   if isempty(color), return; end
   number = labelRegions(colorMask(picture, color));
   for region = find(accumarray(number(number > 0), 1) >= constants().perception.min_rim_pixels)'

@@ -18,7 +18,7 @@ function facts = factsAt(demo, appearances, container, frame, held, others)
 %   held         number of the object in each hand, a struct
 %   others       facts about controls and joints at that time
   facts = others;
-  there = struct('name', {}, 'size', {}, 'position', {}, 'yaw', {}, 'moves', {});  % all objects that rest
+  there = struct('name', {}, 'size', {}, 'position', {}, 'yaw', {}, 'moves', {}, 'isRound', {});  % all objects that rest
   hands = fieldnames(held);
   in_hands = cellfun(@(hand) held.(hand), hands);
   for n = 1:numel(demo.ids)
@@ -31,7 +31,8 @@ function facts = factsAt(demo, appearances, container, frame, held, others)
       facts{end + 1} = sprintf('joint %s%s', name, hundredths(pose(1:2) - demo.start(n, 1:2)));
     elseif ~isempty(appearances(n).size)
       there(end + 1) = struct('name', name, 'size', appearances(n).size, 'position', pose(1:3), ...
-                              'yaw', pose(6) * pi / 180, 'moves', any(demo.placed == n));
+                              'yaw', pose(6) * pi / 180, 'moves', any(demo.placed == n), ...
+                              'isRound', isfield(appearances, 'isRound') && appearances(n).isRound);
     end
   end
   for k = 1:numel(there), facts = [facts, relations(k, there, container)]; end
@@ -44,8 +45,10 @@ function facts = relations(k, there, container)
   below = numbers(arrayfun(@(it) standsOn(block, it), there) & numbers ~= k);
   beside = numbers(arrayfun(@(it) isBeside(block, it), there) & numbers > k);
   facts = arrayfun(@(it) sprintf('on %s %s', block.name, it.name), there(below), 'UniformOutput', false);
-  is_inside = isInside(container, block.position) && ~strcmp(block.name, container.name);
-  if is_inside
+  is_over = isInside(container, block.position) && ~strcmp(block.name, container.name);
+  if is_over && standsOn(block, container)
+    facts{end + 1} = sprintf('on %s %s', block.name, container.name);
+  elseif is_over
     facts{end + 1} = sprintf('in %s %s', block.name, container.name);
   elseif isempty(below) && block.position(3) - block.size(3) / 2 < constants().task_model.max_support_gap
     facts{end + 1} = sprintf('on %s table', block.name);
@@ -59,7 +62,7 @@ function facts = relations(k, there, container)
   distances = arrayfun(@(it) norm(it.position(1:2) - block.position(1:2)), still);
   [~, order] = sort(distances);
   around = [there(below), still(order)];
-  if is_inside
+  if is_over
     around = struct('name', container.name, 'position', container.position, 'yaw', container.yaw);
   end
   facts{end + 1} = placeOf(block, around);

@@ -1,11 +1,12 @@
 function face = fitFace(x, y, area, yaw)
-% Fits a rectangle in a plane to small pieces of it, by their moments.
+% Fits a rectangle or a disc in a plane to small pieces of it, by their moments.
 %   x, y, area   of the pieces, Nx1 [units, units squared]
 %   yaw          of its first side [rad]; estimated if missing
 %   face.center  1x2 [units]
 %   face.yaw     [rad]
 %   face.sides   length along the direction of yaw, and across it, 1x2 [units]
-%   face.misfit  relative difference between the area of the pieces and that of the rectangle
+%   face.misfit  relative difference between the area of the pieces and that of the face
+%   face.isRound true for a disc, whose sides are its diameter, twice
   total = sum(area);
   face.center = [sum(x .* area), sum(y .* area)] / total;
   x = x - face.center(1);
@@ -13,10 +14,29 @@ function face = fitFace(x, y, area, yaw)
   if nargin < 4, yaw = yawOf(x, y, area); end
   along = x * cos(yaw) + y * sin(yaw);
   across = y * cos(yaw) - x * sin(yaw);
-  % The variance of the points of a rectangle along a side is the side squared, divided by 12.
+  variances = [sum(along .^ 2 .* area), sum(across .^ 2 .* area)] / total;
   face.yaw = yaw;
-  face.sides = sqrt(12 * [sum(along .^ 2 .* area), sum(across .^ 2 .* area)] / total);
-  face.misfit = abs(prod(face.sides) / total - 1);
+  face.isRound = isRound(x, y, area);
+  if face.isRound
+    % The variance of the points of a disc along a line is the diameter squared, divided by 16.
+    face.sides = sqrt(16 * variances);
+    face.misfit = abs(pi / 4 * prod(face.sides) / total - 1);
+  else
+    % The variance of the points of a rectangle along a side is the side squared, divided by 12.
+    face.sides = sqrt(12 * variances);
+    face.misfit = abs(prod(face.sides) / total - 1);
+  end
+end
+
+function yes = isRound(x, y, area)
+% Returns true if neither the squares nor the fourth powers of points around the origin have a direction, as
+% complex numbers: see yawOf. Of a square, the fourth powers keep 3/7 of it.
+  z = x + 1i * y;
+  yes = true;
+  for power = [2, 4]
+    spread = sum(area .* abs(z) .^ power);
+    yes = yes && abs(sum(area .* z .^ power)) < constants().perception.round * spread;
+  end
 end
 
 function yaw = yawOf(x, y, area)

@@ -14,7 +14,9 @@ function yaws = graspYaws(place, others)
   covered = footprint(others, c.margin);
   top = place.position(3) + place.size(3) / 2;
   at_fingers = covered(tops > top - place.size(3) + c.finger_depth_margin, :);
-  at_bar = covered(tops > top + c.bar_above_top, :);
+  % Low blocks are held closer to their tops, so that the bar is higher.
+  above = max(0, c.bar_reach - place.size(3));
+  at_bar = covered(tops > top + c.bar_above_top + above, :);
   at_hand = covered(tops > top + c.hand_above_top, :);
   yaws = yaws(isGripperClear(place, yaws, at_fingers, at_bar, at_hand));
 end

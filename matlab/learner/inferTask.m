@@ -10,6 +10,7 @@ function [steps, container, appearances] = inferTask(demo, attention)
 %   displacement  by which it was dragged, 1x2 [units]; empty for an object that was carried. Color and
 %             size of a dragged object are those of its handle.
 %   stays     true for an object that the demonstration did not move
+%   isRound   true for a disc or a ball: its sides are its diameter
 % Objects that were not moved but support others come first.
 % container is the open box that objects were put into: see measureContainer; appearances, of all objects: see
 % measureObjects.
@@ -77,7 +78,8 @@ function step = stepOf(demo, n, appearance, attention)
   color = appearance.color;
   if ~colorMatters(attention, demo.ids{n}), color = []; end
   step = struct('name', demo.ids{n}, 'color', color, 'size', sides, 'position', demo.final(n, 1:3), ...
-                'yaw', yaw, 'on', [], 'displacement', [], 'stays', false);
+                'yaw', yaw, 'on', [], 'displacement', [], 'stays', false, ...
+                'isRound', isfield(appearance, 'isRound') && appearance.isRound);
 end
 
 function yes = colorMatters(attention, name)

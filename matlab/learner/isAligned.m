@@ -1,5 +1,6 @@
 function yes = isAligned(one, other)
-% Returns true if the sides of two blocks are parallel.
+% Returns true if the sides of two blocks are parallel; discs have none.
   angle = one.yaw - other.yaw;
-  yes = abs(angle - pi / 2 * round(angle / (pi / 2))) < constants().relate.aligned_rad;
+  yes = abs(angle - pi / 2 * round(angle / (pi / 2))) < constants().relate.aligned_rad && ...
+        ~one.isRound && ~other.isRound;
 end

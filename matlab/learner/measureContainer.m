@@ -7,6 +7,7 @@ function container = measureContainer(demo, steps)
 %   position  of its center, 1x3 [units]
 %   yaw       of its longer side [rad]
 %   floor     height of its floor above the table [units]
+%   isRound   true for a round one
   container = [];
   c = constants().task_model;
   bottoms = arrayfun(@(step) step.position(3) - step.size(3) / 2, steps);
@@ -15,15 +16,31 @@ function container = measureContainer(demo, steps)
   if isempty(inside) || isempty(demo.moves), return; end
   for n = setdiff(1:numel(demo.ids), demo.placed)
     height = 2 * demo.start(n, 3);  % it stands on the table
-    picture = readPicture(demo, demo.moves(find(demo.moves(:, 2) == n, 1), 1));
-    color = colorAt(picture, demo.eye, demo.start(n, 1:3) + [0, 0, height / 2]);
-    for face = detectRims(picture, demo.eye, color, height)
-      if norm(face.center - demo.start(n, 1:2)) > c.max_container_error, continue; end
-      container = struct('name', demo.ids{n}, 'color', color, 'size', [face.sides, height], ...
-                         'position', [face.center, height / 2], 'yaw', face.yaw, ...
-                         'floor', min(bottoms(bottoms > c.min_inside_bottom)));
-      if all(arrayfun(@(step) isInside(container, step.position), inside)), return; end
+    % The first picture and the color in the middle, usually that of its floor, come first: later something
+    % else may cover it, or no longer.
+    for row = selectFrames(demo, n)'
+      picture = readPicture(demo, row(1));
+      color = colorAt(picture, demo.eye, demo.start(n, 1:3) + [0, 0, height / 2]);
+      if isempty(color), continue; end
+      for color = [color', frequentColors(picture, constants().perception.min_rim_pixels)]
+        container = containerAt(demo, n, picture, color', height, inside);
+        if ~isempty(container), return; end
+      end
     end
   end
   error('no picture of the demonstration shows the container of %s', inside(1).name);
+end
+
+function container = containerAt(demo, n, picture, color, height, inside)
+% Returns object n of a demonstration as a container with a rim of a color, if a picture shows it around
+% the objects of some steps; otherwise [].
+  for face = detectRims(picture, demo.eye, color, height)
+    if norm(face.center - demo.start(n, 1:2)) > constants().task_model.max_center_error, continue; end
+    bottoms = arrayfun(@(step) step.position(3) - step.size(3) / 2, inside);
+    container = struct('name', demo.ids{n}, 'color', color, 'size', [face.sides, height], ...
+                       'position', [face.center, height / 2], 'yaw', ~face.isRound * face.yaw, ...
+                       'floor', min(bottoms), 'isRound', face.isRound);
+    if all(arrayfun(@(step) isInside(container, step.position), inside)), return; end
+  end
+  container = [];
 end

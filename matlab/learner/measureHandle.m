@@ -24,7 +24,7 @@ function step = measureHandle(demo, n)
            height / 2 > step.position(3)
           step = struct('name', demo.ids{n}, 'color', color', 'size', [face.sides, height], ...
                         'position', [at, height / 2], 'yaw', face.yaw, 'on', [], ...
-                        'displacement', displacement, 'stays', false);
+                        'displacement', displacement, 'stays', false, 'isRound', false);
         end
       end
     end

@@ -1,8 +1,10 @@
 function rotation = yawDifference(block, yaw)
 % Returns the smallest rotation of a block to a yaw [rad]: a block with four equal sides looks the same
-% every 90 degrees, any other every 180.
+% every 90 degrees, any other every 180, and round ones always.
   period = pi;
   if hasEqualSides(block), period = pi / 2; end
+  rotation = 0;
+  if isfield(block, 'isRound') && block.isRound, return; end
   rotation = yaw - block.yaw;
   rotation = rotation - period * round(rotation / period);
 end

@@ -1,7 +1,8 @@
 """Blocks as the learner sees them."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import Optional
 
 import numpy as np
 
@@ -16,6 +17,14 @@ class Block:
     size: np.ndarray  # its longer side, the shorter one, and its height [units]
     position: np.ndarray  # of its center, x y z [units]
     yaw: float  # of its longer side [rad]
+    form: str = field(default="block", kw_only=True)  # or "disc", "ball": its sides are its diameter
+    has_knob: bool = field(default=False, kw_only=True)  # whether it is held by a part on its top,
+    knob: Optional["Block"] = field(default=None, kw_only=True)  # this one: see knobs
+
+    @property
+    def is_round(self):
+        """True for a disc or a ball."""
+        return self.form != "block"
 
     @property
     def top(self):
@@ -29,8 +38,13 @@ class Block:
 
 
 def is_same_kind(block, step):
-    """Returns true if a detected block has the color and the size of a step."""
-    return same_color(step.color, block.color) and same_size(step.size, block.size)
+    """Returns true if a detected block has the color, the form and the size of a step."""
+    return same_color(step.color, block.color) and same_form(step, block)
+
+
+def same_form(a, b):
+    """Returns true if two blocks have the same form and size."""
+    return a.form == b.form and same_size(a.size, b.size)
 
 
 def same_color(wanted, color):
@@ -51,7 +65,9 @@ def has_equal_sides(block):
 
 def yaw_difference(block, yaw):
     """Returns the smallest rotation of a block to a yaw [rad]: a block with four equal sides looks
-    the same every 90 degrees, any other every 180."""
+    the same every 90 degrees, any other every 180, and round ones always."""
+    if block.is_round:
+        return 0.0
     period = math.pi / 2 if has_equal_sides(block) else math.pi
     rotation = yaw - block.yaw
     return rotation - period * round(rotation / period)
@@ -60,5 +76,5 @@ def yaw_difference(block, yaw):
 def is_in_place(block, step):
     """Returns true if a block is in the place of a step."""
     return (is_same_kind(block, step)
-            and np.linalg.norm(block.position - step.position) < BLOCKS.position_tolerance
+            and np.linalg.norm(block.position - step.position) < step.tolerance
             and abs(yaw_difference(step, block.yaw)) < BLOCKS.yaw_tolerance_rad)

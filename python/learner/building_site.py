@@ -1,19 +1,16 @@
 """Chooses where the building goes in the scene."""
 
-import math
 from dataclasses import replace
 
 import numpy as np
 
-from arms import nearest_first
-from beliefs import assumed_support
-from blocks import has_equal_sides, is_in_place, is_same_kind, yaw_difference
-from clearance import is_grasp_blocked
-from constants import BUILDING_SITE as C, numbers_of
+from blocks import is_same_kind, yaw_difference
+from clearance import container_walls, grasp_yaws, rotated
+from constants import BLOCKS, BUILDING_SITE as C, numbers_of
 from containers import detect_container
-from motion_planning import is_reachable
-from sight import is_top_hidden
-from task_model import is_dragged
+from landmarks import place_by_what_stays, turned_about
+from sites import first_within_reach, site_cost
+from steps import is_dragged
 
 
 def choose_site(state, arms, picture, eye):
@@ -24,7 +21,8 @@ def choose_site(state, arms, picture, eye):
     try:
         carried = [step for step in state.steps if not is_dragged(step)]
         if state.container:
-            carried, state.container = place_in_container(carried, state.container, picture, eye)
+            carried, state.container = place_in_container(carried, state.container, state.known,
+                                                          picture, eye)
         elif carried:
             carried = (place_by_what_stays(carried, state.known, arms, eye)
                        or place_on_table(carried, state.known, arms, eye))
@@ -53,49 +51,34 @@ def place_dragged(step, known):
                    position=found[0].position + [*displacement, 0])
 
 
-def place_in_container(steps, container, picture, eye):
-    """Moves steps together with their container to where it is detected. Returns both."""
+def place_in_container(steps, container, known, picture, eye):
+    """Moves steps together with their container to where it is detected, or, where it is covered from
+    the start, to where it must be below its cover. Returns both."""
     found, rotation = detect_container(picture, eye, container)
+    if not found:
+        found, rotation = below_cover(steps, container, known)
     if not found:
         raise NoSite(f"the container {container.name} is not visible")
     moved = []
     for step in steps:
         displacement = rotated(step.position[:2] - container.position[:2], rotation)
         position = np.append(found.position[:2] + displacement, step.position[2])
-        moved.append(replace(step, position=position, yaw=step.yaw + rotation))
+        step = replace(step, position=position, yaw=step.yaw + rotation)
+        # What fingers cannot put there is dropped, and lies anywhere inside.
+        if not grasp_yaws(step, container_walls(found)):
+            step.tolerance = BLOCKS.confined_tolerance
+        moved.append(step)
     return moved, found
 
 
-def rotated(v, angle):
-    """Returns a vector, x y, rotated by an angle [rad]."""
-    c, s = math.cos(angle), math.sin(angle)
-    return np.array([v[0] * c - v[1] * s, v[0] * s + v[1] * c])
-
-
-def place_by_what_stays(steps, known, arms, eye):
-    """Moves steps to where the objects that the demonstration did not move are seen here, in any
-    rotation. None if they are not seen in the same arrangement, or the arms do not reach."""
-    anchor = next((step for step in steps if step.stays), None)
-    sites = []
-    for block in known if anchor else []:
-        if not is_same_kind(block, anchor):
-            continue
-        turns = np.array([0, 1, -1, 2] if has_equal_sides(anchor) else [0, 2]) * math.pi / 2
-        for rotation in yaw_difference(anchor, block.yaw) + turns:
-            moved = [turned_about(anchor, step, rotation, block) for step in steps]
-            stays = [step for step in moved if step.stays]
-            if all(any(is_in_place(it, step) for it in known) for step in stays):
-                rest = [it for it in known if not any(is_in_place(it, step) for step in stays)]
-                cost = C.rotated_cost * abs(rotation) + site_cost(moved, rest, eye)
-                sites.append((cost, moved))
-    return first_within_reach(sites, arms)
-
-
-def turned_about(anchor, step, rotation, block):
-    """Returns a step as it is when its anchor is where a block is, after a rotation [rad]."""
-    away = rotated(step.position[:2] - anchor.position[:2], rotation)
-    position = np.append(block.position[:2] + away, step.position[2])
-    return replace(step, position=position, yaw=step.yaw + rotation)
+def below_cover(steps, container, known):
+    """Returns where a Container must be below a known block that is in its final place from the start,
+    like a lid, and the rotation from the demonstration [rad]; None and 0 if there is none."""
+    for step in [it for it in steps if it.begins_there]:
+        for block in [it for it in known if is_same_kind(it, step)]:
+            rotation = yaw_difference(step, block.yaw)
+            return turned_about(step, container, rotation, block), rotation
+    return None, 0
 
 
 def place_on_table(steps, known, arms, eye):
@@ -114,35 +97,6 @@ def place_on_table(steps, known, arms, eye):
     if not moved:
         raise NoSite("the building is not within reach anywhere on the table")
     return moved
-
-
-def site_cost(steps, known, eye):
-    """Returns the cost of a site: the lengths of the blocks that are in the way there or would be
-    blocked by the building; a part of those of needed blocks that it would hide; and those of
-    blocks on others that may be needed and were never seen, if it would hide them."""
-    cost = 0
-    for block in known:
-        if is_grasp_blocked(block, steps):
-            cost += block.size[0]
-        elif (any(is_same_kind(block, step) for step in steps)
-              and is_top_hidden(block, steps, eye)):
-            cost += C.hidden_cost * block.size[0]
-        if any(is_top_hidden(it, steps, eye) for it in assumed_support(block)):
-            cost += block.size[0]
-    return cost
-
-
-def first_within_reach(sites, arms):
-    """Returns the steps of the cheapest site at which the nearest arm reaches each place to which
-    something goes; None if there is none.
-
-    sites: cost and steps of each
-    """
-    for _, steps in sorted(sites, key=lambda site: site[0]):
-        if all(step.stays or is_reachable(nearest_first(arms, step.position[0])[0], step)
-               for step in steps):
-            return steps
-    return None
 
 
 def shifted(steps, displacement):

@@ -58,6 +58,26 @@ def is_inside(container, position):
                                              footprint([container], 0)).all()
 
 
+def rotated(v, angle):
+    """Returns a vector, x y, rotated by an angle [rad]."""
+    c, s = math.cos(angle), math.sin(angle)
+    return np.array([v[0] * c - v[1] * s, v[0] * s + v[1] * c])
+
+
+def held_part(block):
+    """Returns the part by which a block is held: its knob where that is now, or the block."""
+    knob = block.knob
+    if knob is None:
+        return block
+    away = np.append(rotated(knob.position[:2], block.yaw), knob.position[2])
+    return Block(knob.color, knob.size, block.position + away, block.yaw + knob.yaw)
+
+
+def with_held_parts(blocks):
+    """Returns blocks and their knobs, a list of Blocks."""
+    return blocks + [held_part(it) for it in blocks if it.knob]
+
+
 def container_walls(container):
     """Returns the walls of a Container as four Blocks; none for None."""
     if container is None:
@@ -82,14 +102,19 @@ def grasp_yaws(place, others):
 
     others: obstacles, as Blocks
     """
+    place = held_part(place)
     yaws = [place.yaw + math.pi / 2, place.yaw - math.pi / 2]
     if has_equal_sides(place):
         yaws += [place.yaw, place.yaw + math.pi]
+    if place.is_round:
+        yaws += [yaw + math.pi / 4 for yaw in yaws]
     # Obstacles as high as the fingers, as the bar that joins them, and as the hand above it.
     tops = np.array([it.top for it in others])
     covered = footprint(others, C.margin)
     at_fingers = covered[tops > place.top - place.size[2] + C.finger_depth_margin]
-    at_bar = covered[tops > place.top + C.bar_above_top]
+    # Low blocks are held closer to their tops, so that the bar is higher.
+    above = max(0, C.bar_reach - place.size[2])
+    at_bar = covered[tops > place.top + C.bar_above_top + above]
     at_hand = covered[tops > place.top + C.hand_above_top]
     clear = is_gripper_clear(place, yaws, at_fingers, at_bar, at_hand)
     return [yaw for yaw, is_clear in zip(yaws, clear) if is_clear]

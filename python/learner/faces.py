@@ -1,4 +1,4 @@
-"""Rectangles in a plane, fitted to pixels by their moments."""
+"""Rectangles and discs in a plane, fitted to pixels by their moments."""
 
 import math
 from dataclasses import dataclass
@@ -10,12 +10,13 @@ from constants import PERCEPTION as C
 
 @dataclass
 class Face:
-    """A rectangle in a plane."""
+    """A rectangle or a disc in a plane."""
 
     center: np.ndarray  # x y [units]
     yaw: float  # of its first side [rad]
     sides: np.ndarray  # lengths along the direction of yaw, and across it [units]
-    misfit: float  # relative difference between the area of its pixels and that of the rectangle
+    misfit: float  # relative difference between the area of its pixels and that of the face
+    is_round: bool = False  # true for a disc, whose sides are its diameter, twice
 
 
 def fit_face(x, y, area, yaw=None):
@@ -29,9 +30,22 @@ def fit_face(x, y, area, yaw=None):
         yaw = yaw_of(x, y, area)
     along = x * math.cos(yaw) + y * math.sin(yaw)
     across = y * math.cos(yaw) - x * math.sin(yaw)
+    variances = np.array([(along**2 * area).sum(), (across**2 * area).sum()]) / total
+    # The variance of the points of a disc along a line is the diameter squared, divided by 16.
+    if is_round(x, y, area):
+        sides = np.sqrt(16 * variances)
+        return Face(center, yaw, sides, abs(math.pi / 4 * sides.prod() / total - 1), True)
     # The variance of the points of a rectangle along a side is the side squared, divided by 12.
-    sides = np.sqrt(12 * np.array([(along**2 * area).sum(), (across**2 * area).sum()]) / total)
+    sides = np.sqrt(12 * variances)
     return Face(center, yaw, sides, abs(sides.prod() / total - 1))
+
+
+def is_round(x, y, area):
+    """Returns true if neither the squares nor the fourth powers of points around the origin have a
+    direction, as complex numbers: see yaw_of. Of a square, the fourth powers keep 3/7 of it."""
+    z = x + 1j * y
+    return all(abs((area * z**power).sum()) < C.round * (area * abs(z) ** power).sum()
+               for power in (2, 4))
 
 
 def yaw_of(x, y, area):

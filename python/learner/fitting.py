@@ -11,15 +11,15 @@ from eye import onto_plane
 from faces import fit_face
 
 
-def fit_blocks(row, column, eye, color, sizes, container, is_possible, bottoms, top=None,
+def fit_blocks(row, column, eye, color, kinds, container, is_possible, bottoms, top=None,
                max_side_error=C.max_side_error):
-    """Fits blocks to the pixels of a top face: one block of a color and one of some sizes, or equal
+    """Fits blocks to the pixels of a top face: one block of a color and one of some kinds, or equal
     blocks that touch in a row or a grid. Returns a list, empty if nothing fits.
 
     row, column: pixels, N numbers each
     container:   in which they may lie, or None
     is_possible: predicate: returns true if there can be such a Block at its place
-    bottoms:     for each size, the heights where the bottom is expected [units]
+    bottoms:     for each kind, the heights where the bottom is expected [units]
     top:         measured height of the face [units], or None
     max_side_error: greatest relative error of the sides
 
@@ -33,17 +33,21 @@ def fit_blocks(row, column, eye, color, sizes, container, is_possible, bottoms, 
     blocks = []
     for max_count, is_expected in ((1, True), (1, False), (C.max_abreast, True),
                                    (C.max_abreast, False)):  # blocks side by side
-        for size, expected in zip(sizes, bottoms):
+        for kind, expected in zip(kinds, bottoms):
+            size = kind.size
             for plane in candidate_tops(size, expected, top, is_expected):
                 face = fit_face(*onto_plane(row, column, eye, plane))
                 if top is None and is_inside(container, face.center):
                     plane += container.floor
                     face = fit_face(*onto_plane(row, column, eye, plane))
-                count = np.clip(np.round(face.sides / size[:2]), 1, max_count)
+                if face.is_round != kind.is_round:
+                    continue
+                most = 1 if face.is_round else max_count
+                count = np.clip(np.round(face.sides / size[:2]), 1, most)
                 max_error = max(*np.abs(face.sides / (count * size[:2]) - 1), face.misfit)
                 if max_error >= best:
                     continue
-                found = block_grid(face, count.astype(int), plane, color, size)
+                found = block_grid(face, count.astype(int), plane, color, kind)
                 if top is not None and is_expected or all(map(is_possible, found)):
                     best = max_error
                     blocks = found
@@ -65,13 +69,15 @@ def candidate_tops(size, bottoms, top, is_expected):
     return [top] if (error < C.on_table) == is_expected and is_above_table else []
 
 
-def block_grid(face, count, top, color, size):
-    """Returns count[0] x count[1] equal Blocks that fill a Face at height `top` [units]: a list."""
+def block_grid(face, count, top, color, kind):
+    """Returns count[0] x count[1] equal Blocks of a kind that fill a Face at height `top` [units]: a list."""
     along = np.array([math.cos(face.yaw), math.sin(face.yaw)])
     across = np.array([-along[1], along[0]])
+    size = kind.size
     blocks = []
     for i in np.arange(count[0]) - (count[0] - 1) / 2:
         for j in np.arange(count[1]) - (count[1] - 1) / 2:
             at = face.center + i * size[0] * along + j * size[1] * across
-            blocks.append(Block(color, size, np.append(at, top - size[2] / 2), face.yaw))
+            blocks.append(Block(color, size, np.append(at, top - size[2] / 2), face.yaw,
+                                form=kind.form))
     return blocks

@@ -17,7 +17,8 @@ from joint_estimates import JointEstimates
 from motion_planning import retreat
 from sentences import page_of
 from task_model import infer_task
-from task_planning import TaskState, choose_actions, give_up, remember_failure
+from task_planning import choose_actions
+from task_state import TaskState, give_up, remember_failure
 
 
 def init(aux):

@@ -23,7 +23,7 @@ def measure_block(color, row, column, picture, eye, table, heights=None):
     if face.misfit > C.misfit:
         return None
     return Block(color, np.append(face.sides, top - ground),
-                 np.append(face.center, (top + ground) / 2), face.yaw)
+                 np.append(face.center, (top + ground) / 2), face.yaw, form="disc" if face.is_round else "block")
 
 
 def ground_below(color, row, column, picture, eye, heights):

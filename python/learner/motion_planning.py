@@ -1,15 +1,17 @@
 """Plans how an arm brings a block from one place to another."""
 
 import math
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
 
 from arms import can_hold, nearest_first
-from clearance import footprint, grasp_yaws, overlap
+from blocks import yaw_difference
+from clearance import footprint, grasp_yaws, held_part, overlap
 from constants import MOTION_PLANNING as C
 from execution import Action, Grasp
-from task_model import is_dragged
+from steps import is_dragged
 
 
 def plan_pick_and_place(arms, block, goal, others, sensor, failures=()):
@@ -20,28 +22,34 @@ def plan_pick_and_place(arms, block, goal, others, sensor, failures=()):
     failures: Grasps that failed and are not to be repeated
     Returns actions and None, or [] and the reason if no arm can do it.
     """
+    goal = replace(goal, knob=block.knob)
+    held, target = held_part(block), held_part(goal)
     at_start = grasp_yaws(block, others)
     at_goal = grasp_yaws(goal, others)
     if not at_start or not at_goal:
         return [], "there is no room for the fingers"
-    able = [arm for arm in arms if can_hold(arm, block.size[1])]
+    able = [arm for arm in arms if can_hold(arm, held.size[1])]
     if not able:
         return [], "it is wider than the gripper opens"
-    can_be_low = not is_dragged(goal) and has_low_way(block, goal, others)
+    can_be_low = not is_dragged(goal) and not block.knob and has_low_way(block, goal, others)
     for is_low, arm in product([False, True] if can_be_low else [False],
                                nearest_first(able, block.position[0] + goal.position[0])):
         if is_dragged(goal):
             height = block.top + C.drag_tool_height
         else:
-            height = transfer_height(arm, [*others, block], goal)
+            height = transfer_height(arm, [*others, held], goal.bottom, target.top - goal.bottom)
         # What cannot be lifted high enough to pass over all others is lifted less on a low way.
         lift = block.position[2] + block.size[2] + C.clearance if is_low else height
         q = sensor.arms[arm.index].joints
         yaws = [yaw for yaw in at_start
-                if not has_failed(Grasp(block.position, arm.index, yaw), failures)]
+                if not has_failed(Grasp(held.position, arm.index, yaw), failures)]
         for place_yaw, grasp_yaw in product(at_goal, yaws):
-            actions = plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift,
-                                              others, q)
+            # The object turns with the hand; it may look the same after some turns.
+            turned = replace(block, yaw=block.yaw + place_yaw - grasp_yaw)
+            if block.knob and abs(yaw_difference(turned, goal.yaw)) > C.same_yaw_rad:
+                continue
+            actions = plan_arm_pick_and_place(arm, held, grasp_yaw, target, place_yaw, height, lift,
+                                              others, q, is_dragged(goal))
             if actions:
                 return actions, None
     return [], "no arm reaches both its place and its goal"
@@ -57,13 +65,16 @@ def has_failed(grasp, failures):
     return False
 
 
-def transfer_height(arm, blocks, goal):
+def transfer_height(arm, blocks, bottom, extent):
     """Returns the height of an arm's tool between two places [units]: the held block passes over
-    all others, and so do the empty fingers, also over the placed block."""
+    all others, and so do the empty fingers, also over the placed block.
+
+    bottom: height of the goal's bottom [units]
+    extent: height of the held block [units]
+    """
     highest = max(block.top for block in blocks)
-    bottom = goal.position[2] - goal.size[2] / 2
-    return max(max(highest, bottom) + goal.size[2],
-               max(highest, bottom + goal.size[2]) + arm.reach) + C.clearance
+    return max(max(highest, bottom) + extent,
+               max(highest, bottom + extent) + arm.reach) + C.clearance
 
 
 def has_low_way(block, goal, others):
@@ -76,7 +87,8 @@ def has_low_way(block, goal, others):
     return not overlap([x, y, length, C.low_way_width, math.atan2(way[1], way[0])], higher).any()
 
 
-def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift, others, q):
+def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift, others, q,
+                            is_goal_dragged):
     """Plans to bring a block to a goal with one arm and given yaws of the gripper; [] if that arm
     cannot.
 
@@ -86,6 +98,7 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
                           between both places [units]
     others:               obstacles, as Blocks
     q:                    its joint angles [rad]
+    is_goal_dragged:      whether it is dragged there, not lifted
     """
     width = block.size[1]
     opening = min(width + C.opening_margin, arm.opening)
@@ -100,7 +113,7 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
         via = [at_height(start, height)]
         via[0][:2, 3] = (start[:2, 3] + end[:2, 3]) / 2
     # A dragged object is not lifted.
-    transfer = [end] if is_dragged(goal) else [over_start, *via, over_end, end]
+    transfer = [end] if is_goal_dragged else [over_start, *via, over_end, end]
     to_block = [*via, over_start, start]
     path = plan_path_through(arm, [*to_block, *transfer, over_end], others, q)
     if not path:
@@ -163,10 +176,11 @@ def solve_pose_sequence(arm, poses, q):
 
 def is_reachable(arm, place):
     """Returns true if an arm can bring its tool to a block's place, and 2 units above it."""
-    x, y, z = place.position
+    held = held_part(place)
+    x, y, z = held.position
 
     def poses(across):
-        return [arm.tool_pose([x, y, z + height], across, place.size[1])
+        return [arm.tool_pose([x, y, z + height], across, held.size[1])
                 for height in C.reach_heights]
 
     return any(solve_pose_sequence(arm, poses(across), arm.parked) is not None

@@ -14,10 +14,10 @@
 """
 
 import math
+from dataclasses import replace
 
-from blocks import Block
 from relations import hundredths, relations
-from task_model import was_dragged
+from handles import was_dragged
 
 
 def facts_at(demo, container, frame, held, others):
@@ -45,7 +45,6 @@ def facts_at(demo, container, frame, held, others):
 
 
 def block_at(pose, appearance):
-    """Returns an object at a pose, x y z and three angles [degrees], as a Block, its sides along its own
-    axes; appearance: its color and size."""
-    color, size = appearance
-    return Block(color, size, pose[:3], math.radians(pose[5]))
+    """Returns an object at a pose, x y z and three angles [degrees], as a Block; appearance: the same
+    at its first place."""
+    return replace(appearance, position=pose[:3], yaw=math.radians(pose[5]))

@@ -6,7 +6,7 @@ import numpy as np
 
 from clearance import footprint, is_inside, overlap
 from constants import RELATE as C, TASK_MODEL
-from task_model import stands_on
+from steps import stands_on
 
 
 def relations(demo, k, name, there, container):
@@ -15,14 +15,17 @@ def relations(demo, k, name, there, container):
     below = [it for it in there if it != name and stands_on(block, there[it])]
     beside = [it for it in list(there)[k + 1:] if is_beside(block, there[it])]
     facts = [f"on {name} {it}" for it in below]
-    if is_inside(container, block.position) and name != container.name:
+    is_over = is_inside(container, block.position) and name != container.name
+    if is_over and stands_on(block, container):
+        facts.append(f"on {name} {container.name}")
+    elif is_over:
         facts.append(f"in {name} {container.name}")
     elif not below and block.bottom < TASK_MODEL.max_support_gap:
         facts.append(f"on {name} table")
     facts += [f"beside {name} {it}" for it in beside]
     facts += [f"aligned {name} {it}" for it in below + beside if is_aligned(block, there[it])]
     if demo.ids.index(name) in demo.placed:
-        inside = [container] if f"in {name} {getattr(container, 'name', '')}" in facts else []
+        inside = [container] if is_over else []
         still = [it for it in there if demo.ids.index(it) not in demo.placed]
         still.sort(key=lambda it: np.hypot(*(there[it].position - block.position)[:2]))
         around = [(it.name, it) for it in inside] + [(it, there[it]) for it in below + still]
@@ -39,7 +42,9 @@ def is_beside(one, other):
 
 
 def is_aligned(one, other):
-    """Returns true if the sides of two Blocks are parallel."""
+    """Returns true if the sides of two Blocks are parallel; discs have none."""
+    if one.is_round or other.is_round:
+        return False
     angle = one.yaw - other.yaw
     return abs(angle - math.pi / 2 * round(angle / (math.pi / 2))) < C.aligned_rad
 

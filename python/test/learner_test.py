@@ -9,14 +9,16 @@ import unittest
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
+from unittest.mock import patch
 
 import numpy as np
 from PIL import Image
 
+from balls import ball_color
 from beliefs import update_beliefs
 from blocks import Block, yaw_difference
-from building_site import choose_site, shifted, site_cost
-from clearance import container_walls, grasp_yaws, is_grasp_blocked, overlap
+from building_site import choose_site, shifted
+from clearance import container_walls, footprint, grasp_yaws, held_part, is_grasp_blocked, overlap
 from containers import detect_container
 from demonstration import read_demonstration
 from detection import detect_blocks
@@ -24,15 +26,21 @@ from execution import Action, Grasp
 from explain import explain
 from eye import Eye, height_map, pixel_at, to_pixel
 from joint_estimates import JointEstimates
+from knobs import find_knobs
+from landmarks import place_by_what_stays
 from motion_planning import grip_depth, has_failed, plan_pick_and_place
 from pictures import num_pictures
+from progress import assess_progress, open_steps
+from proposals import Move, clearing_moves, propose_moves, uncovering_moves
 from regions import is_cut, label_regions
 from sentences import page_of
 from sight import is_top_hidden
-from task_model import Step, infer_task
-from task_planning import (Move, TaskState, assess_progress, blocks_grasps, clearing_moves,
-                           num_failures, open_steps, propose_moves, remember_failure,
-                           uncovering_moves)
+from sites import site_cost
+from steps import Step
+from task_model import infer_task
+from task_state import TaskState, num_failures, remember_failure
+from temporary_places import blocks_grasps
+from unexplained import is_unexplained, unexplained_points
 from unknown_objects import detect_unknown_objects
 
 RED, GREEN, BLUE = np.eye(3)
@@ -76,10 +84,30 @@ def view_of(blocks):
             x, y = x - it.position[0], y - it.position[1]
             along = abs(x * math.cos(it.yaw) + y * math.sin(it.yaw))
             across = abs(y * math.cos(it.yaw) - x * math.sin(it.yaw))
-            hit = ((along <= it.size[0] / 2) & (across <= it.size[1] / 2)).reshape(480, 640)
+            hit = (along <= it.size[0] / 2) & (across <= it.size[1] / 2)
+            if it.is_round:
+                hit = np.hypot(along, across) <= it.size[0] / 2
+            hit = hit.reshape(480, 640)
             picture[hit] = it.color * (1 if height == it.top else 0.7)
             heights[hit] = height
     return picture, heights
+
+
+def add_ball(picture, heights, color, center, radius):
+    """Renders a ball into a picture and its heights."""
+    row, column = np.indices((480, 640))
+    ray = np.stack([(column + 0.5 - 320) / EYE.intrinsics[0, 0],
+                    (row + 0.5 - 240) / EYE.intrinsics[1, 1],
+                    np.ones((480, 640))], axis=-1) @ EYE.pose[:3, :3].T
+    ray /= np.linalg.norm(ray, axis=-1, keepdims=True)
+    to_center = center - EYE.pose[:3, 3]
+    along = ray @ to_center
+    inside = radius**2 - (to_center @ to_center - along**2)
+    hit = inside > 0
+    point = EYE.pose[:3, 3] + ray * (along - np.sqrt(np.maximum(inside, 0)))[..., None]
+    shade = 0.8 + 0.2 * (point - center)[..., 2:] / radius
+    picture[hit] = (shade * color)[hit]
+    heights[hit] = point[hit][:, 2]
 
 
 class PerceptionTest(unittest.TestCase):
@@ -167,6 +195,57 @@ class PerceptionTest(unittest.TestCase):
         floor = empty_box(1, -2, 0)
         picture, heights = view_of(floor)
         self.assertEqual(detect_unknown_objects(picture, EYE, [], heights), [])
+
+    def test_what_stays_is_seen_below_what_stands_on_it(self):
+        plate = block(GREEN, np.array([1.8, 1.8, 0.2]), -2, -2.5, yaw=0.3)
+        cube = block(RED, CUBE, -2, -2.4, bottom=0.2, yaw=0.5)
+        picture, heights = view_of([plate, cube])
+        self.assertEqual(detect_blocks(picture, EYE, [plate], heights=heights), [])
+        stays = replace(step(plate, []), stays=True)
+        [found] = detect_blocks(picture, EYE, [stays], heights=heights)
+        np.testing.assert_allclose(found.position, plate.position, atol=0.02)
+        self.assertLess(abs(yaw_difference(plate, found.yaw)), math.radians(1))
+        # A hole that nothing hides belongs to another shape.
+        picture[heights > 0.5], heights[heights > 0.5] = TABLE, 0
+        self.assertEqual(detect_blocks(picture, EYE, [stays], heights=heights), [])
+
+    def test_discs_are_distinguished_from_squares(self):
+        disc = replace(block(RED, CUBE, -1, -2), form="disc")
+        square = block(RED, CUBE, 2, -2, yaw=0.3)
+        picture, heights = view_of([disc, square])
+        for wanted in (disc, square):
+            [found] = detect_blocks(picture, EYE, [wanted], heights=heights)
+            np.testing.assert_allclose(found.position, wanted.position, atol=0.01)
+            self.assertEqual(found.is_round, wanted.is_round)
+        self.assertEqual(len(grasp_yaws(disc, [])), 8)
+        self.assertEqual(yaw_difference(disc, 1), 0)
+        [unknown] = detect_unknown_objects(picture, EYE, [square], heights)
+        self.assertTrue(unknown.is_round)
+        np.testing.assert_allclose(unknown.size, disc.size, atol=0.02)
+
+    def test_a_ball_is_measured_by_its_outline_and_its_surface(self):
+        picture, heights = view_of([block(BROWN, CUBE, 2, -2)])
+        center = np.array([-1, -2.5, 0.35])
+        add_ball(picture, heights, RED, center, 0.35)
+        np.testing.assert_allclose(ball_color(picture, EYE, center, 0.35) / RED.max(), 0.95 * RED,
+                                   atol=0.1)
+        self.assertIsNone(ball_color(picture, EYE, np.array([2, -2, 0.5]), 0.5), "it is a cube")
+        ball = replace(block(RED, 0.7 * CUBE, 0, 0), form="ball")
+        picture[:, :280], heights[:, :280] = TABLE, 0  # a part is hidden
+        [found] = detect_blocks(picture, EYE, [ball, block(BROWN, CUBE, 0, 0)], heights=heights)[1:]
+        np.testing.assert_allclose(found.position, center, atol=0.01)
+        larger = replace(ball, size=0.8 * CUBE)
+        self.assertEqual(detect_blocks(picture, EYE, [larger], heights=heights), [])
+
+    def test_nothing_is_put_where_something_unexplained_is(self):
+        plate = block(GREEN, np.array([1.8, 1.8, 0.2]), -2, -2.5)
+        tower = block(RED, np.array([1, 1, 2]), -2, -2.5, bottom=0.2)
+        _, heights = view_of([plate, tower])
+        points = unexplained_points([tower], heights, EYE)
+        places = footprint([block(RED, CUBE, -2, -1.7), block(RED, CUBE, -3.2, -2.5),
+                            block(RED, CUBE, 2, -2)], 0)
+        self.assertEqual(is_unexplained(places, points).tolist(), [True, True, False])
+        self.assertEqual(len(unexplained_points([tower, plate], heights, EYE)), 0)
 
     def test_what_cuts_a_top_is_known(self):
         post, behind = block(BLUE, np.array([1, 1, 3]), 0.7, -2.2), block(RED, CUBE, 0, -0.5)
@@ -326,6 +405,15 @@ class InferenceTest(RecordingTest):
         np.testing.assert_allclose(red.color, RED)
         self.assertIsNone(blue.color, "the demonstrator specified that only its size matters")
 
+    def test_an_order_that_matters_is_kept(self):
+        steps, _ = self.infer_task()
+        self.assertEqual([step.after for step in steps], [[], [], []])
+        steps, _ = self.infer_task({"Red": ["color", "size", "order"]})
+        self.assertEqual([step.after for step in steps], [[], [], [1]])
+        state = TaskState(steps)
+        state.done = [True, False, False]
+        self.assertEqual(open_steps(state), [1])
+
     def test_what_was_not_moved_stays(self):
         steps, _ = self.infer_task()
         self.assertEqual([step.stays for step in steps], [True, False, False])
@@ -431,6 +519,63 @@ def empty_box(x, y, yaw):
     return [block(BROWN, np.array([5, 2.6, 0.9]), x, y, yaw=yaw),
             block(0.7 * BROWN, np.array([4.6, 2.2, 0]), x, y, bottom=0.9, yaw=yaw),
             block(BROWN, np.array([4.2, 1.8, 0]), x, y, bottom=0.9, yaw=yaw)]
+
+
+class LidTest(RecordingTest):
+    """A lid with a knob is put beside a pot, a red cube into the pot, and the lid on the pot again."""
+
+    def setUp(self):
+        cubes = [block(RED, CUBE, 3, -3), block(RED, CUBE, -2, -2, bottom=0.2)]
+        self.record(picture_of([*self.lid(-2, -2, 1.5), cubes[0]]),
+                    picture_of([*pot(-2, -2), *self.lid(2, 0, 0), cubes[0]]),
+                    picture_of([*self.lid(-2, -2, 1.5)]))
+        self.write(0, ["0,create,Pot,shape,box", "0,create,Lid,shape,composite",
+                       "0,create,Red,shape,block", "0,move,Pot,-2.0,-2.0,0.75,0.0,0.0,0.0",
+                       "0,move,Lid,-2.0,-2.0,1.6,0.0,0.0,0.0", "0,move,Red,3.0,-3.0,0.5,0.0,0.0,0.0"])
+        self.write(1, ["0,grasp,LeftHand,Lid", "1,move,Lid,2.0,0.0,0.1,0.0,0.0,0.0",
+                       "1,release,LeftHand", "1,grasp,LeftHand,Red",
+                       "2,move,Red,-2.0,-2.0,0.7,0.0,0.0,0.0", "2,release,LeftHand",
+                       "2,grasp,LeftHand,Lid", "2,move,Lid,-2.0,-2.0,1.6,0.0,0.0,0.0",
+                       "2,release,LeftHand"])
+
+    def lid(self, x, y, bottom):
+        return [block(BROWN * 1.5, np.array([2.8, 2.8, 0.2]), x, y, bottom=bottom),
+                block(BLUE, np.array([0.6, 0.6, 0.7]), x, y, bottom=bottom + 0.2)]
+
+    def test_a_lid_covers_what_is_inside(self):
+        (red, lid), container = self.infer_task()
+        self.assertEqual([red.name, red.after, lid.name, lid.after], ["Red", [], "Lid", [0]])
+        self.assertTrue(lid.has_knob and lid.begins_there)
+        np.testing.assert_allclose(lid.size, [2.8, 2.8, 0.2], atol=0.08)
+        np.testing.assert_allclose(container.size, [2.5, 2.5, 1.5], atol=0.08)
+        demo = read_demonstration(self.folder)
+        infer_task(demo, {})
+        self.assertIn("on Lid Pot", explain(demo, container).keyframes[0].facts)
+
+    def test_it_is_taken_off_by_its_knob_before_anything_is_put_inside(self):
+        steps, container = self.infer_task()
+        scene = [*self.lid(1, -2, 1.5), block(RED, CUBE, -3, -2)]
+        picture, heights = view_of(scene)
+        state = TaskState(steps, container)
+        seen = detect_blocks(picture, EYE, steps, heights=heights)
+        find_knobs(steps, seen, picture, EYE, heights)
+        [lid] = [it for it in seen if it.knob]
+        np.testing.assert_allclose(held_part(lid).position, [1, -2, 2.05], atol=0.05)
+        self.assertEqual(len(grasp_yaws(lid, [])), 4)
+        state.known = seen
+        self.assertIsNone(choose_site(state, [], picture, EYE))
+        np.testing.assert_allclose(state.container.position, [1, -2, 0.75], atol=0.05)
+        self.assertEqual(assess_progress(state), [])
+        self.assertEqual(open_steps(state), [0])
+        self.assertIs(propose_moves(state, state.steps[0], seen)[0].block, lid)
+
+
+def pot(x, y):
+    """Returns the walls of a pot, the far ones first, and its floor."""
+    walls = [((2.5, 0.2), (0, 1.15)), ((0.2, 2.5), (1.15, 0)), ((0.2, 2.5), (-1.15, 0)),
+             ((2.5, 0.2), (0, -1.15))]
+    return [block(BROWN, np.array([2.3, 2.3, 0.2]), x, y),
+            *(block(BROWN, np.array([*size, 1.5]), x + away[0], y + away[1]) for size, away in walls)]
 
 
 class DraggingTest(RecordingTest):
@@ -541,6 +686,18 @@ class TaskPlanningTest(unittest.TestCase):
         choose_site(state, [], None, EYE)
         np.testing.assert_allclose([it.position for it in state.steps],
                                    [it.position for it in turned[:2]], atol=1e-9)
+
+    def test_each_object_that_stays_determines_where_the_steps_on_it_go(self):
+        plates = [replace(step(block(RED, np.array([2, 2, 0.2]), -2, 1), []), stays=True),
+                  replace(step(block(BLUE, np.array([2, 2, 0.2]), 2, 1), []), stays=True)]
+        steps = [*plates, step(block(GREEN, CUBE, -2, 1, bottom=0.2), [0]),
+                 step(block(RED, CUBE, 2, 1.2, bottom=0.2), [1])]
+        known = [block(RED, plates[0].size, -3, -2), block(BLUE, plates[0].size, 2, -3, yaw=0.3)]
+        with patch("sites.is_reachable", return_value=True), patch("sites.nearest_first"):
+            moved = place_by_what_stays(steps, known, [], EYE)
+        np.testing.assert_allclose(moved[2].position, [-3, -2, 0.7])
+        np.testing.assert_allclose(moved[3].position, [2 - 0.2 * math.sin(0.3),
+                                                       -3 + 0.2 * math.cos(0.3), 0.7])
 
     def test_a_site_must_not_hide_needed_blocks(self):
         steps = [step(block(BLUE, CUBE, 0, -2, bottom=k), []) for k in range(3)]

@@ -33,3 +33,7 @@ for k = 0:39
   show(isGraspBlocked(place, other));
   show(yawDifference(place, 1 - 0.2 * k));
 end
+[x, y] = meshgrid(-20:20, -20:20);
+inside = hypot(x, y) < 20;
+face = fitFace(x(inside), y(inside), ones(nnz(inside), 1));
+show([face.center, face.sides, face.misfit, face.isRound]);

@@ -40,6 +40,11 @@ def answers():
         yield grasp_yaws(place, [other])
         yield is_grasp_blocked(place, [other])
         yield yaw_difference(place, 1 - 0.2 * k)
+    x, y = (it.T.ravel() for it in np.meshgrid(np.arange(-20, 21), np.arange(-20, 21)))
+    inside = np.hypot(x, y) < 20
+    face = fit_face(x[inside], y[inside], np.ones(inside.sum()))
+    assert face.is_round and abs(face.sides[0] - 40) < 0.5
+    yield [*face.center, *face.sides, face.misfit, face.is_round]
 
 
 def main():

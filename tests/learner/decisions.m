@@ -34,6 +34,7 @@ function decideOn(folder, aux)
   for step = steps
     show(['step ', step.name], [step.color, step.size, step.position, step.yaw, step.on - 1]);
   end
+  if any(strfind(folder, 'understood_')), return; end
   state = initialTaskState(steps, container);
   sensor.rgbVision = double(imread(fullfile(folder, 'look.png'))) / 255;
   file = fopen(fullfile(folder, 'look.depth'));

@@ -24,7 +24,8 @@ from demonstration import read_demonstration
 from explain import explain
 from sentences import page_of
 from task_model import infer_task
-from task_planning import TaskState, choose_actions
+from task_planning import choose_actions
+from task_state import TaskState
 
 # For each robot: task, and the layout of the robot's scene; [] keeps the scene as it is.
 CASES = {
@@ -36,6 +37,8 @@ CASES = {
                ("bricks", []), ("pedestal", []), ("unstack", [])],
     "tern": [("tower", ["--seed", "1", "--robot", "tern"])],
 }
+# Tasks of which both understand the same, while only Python does them.
+UNDERSTOOD = ["swap", "hanoi", "ball", "lid"]
 TOLERANCE = 1e-6  # of units and radians
 # Of the tool's pose at the end of a path: the residual of inverse kinematics. Joints may differ
 # more, where rounding decides which of many solutions is found.
@@ -59,6 +62,9 @@ def main(smile, source, *octave):
             Path(f"{robot}.json").write_text(json.dumps(aux))
             folders = [prepare(smile, source, f"{robot}{k}", *case)
                        for k, case in enumerate(cases)]
+            if robot == "baxter":
+                folders += [prepare(smile, source, f"understood_{task}", task, [])
+                            for task in UNDERSTOOD]
             expected += subprocess.run([*octave, f"{robot}.json", *folders], check=True,
                                        stdout=subprocess.PIPE, text=True).stdout.splitlines()
             found += [line for folder in folders for line in decisions(folder, aux)]
@@ -114,6 +120,8 @@ def decisions(case, aux):
     lines += page_of(explanation)
     lines += [fact("step", step.name, *step.color, *step.size, *step.position, step.yaw, *step.on)
               for step in steps]
+    if "understood_" in case:
+        return lines
     picture = np.asarray(Image.open(f"{case}/look.png").convert("RGB"))
     arms = arms_of(SimpleNamespace(**aux | {
         "arms": [SimpleNamespace(**arm) for arm in aux["arms"]],

@@ -1,6 +1,6 @@
 """The learner does tasks beyond those of `smile experiment`: equal colors that touch at several heights,
-half heights and several sizes, what the demonstration did not move, and what began on something. What it
-claims at the end is right.
+half heights and several sizes, what the demonstration did not move, what began on something, what must make room
+first, discs, a ball, and a lid. What it claims at the end is right.
 
     tasks_test.py SMILE SOURCE
 
@@ -18,7 +18,11 @@ PYTHON, OCTAVE = "python/learner/learner.py", "matlab/learner"
 # Task, brain, and layout of the robot's scene; in the last one a block is out of reach.
 CASES = [("pyramid", PYTHON, ["--seed", "1"]), ("bricks", OCTAVE, ["--seed", "1"]),
          ("sizes", PYTHON, ["--seed", "1"]), ("unstack", OCTAVE, ["--seed", "1", "--level", "fixtures"]),
-         ("pedestal", PYTHON, ["--seed", "2", "--level", "fixtures"]), ("pedestal", OCTAVE, [])]
+         ("pedestal", PYTHON, ["--seed", "2", "--level", "fixtures"]),
+         ("swap", PYTHON, ["--seed", "1", "--level", "fixtures"]),
+         ("hanoi", PYTHON, ["--seed", "1", "--level", "fixtures"]), ("ball", PYTHON, ["--seed", "1"]),
+         ("lid", PYTHON, ["--seed", "1", "--level", "piles"]),
+         ("pedestal", OCTAVE, [])]
 
 
 def main(smile, source):

@@ -3,19 +3,20 @@ learner's arms, without a look at the result."""
 
 import math
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "learner"))
+from appearances import measure_objects
 from arms import arms_for, arms_of
 from blocks import Block
 from constants import BLOCKS
 from demonstration import read_demonstration
 from execution import Action, execute_action
 from motion_planning import plan_pick_and_place, retreat
-from task_model import infer_task, measure_objects
+from task_model import infer_task
 
 
 @dataclass
@@ -50,13 +51,13 @@ def prepare(aux):
 
 
 def block_at(pose, appearance):
-    """Returns an object at a pose, x y z and three angles [degrees], as a Block; appearance: color,
-    and size along its own axes."""
-    color, size = appearance
+    """Returns an object at a pose, x y z and three angles [degrees], as a Block; appearance: the same
+    at its first place."""
+    size = appearance.size
     yaw = math.radians(pose[5])
     if size[1] > BLOCKS.equal_sides * size[0]:
         size, yaw = size[[1, 0, 2]], yaw + math.pi / 2
-    return Block(color, size, pose[:3], yaw)
+    return replace(appearance, size=size, position=pose[:3], yaw=yaw)
 
 
 def continue_carrying(sensor, motor, aux):

@@ -33,7 +33,7 @@ def see(sensor, eye, steps):
     """Returns the objects whose whole top is visible, as Blocks."""
     picture = sensor.rgbVision / 255
     heights = height_map(sensor.depthVision, eye)
-    sizes = {step.name: step.size for step in steps}
+    kinds = {step.name: step for step in steps}
     seen = []
     for k, name in enumerate(sensor.segmentNames, 1):
         rows, columns = np.nonzero(sensor.segmentVision == k)
@@ -43,13 +43,15 @@ def see(sensor, eye, steps):
         is_top = heights[rows, columns] > top - 0.02
         rows, columns = rows[is_top], columns[is_top]
         color = np.median(picture[rows, columns], axis=0)
-        if name not in sizes:
+        if name not in kinds:
             block = measure_block(color, rows, columns, picture, eye, table_color(picture), heights)
             seen += [block] if block else []
             continue
-        size = sizes[name]
+        kind = kinds[name]
         top = np.median(heights[rows, columns])
         face = fit_face(*onto_plane(rows, columns, eye, top))
-        if same_size(face.sides, size[:2]) and face.misfit < 0.05:
-            seen.append(Block(color, size, np.append(face.center, top - size[2] / 2), face.yaw))
+        if (face.is_round == kind.is_round and same_size(face.sides, kind.size[:2])
+                and face.misfit < 0.05):
+            seen.append(Block(color, kind.size, np.append(face.center, top - kind.size[2] / 2),
+                              face.yaw, form=kind.form))
     return seen

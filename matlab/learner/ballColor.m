@@ -1,0 +1,36 @@
+function color = ballColor(picture, eye, center, radius)
+% Returns the color of a ball, 1x3, where it faces the eye, if a picture shows it entirely and nothing of its
+% color around it; otherwise [].
+%   center  1x3 [units]
+  c = constants().balls;
+  toward = eye.pose(1:3, 4)' - center;
+  color = colorAt(picture, eye, center + radius * toward / norm(toward));
+  if isempty(color), return; end
+  mask = shadeMask(picture, color);
+  away = rayDistances(size(mask), eye, center) / radius;
+  around = c.around(1) < away & away < c.around(2);
+  is_whole = mean(mask(away < c.within)) > c.min_inside && mean(mask(around)) < c.max_around;
+  if ~is_whole, color = []; end
+end
+
+function mask = shadeMask(picture, color)
+% Returns the mask, HxW logical, of the pixels of a color in any shade: a round surface is bright where it
+% faces the light.
+  c = constants().balls;
+  color = reshape(color, 1, 1, 3);
+  fraction = sum(picture .* color, 3) / max(sum(color .^ 2), eps);
+  difference = max(abs(picture - fraction .* color), [], 3);
+  mask = c.shade(1) < fraction & fraction < c.shade(2) & difference < c.shade_tolerance;
+end
+
+function distances = rayDistances(shape, eye, point)
+% Returns the distance of a point, 1x3, from the ray through each pixel, HxW [units].
+  [column, row] = meshgrid((1:shape(2)) - 0.5, (1:shape(1)) - 0.5);
+  K = eye.intrinsics;
+  ray = [(column(:) - K(1, 3)) / K(1, 1), (row(:) - K(2, 3)) / K(2, 2), ones(numel(row), 1)] * ...
+        eye.pose(1:3, 1:3)';
+  ray = ray ./ sqrt(sum(ray .^ 2, 2));
+  to_point = point - eye.pose(1:3, 4)';
+  across = to_point - (ray * to_point') .* ray;
+  distances = reshape(sqrt(sum(across .^ 2, 2)), shape);
+end

@@ -1,0 +1,14 @@
+function frames = selectFrames(demo, n)
+% Returns the frames in which an object may be entirely visible, with its pose, Mx7: its first, those where
+% it was highest, and some in which others were moved, which may have covered it before.
+  c = constants().task_model;
+  moves = demo.moves(demo.moves(:, 2) == n, [1, 3:8]);
+  [~, order] = sort(-moves(:, 4));
+  frames = moves([1; order(1:min(c.num_highest_frames, end))], :);
+  all_frames = unique(demo.moves(:, 1));
+  chosen = floor((0:c.num_other_frames - 1) * (numel(all_frames) - 1) / (c.num_other_frames - 1));
+  for frame = all_frames(1 + chosen)'
+    row = find(moves(:, 1) <= frame, 1, 'last');
+    if ~isempty(row), frames(end + 1, :) = [frame, moves(row, 2:7)]; end
+  end
+end

@@ -1,0 +1,59 @@
+"""What the learner sees of the scene, and which steps are done."""
+
+import numpy as np
+
+from beliefs import update_beliefs
+from blocks import is_in_place, yaw_difference
+from clearance import with_held_parts
+from constants import PERCEPTION as C
+from detection import detect_blocks
+from eye import height_map
+from knobs import add_knobs, find_knobs
+from unexplained import unexplained_points
+from unknown_objects import detect_unknown_objects
+
+
+def observe(state, sensor, picture, eye):
+    """Updates the known blocks from a picture."""
+    heights = None if "depth" in state.without else height_map(sensor.depthVision, eye)
+    if state.see:
+        seen = state.see(sensor, eye, state.steps)
+        state.known = update_beliefs(state.known, seen, picture, eye, heights)
+        return
+    # The place of the container is not known before a site is chosen.
+    container = state.container if state.has_site else None
+    seen = detect_blocks(picture, eye, state.steps + state.unknown_objects, container, heights)
+    if heights is not None:
+        find_knobs(state.steps, seen, picture, eye, heights)
+    if not state.has_site or state.num_blocked > 0 or len(state.unexplained) >= C.many_unexplained:
+        whole = with_held_parts(seen + state.known)
+        state.unknown_objects += detect_unknown_objects(picture, eye, whole, heights)
+        seen = detect_blocks(picture, eye, state.steps + state.unknown_objects, container, heights)
+        add_knobs(state.steps, seen)
+    state.known = update_beliefs(state.known, seen, picture, eye, heights)
+    if heights is not None:
+        state.unexplained = unexplained_points(with_held_parts(state.known), heights, eye)
+
+
+def open_steps(state):
+    """Returns the numbers of the steps that are not done and whose supports are done, in
+    demonstrated order."""
+    return [k for k, step in enumerate(state.steps)
+            if not state.done[k] and all(state.done[lower] for lower in step.on + step.after)]
+
+
+def assess_progress(state):
+    """Compares the known blocks with the steps: updates state.done and state.placement_errors.
+    Returns the blocks that are in the place of a step, a list."""
+    used = []
+    for k, step in enumerate(state.steps):
+        state.done[k] = False
+        for block in state.known:
+            is_early = not all(state.done[lower] for lower in step.after)
+            if block not in used and not is_early and is_in_place(block, step):
+                state.placement_errors[k] = (np.linalg.norm(block.position - step.position),
+                                             abs(yaw_difference(step, block.yaw)))
+                state.done[k] = True
+                used.append(block)
+                break
+    return used

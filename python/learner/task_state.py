@@ -1,0 +1,67 @@
+"""Progress and beliefs of the learner during a task."""
+
+from dataclasses import dataclass, field
+from typing import Callable, NamedTuple, Optional
+
+import numpy as np
+
+from clearance import held_part
+from constants import MOTION_PLANNING
+from execution import Grasp
+from steps import Container
+
+
+class Claim(NamedTuple):
+    """What the learner believes about its result."""
+
+    done: bool  # whether everything is built
+    reason: str  # how accurately, or why not: one line
+
+
+@dataclass
+class TaskState:
+    """Progress and beliefs of the learner during a task."""
+
+    steps: list  # of the demonstration; once a site is chosen, at their places in this scene
+    container: Optional[Container] = None  # of some steps; once a site is chosen, in this scene
+    has_site: bool = False
+    known: list = field(default_factory=list)  # beliefs: Blocks at their last seen places
+    unknown_objects: list = field(default_factory=list)  # appearances of blocks of no step; their
+    #                                                      places are among the known
+    unexplained: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))  # as from
+    #                                                                            unexplained_points
+    done: list = field(init=False)  # whether each step's block is in its place
+    attempts: list = field(init=False)  # number of times that each step's block was carried there
+    num_temporary: int = 0  # number of blocks that were put at a temporary place so far
+    placement_errors: dict = field(default_factory=dict)  # of a step's block: [units], [rad]
+    num_blocked: int = 0  # number of successive steps for which no plan was found
+    first_failure: str = ""  # why the first of them failed
+    left: list = field(default_factory=list)  # Blocks at the places from which they were put aside
+    grasp: Optional[Grasp] = None  # of the current actions; its block is the last of the known
+    failures: list = field(default_factory=list)  # Grasps that failed, not to be repeated
+    claim: Optional[Claim] = None  # about the result, at the end
+    without: tuple = ()  # "depth", "second look": abilities that it does not use
+    see: Optional[Callable] = None  # told what is seen: from sensor, eye and steps to Blocks
+
+    def __post_init__(self):
+        self.done = [False] * len(self.steps)
+        self.attempts = [0] * len(self.steps)
+
+
+def give_up(state, reason):
+    """Ends the task unfinished, for a reason: one line."""
+    state.claim = Claim(False, reason)
+
+
+def remember_failure(state, actions):
+    """Remembers that the first of the remaining actions failed: its grasp is not repeated. Unless
+    the block was released already, it is not where it was to go."""
+    if any(action.kind == "open" for action in actions[1:]):
+        state.known.pop()
+    state.failures.append(state.grasp)
+
+
+def num_failures(state, block):
+    """Returns the number of failed grasps of a block at its place."""
+    return sum(np.linalg.norm(grasp.position - held_part(block).position) < MOTION_PLANNING.same_place_distance
+               for grasp in state.failures)

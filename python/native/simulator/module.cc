@@ -2,8 +2,11 @@
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "base/diagnostic.h"
+#include "base/files.h"
+#include "base/version.h"
 #include "bindings.h"
 
 namespace smile::python {
@@ -38,6 +41,8 @@ PYBIND11_MODULE(smile_simulator_native, m) {
       smile::python::RaiseInputError(*scene_error, error);
     }
   });
+  m.def("program_name", &smile::ProgramName);
+  m.def("data_file", &smile::DataFile, py::arg("relative_path"));
   smile::python::BindModel(m);
   smile::python::BindSimulation(m);
   smile::python::BindRecording(m);

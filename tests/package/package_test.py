@@ -86,6 +86,32 @@ class DocumentTest(unittest.TestCase):
             run("sh", "-c", command.replace("~/env/bin/", f"{Path(sys.executable).parent}/"), cwd=PROJECT)
 
 
+class TypesTest(unittest.TestCase):
+    def test_of_the_compiled_modules_are_written_down(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run(PROJECT / "tools/make_stubs.sh", folder)
+            for file in Path(folder).iterdir():
+                kept = PROJECT / "python/smile" / file.name
+                self.assertEqual(kept.read_text(), file.read_text(), f"{kept}: run tools/make_stubs.sh")
+
+    def test_are_right(self):
+        run(sys.executable, "-m", "mypy", "--cache-dir", PROJECT / "build/package/mypy", "python/smile", cwd=PROJECT)
+
+    def test_reach_users(self):
+        self.assertTrue((PACKAGE / "py.typed").exists())
+        with tempfile.TemporaryDirectory() as folder:
+            user = Path(folder) / "user.py"
+            user.write_text("import smile\n"
+                            "sim = smile.Simulation(smile.load('scenes/tower.xml'))\n"
+                            "reveal_type(sim.objects['RedBlock'].pose)\n"
+                            "sim.hand('left').grasp(3)\n")
+            done = subprocess.run([sys.executable, "-m", "mypy", "--cache-dir", folder, user], cwd=folder, text=True,
+                                  stdout=subprocess.PIPE)
+            self.assertIn('Argument 1 to "grasp" of "Hand" has incompatible type "int"', done.stdout)
+            self.assertIn('Revealed type is "numpy.ndarray', done.stdout)
+            self.assertIn("Found 1 error", done.stdout)
+
+
 class BitsTest(unittest.TestCase):
     def test_are_those_of_the_release(self):
         lines = (PROJECT / "tests/golden/recordings/hashes.txt").read_text().splitlines()

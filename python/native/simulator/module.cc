@@ -34,7 +34,7 @@ PYBIND11_MODULE(smile_simulator_native, m) {
   static const py::object* scene_error = nullptr;
   const py::object errors = py::module_::import("smile.errors");
   scene_error = new py::object(errors.attr("SceneError"));
-  py::register_exception_translator([](std::exception_ptr pointer) {
+  py::register_local_exception_translator([](std::exception_ptr pointer) {
     try {
       if (pointer) std::rethrow_exception(pointer);
     } catch (const smile::InputError& error) {

@@ -353,7 +353,7 @@ table: (width, depth) of a table centered at the origin, with its top at z = 0 [
 
 void BindMotion(py::module_& m) {
   m.doc() = "Compiled part of smile.motion.";
-  py::register_exception_translator([](std::exception_ptr raised) {
+  py::register_local_exception_translator([](std::exception_ptr raised) {
     try {
       if (raised) std::rethrow_exception(raised);
     } catch (const InputError& error) {

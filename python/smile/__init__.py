@@ -16,26 +16,38 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from smile.errors import Diagnostic, Refused, SceneError
+    from smile.experiment import (
+        Description, Deviation, Difference, Edit, Evaluation, Imitation, Replay, describe, edit,
+        evaluate, imitate, replay)
     from smile.picture import Picture
     from smile.recording import Action, Moment, Recording, open
-    from smile.simulation import Event, Model, Simulation, State, load
+    from smile.simulation import Event, Model, Simulation, State, data_file, load
     from smile.task import Comparison, ObjectError, Task
+
+    __version__: str
 
 # Imported when first used: a brain needs none of them.
 _HOMES = {
     "Diagnostic": "errors", "Refused": "errors", "SceneError": "errors",
+    **dict.fromkeys(("Description", "Deviation", "Difference", "Edit", "Evaluation", "Imitation",
+                     "Replay", "describe", "edit", "evaluate", "imitate", "replay"), "experiment"),
     "Picture": "picture",
     "Action": "recording", "Moment": "recording", "Recording": "recording", "open": "recording",
     "Event": "simulation", "Model": "simulation", "Simulation": "simulation", "State": "simulation",
-    "load": "simulation",
+    "data_file": "simulation", "load": "simulation",
     "Comparison": "task", "ObjectError": "task", "Task": "task",
 }
 
-__all__ = ["Action", "Comparison", "Diagnostic", "Event", "Model", "Moment", "ObjectError", "Picture",
-           "Recording", "Refused", "SceneError", "Simulation", "State", "Task", "load", "open"]
+__all__ = ["Action", "Comparison", "Description", "Deviation", "Diagnostic", "Difference", "Edit",
+           "Evaluation", "Event", "Imitation", "Model", "Moment", "ObjectError", "Picture", "Recording",
+           "Refused", "Replay", "SceneError", "Simulation", "State", "Task", "data_file", "describe",
+           "edit", "evaluate", "imitate", "load", "open", "replay"]
 
 
 def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        native = importlib.import_module("smile.native").load("smile_simulator_native")
+        return native.program_name().rpartition(" ")[2]
     if name not in _HOMES:
         raise AttributeError(f"module 'smile' has no attribute {name!r}")
     return getattr(importlib.import_module("smile." + _HOMES[name]), name)

@@ -12,6 +12,8 @@ docs/brains.md describes these functions, docs/brain-protocol.md the messages. R
 the compiled module smile_brain_native.
 """
 
+from __future__ import annotations
+
 import ctypes
 import importlib.util
 import os
@@ -19,21 +21,20 @@ import platform
 import signal
 import sys
 import traceback
+from types import TracebackType
 
 try:
-    import numpy as np
+    import numpy as _  # noqa: F401
 except ImportError:
     sys.exit(f"{sys.executable} has no numpy; install numpy, or set SMILE_PYTHON to another Python")
 
 try:
-    from smile.messages import (
-        BYE, ERROR, FINAL_MOTOR, INIT, INIT_DONE, MOTOR, Connection, ProtocolError)
+    from smile.messages import BYE, ERROR, INIT, Connection, ProtocolError
 except ImportError as error:
     sys.exit(str(error))
 
-from smile.brain_values import Motor, aux_of, sensor_of, text_of, wish_of, wishes_of
-
-NO_MARKERS = np.zeros((0, 3))
+from smile.brain_values import Values
+from smile.exchange import Exchange
 
 
 class TookTooLong(BaseException):
@@ -43,77 +44,49 @@ class TookTooLong(BaseException):
 class Guard:
     """Turns SIGUSR2 into TookTooLong while the brain runs, but not during a message."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.is_watching = False
         signal.signal(signal.SIGUSR2, self.on_signal)
 
-    def on_signal(self, *_):
+    def on_signal(self, *_: object) -> None:
         if self.is_watching:
             self.is_watching = False
             raise TookTooLong("this took too long and was stopped")
 
-    def __enter__(self):
+    def __enter__(self) -> None:
         self.is_watching = True
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         self.is_watching = False
 
 
 class Program:
-    """The brain with its state: module, aux, motor and the markers sent last."""
+    """The brain: a module of its file, whose functions answer."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.file = os.environ["SMILE_BRAIN_PROGRAM"]
         self.folder = os.path.join(os.environ["SMILE_BRAIN_FOLDER"], "")
 
-    def start(self, values):
-        """INIT -> INIT_DONE"""
+    def answer(self, kind: int, values: Values) -> tuple[int, Values]:
+        """Returns kind and values of the answer to a question."""
+        if kind == INIT:
+            self.exchange = self.load()
+        return self.exchange.answer(kind, values)
+
+    def load(self) -> Exchange:
+        """Imports the brain."""
         # The module is named like the file, so that pickle and helper modules find it.
         name = os.path.splitext(os.path.basename(self.file))[0]
         spec = importlib.util.spec_from_file_location(name, self.file)
-        self.module = importlib.util.module_from_spec(spec)
-        sys.modules[name] = self.module
-        spec.loader.exec_module(self.module)
-        if not callable(getattr(self.module, "step", None)):
+        assert spec is not None and spec.loader is not None  # of a .py file
+        module = importlib.util.module_from_spec(spec)
+        sys.modules[name] = module
+        spec.loader.exec_module(module)
+        if not callable(getattr(module, "step", None)):
             raise NameError("function step(sensor, motor, aux) is missing")
-        self.aux = aux_of(values)
-        self.arms = list(self.aux.__dict__.get("arms", []))
-        self.motor = Motor(self.aux)
-        if hasattr(self.module, "init"):
-            self.module.init(self.aux)
-        wishes = wishes_of(self.aux)
-        self.markers = np.array(wishes.get("drawMarkers", NO_MARKERS))
-        self.image_seconds = self.aux.__dict__.get("imageSeconds")
-        return INIT_DONE, wishes
+        return Exchange(module.step, getattr(module, "init", None))
 
-    def step(self, values):
-        """STEP -> MOTOR or FINAL_MOTOR"""
-        self.module.step(sensor_of(values, self.arms), self.motor, self.aux)
-        is_last = "exit" in self.aux and bool(np.any(self.aux.exit))
-        values = self.motor.values() | self.new_markers() | self.new_image_seconds()
-        if is_last and "claim" in self.aux:
-            values["claim"] = text_of("aux.claim", self.aux.claim)
-        return FINAL_MOTOR if is_last else MOTOR, values
-
-    def new_markers(self):
-        """Returns aux.drawMarkers if they differ from those sent last."""
-        if "drawMarkers" not in self.aux and not len(self.markers):
-            return {}  # most programs have none, and array_equal is slow
-        markers = wish_of(self.aux, "drawMarkers") if "drawMarkers" in self.aux else NO_MARKERS
-        if np.array_equal(markers, self.markers):
-            return {}
-        self.markers = np.array(markers)
-        return {"drawMarkers": self.markers}
-
-    def new_image_seconds(self):
-        """Returns aux.imageSeconds if it differs from the one sent last."""
-        seconds = self.aux.__dict__.get("imageSeconds")
-        if seconds is None or seconds is self.image_seconds:
-            return {}
-        self.image_seconds = seconds
-        return {"imageSeconds": wish_of(self.aux, "imageSeconds")}
-
-    def describe(self, error):
+    def describe(self, error: BaseException) -> Values:
         """Returns an exception as the arrays of ERROR: message, file and line of the brain."""
         file, line = self.place_of(error)
         message = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
@@ -123,24 +96,24 @@ class Program:
             message = f"the program called exit({error.code})"
         return {"message": message, "file": file, "line": line}
 
-    def place_of(self, error):
+    def place_of(self, error: BaseException) -> tuple[str, int]:
         if isinstance(error, SyntaxError) and error.filename and error.lineno:
             return os.path.abspath(error.filename), error.lineno
         for frame in reversed(traceback.extract_tb(error.__traceback__)):
             file = os.path.abspath(frame.filename)
             if file.startswith(self.folder):
-                return file, frame.lineno
+                return file, frame.lineno or 0
         return self.file, 0
 
-    def show(self, error):
+    def show(self, error: BaseException) -> None:
         """Prints the traceback, from the program's own first line on."""
-        trace = error.__traceback__
+        trace: TracebackType | None = error.__traceback__
         while trace and not trace.tb_frame.f_code.co_filename.startswith(self.folder):
             trace = trace.tb_next
         traceback.print_exception(type(error), error, trace)
 
 
-def serve(connection, program, guard):
+def serve(connection: Connection, program: Program, guard: Guard) -> None:
     connection.greet(client="python", language=platform.python_version(), guard=True)
     while True:
         kind, sequence, values = connection.receive()
@@ -148,7 +121,7 @@ def serve(connection, program, guard):
             return
         try:
             with guard:
-                kind, values = program.start(values) if kind == INIT else program.step(values)
+                kind, values = program.answer(kind, values)
         except BaseException as error:  # every failure is reported to the simulator
             program.show(error)
             kind, values = ERROR, program.describe(error)
@@ -158,7 +131,7 @@ def serve(connection, program, guard):
             connection.send(ERROR, sequence, program.describe(error))
 
 
-def keep_freed_memory():
+def keep_freed_memory() -> None:
     """Lets the allocator keep the memory of freed arrays for the next ones.
 
     glibc returns arrays of the size of a picture to the system when they are freed. The system
@@ -174,7 +147,7 @@ def keep_freed_memory():
     mallopt(trim_threshold, 256 << 20)
 
 
-def main():
+def main() -> None:
     keep_freed_memory()
     if "SMILE_BRAIN_ADDRESS" not in os.environ:
         sys.exit("a brain is started by the simulator: smile run SCENE --brain PROGRAM.py")
@@ -183,7 +156,8 @@ def main():
     sys.path[:] = [path for path in sys.path if path not in ("", os.getcwd())]
     sys.path.insert(0, os.environ["SMILE_BRAIN_FOLDER"])
     try:
-        connection = Connection(os.fsencode(os.environ["SMILE_BRAIN_ADDRESS"]))
+        address = os.fsencode(os.environ["SMILE_BRAIN_ADDRESS"])
+        connection = Connection(address)  # type: ignore[arg-type]  # any bytes are a path
         serve(connection, Program(), Guard())
     except ProtocolError as error:
         sys.exit(str(error))

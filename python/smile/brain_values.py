@@ -1,8 +1,17 @@
 """The values of a brain: sensor, motor and aux (docs/brains.md)."""
 
+from __future__ import annotations
+
 import math
+from collections.abc import Sequence
+from typing import Any, cast
 
 import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.float64]
+Shape = tuple[int, ...]
+Values = dict[str, Any]
 
 
 class Fields:
@@ -11,17 +20,17 @@ class Fields:
     For optional fields, test `"rgbVision" in sensor`.
     """
 
-    def __init__(self, values):
+    def __init__(self, values: Values) -> None:
         self.__dict__ = values
 
-    def __contains__(self, name):
+    def __contains__(self, name: str) -> bool:
         return name in self.__dict__
 
-    def __getattr__(self, name):  # called only for missing names
+    def __getattr__(self, name: str) -> Any:  # called only for missing names
         raise AttributeError(f"{name} is unknown, expected {', '.join(self.__dict__) or 'nothing'}"
                              + counterpart_of(name))
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return "\n".join(f"{name}: {brief(value)}" for name, value in self.__dict__.items())
 
 
@@ -44,7 +53,7 @@ COUNTERPARTS = {
 }
 
 
-def counterpart_of(name):
+def counterpart_of(name: str) -> str:
     instead = COUNTERPARTS.get(name)
     return f"; it is for two arms of seven joints, use {instead}" if instead else ""
 
@@ -77,22 +86,22 @@ class ArmSensor(Fields):
 class Sensor(Fields):
     """Values of a step. `arms` is a list of ArmSensor, made when it is first read."""
 
-    def __init__(self, values, arms):
+    def __init__(self, values: Values, arms: Sequence[Arm]) -> None:
         packed = {name: values.pop(name) for name in PACKED_SENSOR if name in values}
         if packed:
             values["_arms"] = (arms, packed)
         self.__dict__ = values
 
-    def __contains__(self, name):
+    def __contains__(self, name: str) -> bool:
         return name in self.__dict__ or name == "arms" and "_arms" in self.__dict__
 
-    def __getattr__(self, name):  # called only for missing names
+    def __getattr__(self, name: str) -> Any:  # called only for missing names
         if name == "arms" and "_arms" in self.__dict__:
             self.__dict__["arms"] = sensed_arms(*self.__dict__.pop("_arms"))
             return self.__dict__["arms"]
         return super().__getattr__(name)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         if "_arms" in self.__dict__:
             _ = self.arms
         return super().__repr__()
@@ -104,31 +113,31 @@ class Commands:
     REQUIRED = ("jointVelocities", "gripperVelocities", "velocities", "gripperVelocity")
     TIMED = REQUIRED + ("headVelocity",)
 
-    def __init__(self, name, shapes):
+    def __init__(self, name: str, shapes: dict[str, Shape]) -> None:
         self.__dict__["name"] = name
         self.__dict__["shapes"] = shapes
         for field, shape in shapes.items():
             self.__dict__[field] = np.zeros(shape) if field in self.REQUIRED else None
 
-    def __getattr__(self, field):  # called only for missing names
+    def __getattr__(self, field: str) -> Any:  # called only for missing names
         raise AttributeError(self.unknown(field))
 
-    def __setattr__(self, field, value):
+    def __setattr__(self, field: str, value: npt.ArrayLike | None) -> None:
         if field not in self.shapes:
             raise AttributeError(self.unknown(field))
         if value is None and field in self.REQUIRED:
             raise ValueError(f"{self.name}.{field} is None, expected numbers")
         self.__dict__[field] = None if value is None else self.numbers(field, value)
 
-    def __delattr__(self, field):
+    def __delattr__(self, field: str) -> None:
         setattr(self, field, None)
 
-    def unknown(self, field):
+    def unknown(self, field: str) -> str:
         known = list(self.shapes) + ["arms"] * bool(self.__dict__.get("counts"))
         return (f"{self.name}.{field} is unknown, expected {', '.join(known)}"
                 + counterpart_of(f"{self.name}.{field}"))
 
-    def numbers(self, field, value):
+    def numbers(self, field: str, value: npt.ArrayLike) -> Floats:
         expected = self.shapes[field]
         array = real_numbers(f"{self.name}.{field}", value)
         if len(expected) == 1 and array.size == expected[0]:
@@ -140,12 +149,12 @@ class Commands:
                              f"expected {shape_text(expected)}")
         return array
 
-    def has_shape(self, field, array):
+    def has_shape(self, field: str, array: Floats) -> bool:
         """Returns true if an array is the value of a tick, or of successive ticks."""
         shape = self.shapes[field]
         return array.shape == shape or field in self.TIMED and array.shape[:-1] == shape
 
-    def checked(self, field):
+    def checked(self, field: str) -> Floats | None:
         """Returns a field, checked again because elements can be set as well; or None."""
         array = self.__dict__[field]
         if array is None:
@@ -173,8 +182,8 @@ class Motor(Commands):
     Velocities may have one more dimension, time: the values of successive ticks.
     """
 
-    def __init__(self, aux):
-        shapes = {"headVelocity": (), "ticks": ()}
+    def __init__(self, aux: Fields) -> None:
+        shapes: dict[str, Shape] = {"headVelocity": (), "ticks": ()}
         if "numLimbs" in aux:
             arms = (aux.numLimbs, aux.numJoints)
             shapes = {"jointVelocities": arms, "gripperVelocities": arms[:1],
@@ -182,7 +191,7 @@ class Motor(Commands):
         super().__init__("motor", shapes)
         self.__dict__["counts"] = [len(arm.joints) for arm in aux.__dict__.get("arms", [])]
 
-    def __getattr__(self, field):  # called only for missing names
+    def __getattr__(self, field: str) -> Any:  # called only for missing names
         if field != "arms" or not self.counts:
             raise AttributeError(self.unknown(field))
         # Made when first used: brains that use the classic variables have none.
@@ -190,7 +199,7 @@ class Motor(Commands):
         self.__dict__["arms"] = arms
         return arms
 
-    def values(self):
+    def values(self) -> Values:
         """Returns the fields for the message."""
         values = {}
         sets_arms = "jointVelocities" not in self.shapes or (
@@ -215,26 +224,28 @@ class ArmMotor(Commands):
     joints           None, or (n,): immediate posture in place of velocities [rad; m]
     """
 
-    def __init__(self, index, count):
+    def __init__(self, index: int, count: int) -> None:
         super().__init__(f"motor.arms[{index}]",
                          {"velocities": (count,), "gripperVelocity": (), "joints": (count,)})
 
-    def is_set(self):
+    def is_set(self) -> bool:
         return (self.joints is not None or self.velocities.ndim > 1 or self.velocities.any()
                 or self.gripperVelocity.ndim > 0 or self.gripperVelocity.any())
 
 
-def packed_motor(arms):
+def packed_motor(arms: Sequence[ArmMotor]) -> Values:
     """Returns the commands of all arms one after the other; time is the second dimension."""
-    velocities = [arm.checked("velocities").reshape(arm.shapes["velocities"][0], -1)
-                  for arm in arms]
-    grippers = [arm.checked("gripperVelocity").reshape(1, -1) for arm in arms]
+    def required(arm: ArmMotor, name: str, rows: int) -> Floats:
+        return cast("Floats", arm.checked(name)).reshape(rows, -1)  # never None
+
+    velocities = [required(arm, "velocities", arm.shapes["velocities"][0]) for arm in arms]
+    grippers = [required(arm, "gripperVelocity", 1) for arm in arms]
     return ({"armVelocities": stacked(velocities), "armGripperVelocities": stacked(grippers)}
             | packed_joints([arm.checked("joints") for arm in arms],
                             [arm.shapes["joints"][0] for arm in arms]))
 
 
-def packed_joints(joints, counts):
+def packed_joints(joints: Sequence[Floats | None], counts: Sequence[int]) -> Values:
     """Returns the joints of the arms that have some, for the message; {} if none has."""
     if all(values is None for values in joints):
         return {}
@@ -244,31 +255,31 @@ def packed_joints(joints, counts):
             "armsAtJoints": np.array([[float(values is not None)] for values in joints])}
 
 
-def stacked(parts):
+def stacked(parts: Sequence[Floats]) -> Floats:
     """Stacks values of arms; in those with fewer ticks, the last one remains in effect."""
     ticks = max(part.shape[1] for part in parts)
     return np.vstack([part[:, np.minimum(np.arange(ticks), part.shape[1] - 1)] for part in parts])
 
 
-def real_numbers(name, value):
+def real_numbers(name: str, value: Any) -> Floats:
     array = np.asarray(value)
     if array.dtype.kind not in "fiub":
         raise TypeError(f"{name} is {type(value).__name__} of {array.dtype}, expected real numbers")
     return array.astype(float)
 
 
-def check_finite(name, array):
+def check_finite(name: str, array: Floats) -> None:
     wrong = np.argwhere(~np.isfinite(array))
     if len(wrong):
         place = f"[{', '.join(map(str, wrong[0]))}]" if array.ndim else ""
         raise ValueError(f"{name}{place} is {array[tuple(wrong[0])]}, expected a finite number")
 
 
-def shape_text(shape):
+def shape_text(shape: Shape) -> str:
     return "x".join(map(str, shape)) or "one number"
 
 
-def brief(value):
+def brief(value: object) -> str:
     if isinstance(value, np.ndarray) and value.size > 20:
         return f"{shape_text(value.shape)} {value.dtype}"
     return repr(value)
@@ -277,12 +288,12 @@ def brief(value):
 PACKED_SENSOR = ("armJoints", "armVelocities", "armGrippers", "armEndEffectors", "armHeldObjects")
 
 
-def by_arm(array, counts):
+def by_arm(array: Floats, counts: Sequence[int]) -> list[Floats]:
     """Splits values of all joints into those of each arm."""
     return np.split(np.ravel(array), np.cumsum(counts)[:-1])
 
 
-def sensed_arms(arms, packed):
+def sensed_arms(arms: Sequence[Arm], packed: Values) -> list[ArmSensor]:
     counts = [len(arm.joints) for arm in arms]
     return [
         ArmSensor({"joints": joints, "velocities": velocities,
@@ -295,10 +306,10 @@ def sensed_arms(arms, packed):
     ]
 
 
-def arms_of(values):
+def arms_of(values: Values) -> list[Arm]:
     """Takes the packed description of the arms out of `values`."""
     names = lines_of(values.pop("armNames"))
-    counts = np.ravel(values.pop("armJointCounts")).astype(int)
+    counts = np.ravel(values.pop("armJointCounts")).astype(int).tolist()
     joints = np.split(np.array(lines_of(values.pop("armJointNames"))), np.cumsum(counts)[:-1])
     lower, upper, velocities = (by_arm(values.pop(name), counts) for name in (
         "armMinJoints", "armMaxJoints", "armMaxVelocities"))
@@ -313,7 +324,7 @@ def arms_of(values):
     ]
 
 
-def sensor_of(values, arms=()):
+def sensor_of(values: Values, arms: Sequence[Arm] = ()) -> Sensor:
     names = values.pop("trackerNames", None)
     if names is not None:
         values["trackerLoc"] = dict(zip(lines_of(names), values.pop("trackerPositions")))
@@ -326,8 +337,8 @@ def sensor_of(values, arms=()):
     return Sensor(values, arms)
 
 
-def take_cameras(values):
-    cameras = {}
+def take_cameras(values: Values) -> None:
+    cameras: dict[str, Values] = {}
     for name in [name for name in values if name.startswith("cameras_")]:
         camera, _, field = name.removeprefix("cameras_").rpartition("_")
         cameras.setdefault(camera, {})[field] = values.pop(name)
@@ -335,11 +346,11 @@ def take_cameras(values):
         values["cameras"] = Fields({name: Fields(fields) for name, fields in cameras.items()})
 
 
-def lines_of(text):
+def lines_of(text: str) -> list[str]:
     return text.split("\n") if text else []
 
 
-def aux_of(values):
+def aux_of(values: Values) -> Fields:
     lines = [line.split(",") for line in lines_of(values.get("attention", ""))]
     values["attention"] = {words[0]: words[1:] for words in lines}
     values["cameraNames"] = lines_of(values.get("cameraNames", ""))
@@ -351,9 +362,9 @@ def aux_of(values):
     return Fields(values)
 
 
-def wishes_of(aux):
+def wishes_of(aux: Fields) -> Values:
     """Returns the requests to the simulator that init set in aux."""
-    values = {}
+    values: Values = {}
     for name in ("initJointAngles", "drawMarkers", "imageSeconds", "watch"):
         if name in aux:
             values[name] = wish_of(aux, name)
@@ -363,12 +374,12 @@ def wishes_of(aux):
     return values | initial_joints_of(aux.__dict__.get("arms", []))
 
 
-def initial_joints_of(arms):
+def initial_joints_of(arms: Sequence[Arm]) -> Values:
     joints = [initial_joints(f"aux.arms[{k}].initJoints", arm) for k, arm in enumerate(arms)]
     return packed_joints(joints, [len(arm.joints) for arm in arms])
 
 
-def initial_joints(name, arm):
+def initial_joints(name: str, arm: Arm) -> Floats | None:
     if arm.__dict__.get("initJoints") is None:
         return None
     array = real_numbers(name, arm.initJoints)
@@ -378,19 +389,19 @@ def initial_joints(name, arm):
     return array.ravel()
 
 
-def wish_of(aux, name):
+def wish_of(aux: Fields, name: str) -> Floats:
     array = real_numbers(f"aux.{name}", getattr(aux, name))
     check_finite(f"aux.{name}", array)
     return array
 
 
-def text_of(name, text):
+def text_of(name: str, text: object) -> str:
     if not isinstance(text, str):
         raise TypeError(f"{name} is {text!r:.80}, expected a text")
     return text
 
 
-def in_one_line(name, words):
+def in_one_line(name: str, words: object) -> str:
     words = [words] if isinstance(words, str) else words
     if not isinstance(words, (list, tuple)) or not all(isinstance(word, str) for word in words):
         raise TypeError(f"{name} is {words!r:.80}, expected a list of names")

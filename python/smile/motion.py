@@ -8,21 +8,32 @@ Runs in this process, without a simulator. Lengths are in the scene's unit, angl
 are 4x4 matrices in the world. See docs/motion.md.
 """
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 from smile.native import load
 
-_native = load("smile_motion_native")
-InvalidMoment, LineFault = _native.InvalidMoment, _native.LineFault
-Robot, Trajectory = _native.Robot, _native.Trajectory
+if TYPE_CHECKING:
+    from smile import smile_motion_native as _native
+else:
+    _native = load("smile_motion_native")
+InvalidMoment = _native.InvalidMoment
+LineFault = _native.LineFault
+Robot = _native.Robot
+Trajectory = _native.Trajectory
 
 __all__ = ["InvalidMoment", "LineFault", "Robot", "Trajectory", "robot_of"]
 
 
-def robot_of(aux):
+def robot_of(aux: Any) -> Robot:
     """Returns the robot of a brain's `aux`: aux.robot, aux.robotBase, aux.unit, aux.robotGripper.
 
     `aux` may be an object with these attributes or a dict.
     """
-    value = aux.get if isinstance(aux, dict) else lambda name: getattr(aux, name, None)
+    def value(name: str) -> Any:
+        return aux.get(name) if isinstance(aux, dict) else getattr(aux, name, None)
+
     missing = [name for name in ("robot", "robotBase", "unit") if value(name) is None]
     if missing:
         raise ValueError("aux has no " + ", ".join(missing))

@@ -6,14 +6,19 @@ import math
 import os
 from functools import cached_property
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
+from smile.native import load
 from smile.picture import Picture
-from smile.simulation import (
-    TICKS_PER_SECOND, Event, Floats, Model, _native, channel_flags, picture_size)
+from smile.simulation import TICKS_PER_SECOND, Event, Floats, Model, channel_flags, picture_size
+
+if TYPE_CHECKING:
+    from smile import smile_simulator_native as _native
+else:
+    _native = load("smile_simulator_native")
 
 
 class Action(NamedTuple):

@@ -12,6 +12,7 @@ import json
 import math
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -25,7 +26,10 @@ from smile.picture import Picture
 if TYPE_CHECKING:
     from smile.recording import Recording
 
-_native = _load_native("smile_simulator_native")
+if TYPE_CHECKING:
+    from smile import smile_simulator_native as _native
+else:
+    _native = _load_native("smile_simulator_native")
 
 Model = _native.Model
 State = _native.State
@@ -53,6 +57,14 @@ def load(scene: str | os.PathLike[str], robot: str | os.PathLike[str] | None = "
     """
     return _native.load(os.fspath(scene), None if robot is None else os.fspath(robot),
                         [os.fspath(folder) for folder in search])
+
+
+def data_file(relative_path: str) -> Path:
+    """Returns the path of a file or folder that ships with SMILE, for example `scenes/tower.xml`.
+
+    Raises RuntimeError with all places searched if there is none.
+    """
+    return Path(_native.data_file(relative_path))
 
 
 def _demand(refusal: str | None) -> None:

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
+from smile.native import load
 from smile.recording import Recording
-from smile.simulation import Simulation, _native
+from smile.simulation import Simulation
+
+if TYPE_CHECKING:
+    from smile import smile_simulator_native as _native
+else:
+    _native = load("smile_simulator_native")
 
 
 class ObjectError(NamedTuple):

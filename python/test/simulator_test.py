@@ -3,6 +3,7 @@
 Usage: simulator_test.py SMILE_PROGRAM PROJECT_FOLDER
 """
 
+import importlib
 import pickle
 import random
 import subprocess
@@ -237,6 +238,11 @@ class MistakesTest(unittest.TestCase):
                 smile.load(file, robot=None)
         lines = [(one.file, one.line) for one in caught.exception.diagnostics]
         self.assertTrue({(str(file), 2), (str(file), 3)} <= set(lines), caught.exception)
+
+    def test_the_kind_of_an_error_does_not_depend_on_other_modules(self):
+        importlib.import_module("smile.motion")  # its errors are ValueErrors
+        with self.assertRaises(smile.SceneError):
+            smile.load(PROJECT / "scenes/none.xml")
 
     def test_a_closed_simulation_refuses_everything(self):
         sim = tower()

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "base/library_folder.h"
 
 namespace smile {
 namespace {
@@ -113,13 +114,17 @@ bool IsWithin(const std::filesystem::path& path, const std::filesystem::path& fo
 
 std::filesystem::path DataFile(std::string_view relative_path) {
   // The environment variable first, then the installation, then the source tree. Relative to the
-  // program, so that an installation can be moved as a whole.
+  // program or the Python package, so that an installation can be moved as a whole.
   std::vector<std::filesystem::path> roots;
   if (const char* named = std::getenv("SMILE_DATA_DIR")) roots.emplace_back(named);
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
   if (!error) roots.push_back(program.parent_path().parent_path() / "share" / "smile");
-  roots.emplace_back(SMILE_SOURCE_DIR);
+  if (const auto package = LibraryFolder(); !package.empty()) {
+    roots.push_back(package / "share" / "smile");
+  }
+  constexpr std::string_view kSourceFolder = SMILE_SOURCE_DIR;
+  if (!kSourceFolder.empty()) roots.emplace_back(kSourceFolder);
 
   std::string looked_at;
   for (const auto& root : roots) {

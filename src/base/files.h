@@ -26,8 +26,8 @@ void MakeDirectories(const std::filesystem::path& path);
 bool IsWithin(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 /// Returns a file that ships with SMILE (`robots/baxter.urdf`, `scenes/…`, `matlab/…`): searched
-/// under the environment variable SMILE_DATA_DIR, beside the program in `../share/smile`, and in
-/// the source tree from which the program was built.
+/// under the environment variable SMILE_DATA_DIR, beside the program in `../share/smile`, in the
+/// Python package in `share/smile`, and in the source tree from which the program was built.
 /// @throws std::runtime_error with all places searched.
 std::filesystem::path DataFile(std::string_view relative_path);
 

@@ -20,6 +20,7 @@
 #include "brain/internal_message_channel.h"
 #include "brain/internal_output_drain.h"
 #include "brain/internal_rendezvous.h"
+#include "brain/internal_robot_files.h"
 #include "process/child_process.h"
 
 namespace smile::brain {
@@ -97,9 +98,6 @@ class BrainProcess::Impl {
   enum class State { kNew, kStarting, kRunning, kEnded };
 
   std::optional<BrainError> Start();
-  /// Writes the robot's files into the folder of the rendezvous.
-  /// @returns the path of the URDF; empty without files.
-  std::string PutOut(const std::vector<robot::RobotFile>& files) const;
   process::ChildCommand CommandWithAddress() const;
   bool HasChildEnded() const { return child_ && child_->HasEnded(); }
   std::optional<BrainError> Meet(const process::WaitLimit& limit);
@@ -150,7 +148,10 @@ OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
   const process::WaitLimit limit = LimitOf(options_.start_seconds);
   if (auto error = Greet(limit)) return EndWith(std::move(*error));
 
-  auto answer = Exchange(EncodeAux(++sequence_, aux, program_.folder_name, PutOut(aux.robot_files)),
+  // The rendezvous removes its folder with all contents, so these files need no cleanup of their
+  // own.
+  const std::string robot = WriteRobotFiles(aux.robot_files, rendezvous_->folder() / "robot");
+  auto answer = Exchange(EncodeAux(++sequence_, aux, program_.folder_name, robot),
                          MessageType::kInitDone, Phase::kInit, limit, options_.start_seconds);
   if (auto* error = std::get_if<BrainError>(&answer)) return EndWith(std::move(*error));
   const Message& message = std::get<Message>(answer);
@@ -164,18 +165,6 @@ OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
   }
   state_ = State::kRunning;
   return std::move(std::get<InitReply>(reply));
-}
-
-std::string BrainProcess::Impl::PutOut(const std::vector<robot::RobotFile>& files) const {
-  if (files.empty()) return "";
-  // The rendezvous removes its folder with all contents, so these files need no cleanup of their
-  // own.
-  const std::filesystem::path folder = rendezvous_->folder() / "robot";
-  for (const robot::RobotFile& file : files) {
-    MakeDirectories((folder / file.name).parent_path());
-    WriteFile(folder / file.name, *file.bytes);
-  }
-  return (folder / files.front().name).string();
 }
 
 OrError<StepReply> BrainProcess::Impl::Step(const Sensor& sensor) {

@@ -132,7 +132,10 @@ void UseScripts(BrainTransport transport, BrainProgram* program) {
 
 /// Returns PYTHONPATH with the shipped modules before those of the user.
 std::string PythonPath() {
-  std::string path = DataFile("python").string() + ":" SMILE_PYTHON_BUILD_DIR;
+  std::string path = DataFile("python").string();
+  // An empty entry would be the working directory. What pip installed is found without one.
+  constexpr std::string_view kCompiled = SMILE_PYTHON_BUILD_DIR;
+  if (!kCompiled.empty()) path += ":" + std::string(kCompiled);
   const char* before = std::getenv("PYTHONPATH");
   return before != nullptr && *before != '\0' ? path + ":" + before : path;
 }

@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "base/file_state.h"
+#include "base/temporary_directory.h"
 #include "classic/redraw.h"
 #include "editing/edit_json.h"
-#include "editing/internal_temporary_directory.h"
 #include "recording/segment_files.h"
 #include "recording/view_sample.h"
 

@@ -14,6 +14,7 @@ ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
   const RunResult run = Run({.scene = plan.scene,
                              .robot = plan.robot,
                              .brain = plan.brain,
+                             .brain_function = plan.brain_function,
                              .callback_seconds = plan.callback_seconds,
                              .is_attached = plan.is_attached,
                              .demonstration = plan.demonstration,

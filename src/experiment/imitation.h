@@ -6,6 +6,7 @@
 
 #include "base/json.h"
 #include "brain/brain_values.h"
+#include "brain/function_brain.h"
 #include "brain/sensor_noise.h"
 #include "experiment/brain_setup.h"
 #include "experiment/callbacks.h"
@@ -21,6 +22,7 @@ struct ImitationPlan {
   std::filesystem::path demonstration;  ///< recording
   scene::SceneSpec scene;
   std::filesystem::path brain;
+  brain::MessageFunction brain_function;              ///< in place of `brain`; empty for none
   double callback_seconds = brain::kCallbackSeconds;  ///< timeout per callback, wall clock [s]
   bool is_attached = false;                           ///< a person starts the brain in a debugger
   std::filesystem::path record;               ///< new directory for the recording of the robot

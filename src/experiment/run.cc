@@ -42,10 +42,10 @@ class LiveRun {
         brain_log_(RecordingOf(plan)) {
     simulation_.AddListener(&refusals_);
     // Found first, so that a missing brain does not leave an empty recording behind.
-    if (!plan.brain.empty()) FindBrain();
+    if (HasBrain()) FindBrain();
     const bool records = !plan.record.empty() || plan.continuation || StartsRecordings();
     const bool takes_pictures = records && plan.has_pictures;
-    if (takes_pictures || !plan.brain.empty()) {
+    if (takes_pictures || HasBrain()) {
       sim::EyeView(simulation_, plan.eye);  // throws if the camera does not exist
       eye_.emplace(plan.eye);
     }
@@ -65,7 +65,7 @@ class LiveRun {
     first_tick_ = simulation_.tick();
     // The recording is started before script and brain, so that it contains their first commands.
     if (plan.script) player_.emplace(*plan.script);
-    if (process_) StartBrain();
+    if (HasBrain()) StartBrain();
   }
 
   RunResult Go() {
@@ -87,8 +87,14 @@ class LiveRun {
   }
 
  private:
+  bool HasBrain() const { return plan_.brain_function || !plan_.brain.empty(); }
+
   /// Finds the brain, which starts later. Its output goes to the callbacks and its log.
   void FindBrain() {
+    if (plan_.brain_function) {
+      function_.emplace(plan_.brain_function);
+      return;
+    }
     brain::BrainOptions options = brain::WithTimeout(plan_.callback_seconds);
     options.on_output = [this](std::string_view line) {
       callbacks_.Say("brain: " + std::string(line));
@@ -142,7 +148,12 @@ class LiveRun {
 
   /// Exchanges sensor and motor values with the program if its next step is due.
   void DriveBrain() {
-    driver_->Drive(&*process_, &simulation_);
+    if (function_) {
+      const auto question = driver_->NextQuestion(&simulation_);
+      if (question) driver_->Take(function_->Answer(*question), &simulation_);
+    } else {
+      driver_->Drive(&*process_, &simulation_);
+    }
     LogBrainError();
   }
 
@@ -261,6 +272,7 @@ class LiveRun {
   double worst_delay_ = 0;
   std::optional<sim::ScriptPlayer> player_;
   brain::BrainLog brain_log_;  ///< written to by the process's thread
+  std::optional<brain::FunctionBrain> function_;
   std::optional<brain::BrainProcess> process_;
   std::optional<brain::BrainDriver> driver_;
 };

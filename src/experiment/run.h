@@ -8,6 +8,7 @@
 
 #include "base/json.h"
 #include "brain/brain_driver.h"
+#include "brain/function_brain.h"
 #include "experiment/callbacks.h"
 #include "recorder/recording_controller.h"
 #include "scene/scene_spec.h"
@@ -24,6 +25,7 @@ struct RunPlan {
   std::optional<sim::RobotPlacement> robot;
   std::optional<sim::Script> script;
   std::filesystem::path brain;                        ///< empty for none
+  brain::MessageFunction brain_function;              ///< in place of `brain`; empty for none
   double callback_seconds = brain::kCallbackSeconds;  ///< timeout per callback, wall clock [s]
   bool is_attached = false;                           ///< a person starts the brain in a debugger
   std::filesystem::path demonstration;  ///< recording that the brain is given; empty for none

@@ -16,6 +16,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "base/library_folder.h"
+
 extern char** environ;
 
 namespace smile::process {
@@ -53,17 +55,22 @@ struct Launch {
   pid_t parent;
 };
 
-/// Returns the path of `smile-supervisor`: next to the running program, or where it was built.
-/// @throws std::runtime_error if it is in neither place.
+/// Returns the path of `smile-supervisor`: next to the running program, in the Python package that
+/// this code was installed with, or where it was built.
+/// @throws std::runtime_error if it is in none of these places.
 std::string FindSupervisor() {
   std::error_code error;
   // Beside the program after installation; tests and tools of the build run from other folders.
   const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
-  const auto beside = self.parent_path() / "smile-supervisor";
-  if (std::filesystem::exists(beside, error)) return beside.string();
-  if (std::filesystem::exists(SMILE_SUPERVISOR, error)) return SMILE_SUPERVISOR;
-  throw std::runtime_error("smile-supervisor: found neither as " + beside.string() +
-                           " nor as " SMILE_SUPERVISOR);
+  const std::filesystem::path places[] = {self.parent_path() / "smile-supervisor",
+                                          LibraryFolder() / "bin" / "smile-supervisor",
+                                          SMILE_SUPERVISOR};
+  std::string looked_at;
+  for (const auto& place : places) {
+    if (place.is_absolute() && std::filesystem::exists(place, error)) return place.string();
+    looked_at += "\n  " + place.string();
+  }
+  throw std::runtime_error("smile-supervisor: not found; looked at" + looked_at);
 }
 
 /// Runs in the child; calls only async-signal-safe functions, since the parent has threads.

@@ -2,8 +2,11 @@
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "base/diagnostic.h"
+#include "base/files.h"
+#include "base/version.h"
 #include "bindings.h"
 
 namespace smile::python {
@@ -31,15 +34,18 @@ PYBIND11_MODULE(smile_simulator_native, m) {
   static const py::object* scene_error = nullptr;
   const py::object errors = py::module_::import("smile.errors");
   scene_error = new py::object(errors.attr("SceneError"));
-  py::register_exception_translator([](std::exception_ptr pointer) {
+  py::register_local_exception_translator([](std::exception_ptr pointer) {
     try {
       if (pointer) std::rethrow_exception(pointer);
     } catch (const smile::InputError& error) {
       smile::python::RaiseInputError(*scene_error, error);
     }
   });
+  m.def("program_name", &smile::ProgramName);
+  m.def("data_file", &smile::DataFile, py::arg("relative_path"));
   smile::python::BindModel(m);
   smile::python::BindSimulation(m);
   smile::python::BindRecording(m);
   smile::python::BindTask(m);
+  smile::python::BindExperiments(m);
 }

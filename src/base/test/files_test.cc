@@ -1,5 +1,7 @@
 #include "base/files.h"
 
+#include "base/library_folder.h"
+
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -127,6 +129,10 @@ TEST_F(Files, ThatShipWithUsAreFound) {
   EXPECT_TRUE(ReasonOf([] {
                 DataFile("scenes/none.xml");
               }).starts_with("scenes/none.xml: not found; looked at\n"));
+}
+
+TEST_F(Files, OfAProgramAreSearchedBesideIt) {
+  EXPECT_EQ(LibraryFolder(), fs::read_symlink("/proc/self/exe").parent_path());
 }
 
 }  // namespace

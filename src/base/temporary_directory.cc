@@ -1,4 +1,4 @@
-#include "editing/internal_temporary_directory.h"
+#include "base/temporary_directory.h"
 
 #include <stdlib.h>
 
@@ -8,12 +8,12 @@
 #include <string>
 #include <system_error>
 
-namespace smile::editing {
+namespace smile {
 
 TemporaryDirectory::TemporaryDirectory() {
   // mkdtemp() replaces the X and makes the directory for this user only; both in one step, so no
   // other program can take the name.
-  std::string path = (std::filesystem::temp_directory_path() / "smile-edit-XXXXXX").string();
+  std::string path = (std::filesystem::temp_directory_path() / "smile-XXXXXX").string();
   if (::mkdtemp(path.data()) == nullptr) {
     throw std::runtime_error(path + ": cannot be created: " + std::strerror(errno));
   }
@@ -26,4 +26,4 @@ TemporaryDirectory::~TemporaryDirectory() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-}  // namespace smile::editing
+}  // namespace smile

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace smile::editing {
+namespace smile {
 
 /// Temporary directory of this process, removed with its content on destruction.
 class TemporaryDirectory {
@@ -19,4 +19,4 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
-}  // namespace smile::editing
+}  // namespace smile

@@ -10,5 +10,7 @@ void BindModel(pybind11::module_& m);
 void BindSimulation(pybind11::module_& m);
 void BindRecording(pybind11::module_& m);
 void BindTask(pybind11::module_& m);
+void BindFilms(pybind11::module_& m);
+void BindRobotMotion(pybind11::module_& m);
 
 }  // namespace smile::python

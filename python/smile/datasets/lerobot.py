@@ -1,0 +1,245 @@
+"""Writer of LeRobot datasets, version 3.0.
+
+Source of the layout: LeRobot 0.6.2, src/lerobot/datasets (utils.py, dataset_metadata.py).
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from smile.datasets import statistics
+from smile.datasets.episode import Column
+from smile.datasets.features import Camera, array_of, features_of, schema_of
+from smile.simulation import _native
+
+MEGABYTE = 1_000_000
+FILES_PER_CHUNK = 1000
+DATA_MEGABYTES, FILM_MEGABYTES = 100, 200
+EPISODES_PER_FILE = 5000
+
+Row = dict[str, Any]
+
+
+def write_json(path: Path, content: Any) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(content, indent=2) + "\n")
+
+
+def place(file: int) -> dict[str, int]:
+    """Returns the numbers in the name of a file."""
+    return {"chunk_index": file // FILES_PER_CHUNK, "file_index": file % FILES_PER_CHUNK}
+
+
+class FilmFiles:
+    """Films of one camera: episodes one after another, in files of a limited size."""
+
+    def __init__(self, folder: Path, camera: Camera, fps: int, pattern: str) -> None:
+        self._folder, self.camera, self._fps, self._pattern = folder, camera, fps, pattern
+        self._file, self._film = -1, None
+        self._path = folder
+        self.pixels = statistics.Pixels()
+
+    def begin(self) -> Row:
+        """Begins an episode; returns its place."""
+        if self._film is not None and self._path.stat().st_size >= FILM_MEGABYTES * MEGABYTE:
+            self.finish()
+        if self._film is None:
+            self._file += 1
+            self._path = self._folder / self._pattern.format(video_key=self.camera.key, **place(self._file))
+            self._path.parent.mkdir(parents=True, exist_ok=True)
+            self._film = _native.VideoWriter(self._path, self.camera.width, self.camera.height, self._fps)
+        return {**place(self._file), "from_timestamp": self._film.num_frames / self._fps}
+
+    def add(self, rgb: npt.NDArray[np.uint8]) -> None:
+        assert self._film is not None
+        self._film.add(rgb)
+
+    def end(self) -> float:
+        """Ends an episode; returns its end in the film [s]."""
+        assert self._film is not None
+        return float(self._film.num_frames / self._fps)
+
+    def finish(self) -> None:
+        if self._film is not None:
+            self._film.finish()
+        self._film = None
+
+
+class DataFiles:
+    """Parquet files of frames: a row group for each episode, in files of a limited size."""
+
+    def __init__(self, folder: Path, schema: pa.Schema, pattern: str) -> None:
+        self._folder, self._schema, self._pattern = folder, schema, pattern
+        self._file, self._writer, self._sink = -1, None, None
+
+    def add(self, table: pa.Table) -> Row:
+        """Appends an episode; returns its place."""
+        if self._sink is not None and self._sink.tell() >= DATA_MEGABYTES * MEGABYTE:
+            self.finish()
+        if self._writer is None:
+            self._file += 1
+            path = self._folder / self._pattern.format(**place(self._file))
+            path.parent.mkdir(parents=True, exist_ok=True)
+            self._sink = pa.OSFile(str(path), "wb")
+            self._writer = pq.ParquetWriter(self._sink, self._schema, compression="snappy")
+        self._writer.write_table(table, row_group_size=max(1, len(table)))
+        return place(self._file)
+
+    def finish(self) -> None:
+        if self._writer is not None:
+            self._writer.close()
+        if self._sink is not None:
+            self._sink.close()
+        self._writer = self._sink = None
+
+    def abandon(self) -> None:
+        """Closes the file as it is."""
+        if self._sink is not None:
+            try:
+                self.finish()
+            except OSError:
+                pass  # the reason why it was abandoned
+
+
+class Writer:
+    """A dataset of version 3.0 in the making."""
+
+    VERSION = "v3.0"
+    DATA = "data/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet"
+    FILMS = "videos/{video_key}/chunk-{chunk_index:03d}/file-{file_index:03d}.mp4"
+    EPISODES = "meta/episodes/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet"
+
+    def __init__(self, folder: Path, fps: int, cameras: list[Camera], columns: Mapping[str, Column],
+                 robot: str) -> None:
+        """columns: of any episode; the others have the same"""
+        self._folder, self._fps, self._robot = folder, fps, robot
+        self.features = features_of(columns, cameras, fps)
+        self._schema = schema_of(self.features)
+        self.films = {camera.key: FilmFiles(folder, camera, fps, self.FILMS) for camera in cameras}
+        self._data = DataFiles(folder, self._schema, self.DATA)
+        self._tasks: dict[str, int] = {}
+        self._episodes: list[Row] = []
+        self._num_frames = 0
+        self._totals: dict[str, list[npt.NDArray[Any]]] = {}
+
+    @property
+    def num_episodes(self) -> int:
+        return len(self._episodes)
+
+    @property
+    def num_frames(self) -> int:
+        return self._num_frames
+
+    def add(self, columns: Mapping[str, Column], task: str, films: Mapping[str, Row],
+            pixels: Mapping[str, statistics.Pixels], more: Row) -> None:
+        """Appends an episode, whose pictures are already in its films.
+
+        films   by camera: chunk_index, file_index, from_timestamp, to_timestamp
+        pixels  by camera
+        more    further columns of the episode
+        """
+        length = len(next(iter(columns.values())).values)
+        values = {name: column.values for name, column in columns.items()}
+        values.update(self._default_columns(length, task))
+        table = pa.table([array_of(values[field.name], field.type) for field in self._schema],
+                         schema=self._schema)
+        data = self._data.add(table)
+        row: Row = {"episode_index": len(self._episodes), "tasks": [task], "length": length}
+        row.update({f"data/{name}": number for name, number in data.items()})
+        row["dataset_from_index"] = self._num_frames
+        row["dataset_to_index"] = self._num_frames + length
+        for camera, film in films.items():
+            row.update({f"videos/{camera}/{name}": value for name, value in film.items()})
+        row["stats"] = self._statistics_of(values, pixels)
+        row.update(more)
+        self._episodes.append(row)
+        self._num_frames += length
+
+    def _default_columns(self, length: int, task: str) -> dict[str, npt.NDArray[Any]]:
+        frames = np.arange(length)
+        return {"timestamp": (frames / self._fps).astype(np.float32), "frame_index": frames,
+                "episode_index": np.full(length, len(self._episodes)),
+                "index": self._num_frames + frames,
+                "task_index": np.full(length, self._tasks.setdefault(task, len(self._tasks)))}
+
+    def _statistics_of(self, values: Mapping[str, npt.NDArray[Any]],
+                       pixels: Mapping[str, statistics.Pixels]) -> dict[str, statistics.Statistics]:
+        of_episode = {}
+        for name in self.features:
+            if name in values:
+                self._totals.setdefault(name, []).append(values[name])
+                of_episode[name] = statistics.of_rows(values[name])
+            else:
+                self.films[name].pixels.join(pixels[name])
+                of_episode[name] = pixels[name].statistics()
+        return of_episode
+
+    def finish(self) -> dict[str, statistics.Statistics]:
+        """Completes all files; returns the statistics of the dataset."""
+        for film in self.films.values():
+            film.finish()
+        self._data.finish()
+        totals = {name: self.films[name].pixels.statistics() if name in self.films
+                  else statistics.of_rows(np.concatenate(self._totals[name]))
+                  for name in self.features}
+        self._write_meta(totals)
+        return totals
+
+    def abandon(self) -> None:
+        """Closes what is open."""
+        self._data.abandon()
+
+    def _info(self) -> Row:
+        return {"codebase_version": self.VERSION, "robot_type": self._robot,
+                "total_episodes": len(self._episodes), "total_frames": self._num_frames,
+                "total_tasks": len(self._tasks), "chunks_size": FILES_PER_CHUNK,
+                "fps": self._fps, "splits": {"train": f"0:{len(self._episodes)}"},
+                "data_path": self.DATA, "video_path": self.FILMS if self.films else None,
+                "features": self.features}
+
+    def _write_meta(self, totals: dict[str, statistics.Statistics]) -> None:
+        info = self._info()
+        info["data_files_size_in_mb"], info["video_files_size_in_mb"] = DATA_MEGABYTES, FILM_MEGABYTES
+        write_json(self._folder / "meta/info.json", info)
+        write_json(self._folder / "meta/stats.json", totals)
+        pq.write_table(_tasks_table(list(self._tasks)), self._folder / "meta/tasks.parquet")
+        for file, first in enumerate(range(0, len(self._episodes), EPISODES_PER_FILE)):
+            rows = self._episodes[first:first + EPISODES_PER_FILE]
+            path = self._folder / self.EPISODES.format(**place(file))
+            path.parent.mkdir(parents=True, exist_ok=True)
+            pq.write_table(_episodes_table(rows, place(file)), path, compression="snappy")
+
+
+def _tasks_table(tasks: Sequence[str]) -> pa.Table:
+    """Readers find a task by the index of a pandas frame, which the file must declare."""
+    def column(name: str, pandas_type: str, numpy_type: str) -> Row:
+        return {"name": name, "field_name": name, "pandas_type": pandas_type, "numpy_type": numpy_type,
+                "metadata": None}
+
+    pandas = {"index_columns": ["task"],
+              "column_indexes": [{**column("", "unicode", "object"), "name": None, "field_name": None,
+                                  "metadata": {"encoding": "UTF-8"}}],
+              "columns": [column("task_index", "int64", "int64"), column("task", "unicode", "object")],
+              "creator": {"library": "pyarrow", "version": pa.__version__}, "pandas_version": "2.0.0"}
+    schema = pa.schema([("task_index", pa.int64()), ("task", pa.string())],
+                       metadata={"pandas": json.dumps(pandas)})
+    return pa.table([list(range(len(tasks))), list(tasks)], schema=schema)
+
+
+def _episodes_table(rows: Sequence[Row], file: Mapping[str, int]) -> pa.Table:
+    flat = []
+    for row in rows:
+        one = {name: value for name, value in row.items() if name != "stats"}
+        one.update({f"meta/episodes/{name}": number for name, number in file.items()})
+        for feature, values in row["stats"].items():
+            one.update({f"stats/{feature}/{name}": value for name, value in values.items()})
+        flat.append(one)
+    return pa.Table.from_pylist(flat)

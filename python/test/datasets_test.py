@@ -217,6 +217,53 @@ class OriginTest(Exported):
         self.assertEqual([name for name in first if first[name] != second[name]], [])
 
 
+class Version2Test(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.dataset = Path(SHARED.name) / "version2"
+        export([ROBOT, ROBOT], cls.dataset, format="lerobot-v2.1", cameras={"eye": SIZE}, fps=FPS)
+
+    def lines(self, name):
+        return [json.loads(line) for line in (self.dataset / "meta" / name).read_text().splitlines()]
+
+    def test_each_episode_has_a_table_and_a_film(self):
+        info = json.loads((self.dataset / "meta/info.json").read_text())
+        self.assertEqual((info["codebase_version"], info["total_videos"], info["total_chunks"]), ("v2.1", 2, 1))
+        for row in self.lines("episodes.jsonl"):
+            number = {"episode_chunk": 0, "episode_index": row["episode_index"]}
+            table = pq.read_table(self.dataset / info["data_path"].format(**number))
+            self.assertEqual(table.num_rows, row["length"])
+            self.assertEqual(set(table["episode_index"].to_pylist()), {row["episode_index"]})
+            key = "observation.images.eye"
+            with av.open(str(self.dataset / info["video_path"].format(video_key=key, **number))) as film:
+                times = [picture.time for picture in film.decode(video=0)]
+            np.testing.assert_allclose(times, table["timestamp"].to_numpy(), atol=1e-4)
+        self.assertEqual(self.lines("tasks.jsonl"), [{"task_index": 0, "task": "tower_robot"}])
+        self.assertEqual(len(self.lines("episodes_stats.jsonl")), 2)
+
+    def test_the_parts_of_a_modality_cover_states_and_actions(self):
+        info = json.loads((self.dataset / "meta/info.json").read_text())
+        modality = json.loads((self.dataset / "meta/modality.json").read_text())
+        for part, key in (("state", "observation.state"), ("action", "action")):
+            covered = [i for one in modality[part].values() for i in range(one["start"], one["end"])]
+            self.assertEqual(covered, list(range(info["features"][key]["shape"][0])))
+        self.assertEqual(list(modality["state"]),
+                         ["left_arm", "left_gripper", "right_arm", "right_gripper", "others"])
+
+    def test_the_doctor_reads_it(self):
+        self.assertEqual([str(finding) for finding in examine(self.dataset) if finding.is_error], [])
+        copy = Path(SHARED.name) / "damaged2"
+        shutil.copytree(self.dataset, copy)
+        self.addCleanup(shutil.rmtree, copy)
+        (copy / "videos/chunk-000/observation.images.eye/episode_000001.mp4").unlink()
+        (copy / "data/chunk-000/episode_000000.parquet").write_bytes(b"PAR1")
+        found = "\n".join(map(str, examine(copy)))
+        self.assertIn("episode_000001.mp4: is missing", found)
+        self.assertIn("episode_000000.parquet: cannot be read", found)
+        (copy / "meta/episodes.jsonl").unlink()
+        self.assertRegex(str(examine(copy)[0]), "meta/episodes.jsonl: is missing")
+
+
 class ActionsTest(unittest.TestCase):
     def test_velocities_and_displacements_lead_to_the_next_frame(self):
         with tempfile.TemporaryDirectory() as folder:

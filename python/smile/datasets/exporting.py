@@ -16,12 +16,13 @@ from smile.datasets import statistics
 from smile.datasets.episode import (
     ACTIONS, Column, Episode, Sampling, channels_of, positions_of, read_episode, rows_at)
 from smile.datasets.features import Camera
-from smile.datasets.lerobot import FilmFiles, Row, Writer, write_json
+from smile.datasets.lerobot import FilmFiles, Row, Writer, WriterOfVersion2, write_json
 from smile.datasets.sources import Source, find_source
 from smile.datasets.target import new_folder, refuse_existing
 from smile.simulation import TICKS_PER_SECOND, _native, picture_size
 
-FORMATS = ("lerobot-v3.0",)
+_WRITERS = {"lerobot-v3.0": Writer, "lerobot-v2.1": WriterOfVersion2}
+FORMATS = tuple(_WRITERS)
 RATES = tuple(fps for fps in range(1, TICKS_PER_SECOND + 1) if TICKS_PER_SECOND % fps == 0)
 # Statistics of colors are of at most as many pictures of an episode.
 _SAMPLED_PICTURES = 100
@@ -85,8 +86,8 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
                 if not plan.has_success:
                     episode.columns.pop("next.success", None)
                 if writer is None:
-                    writer = Writer(partial, fps, plan.cameras, _columns_before_drawing(episode, plan.cameras),
-                                    plan.robot)
+                    writer = _WRITERS[format](partial, fps, plan.cameras,
+                                              _columns_before_drawing(episode, plan.cameras), plan.robot)
                 say(f"episode {number + 1} of {len(plan.sources)}: {source.path}, {len(episode)} frames")
                 drawn = _draw(episode, writer.films)
                 episode.columns.update(_pose_columns(plan.cameras, drawn.poses))

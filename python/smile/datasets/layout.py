@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pyarrow.parquet as pq
 
 VERSIONS = ("v3.0", "v2.1")
@@ -52,7 +53,7 @@ class Layout:
     episodes: list[ListedEpisode] = field(default_factory=list)
     tasks: dict[int, str] = field(default_factory=dict)
     stats: dict[str, Any] | None = None
-    """of the dataset, or in version 2.1 of its first episode"""
+    """None if there are none"""
 
     @property
     def features(self) -> dict[str, dict[str, Any]]:
@@ -147,7 +148,7 @@ def _read_version_2(layout: Layout) -> None:
     meta = layout.folder / "meta"
     layout.tasks = {row["task_index"]: row["task"] for row in _read_lines(meta / "tasks.jsonl")}
     stats = _read_lines(meta / "episodes_stats.jsonl")
-    layout.stats = stats[0]["stats"] if stats else None
+    layout.stats = _joined([row["stats"] for row in stats]) if stats else None
     size = layout.info.get("chunks_size", 1000)
     for row in _read_lines(meta / "episodes.jsonl"):
         number = {"episode_chunk": row["episode_index"] // size, "episode_index": row["episode_index"]}
@@ -156,6 +157,21 @@ def _read_version_2(layout: Layout) -> None:
                  for key in layout.film_keys}
         data = layout.folder / layout.info["data_path"].format(**number)
         layout.episodes.append(ListedEpisode(row["episode_index"], row["length"], data, None, films, row))
+
+
+def _joined(stats: list[dict[str, Any]]) -> dict[str, Any]:
+    """Returns statistics of all episodes as far as checks go: those of the first one, but with the
+    spread of all."""
+    joined = dict(stats[0])
+    for name, first in joined.items():
+        try:
+            low, high, deviation = (np.array([one[name][word] for one in stats], float)
+                                    for word in ("min", "max", "std"))
+        except (KeyError, ValueError):
+            continue  # the check of the statistics reports it
+        spread = np.maximum(deviation.max(axis=0), high.max(axis=0) - low.min(axis=0))
+        joined[name] = {**first, "std": spread.tolist()}
+    return joined
 
 
 def _read_lines(path: Path) -> list[dict[str, Any]]:

@@ -6,7 +6,7 @@ Source of the layout: LeRobot 0.6.2, src/lerobot/datasets (utils.py, dataset_met
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +22,6 @@ from smile.simulation import _native
 
 MEGABYTE = 1_000_000
 FILES_PER_CHUNK = 1000
-DATA_MEGABYTES, FILM_MEGABYTES = 100, 200
 EPISODES_PER_FILE = 5000
 
 Row = dict[str, Any]
@@ -38,22 +37,29 @@ def place(file: int) -> dict[str, int]:
     return {"chunk_index": file // FILES_PER_CHUNK, "file_index": file % FILES_PER_CHUNK}
 
 
+def path_of(pattern: str, file: int, camera: str = "") -> str:
+    """Returns the name of a file, by the pattern of either version; in 2.1 files are episodes."""
+    return pattern.format(**place(file), episode_chunk=file // FILES_PER_CHUNK, episode_index=file,
+                          video_key=camera)
+
+
 class FilmFiles:
     """Films of one camera: episodes one after another, in files of a limited size."""
 
-    def __init__(self, folder: Path, camera: Camera, fps: int, pattern: str) -> None:
+    def __init__(self, folder: Path, camera: Camera, fps: int, pattern: str, megabytes: int) -> None:
         self._folder, self.camera, self._fps, self._pattern = folder, camera, fps, pattern
+        self._limit = megabytes * MEGABYTE
         self._file, self._film = -1, None
         self._path = folder
         self.pixels = statistics.Pixels()
 
     def begin(self) -> Row:
         """Begins an episode; returns its place."""
-        if self._film is not None and self._path.stat().st_size >= FILM_MEGABYTES * MEGABYTE:
+        if self._film is not None and self._path.stat().st_size >= self._limit:
             self.finish()
         if self._film is None:
             self._file += 1
-            self._path = self._folder / self._pattern.format(video_key=self.camera.key, **place(self._file))
+            self._path = self._folder / path_of(self._pattern, self._file, self.camera.key)
             self._path.parent.mkdir(parents=True, exist_ok=True)
             self._film = _native.VideoWriter(self._path, self.camera.width, self.camera.height, self._fps)
         return {**place(self._file), "from_timestamp": self._film.num_frames / self._fps}
@@ -76,17 +82,18 @@ class FilmFiles:
 class DataFiles:
     """Parquet files of frames: a row group for each episode, in files of a limited size."""
 
-    def __init__(self, folder: Path, schema: pa.Schema, pattern: str) -> None:
+    def __init__(self, folder: Path, schema: pa.Schema, pattern: str, megabytes: int) -> None:
         self._folder, self._schema, self._pattern = folder, schema, pattern
+        self._limit = megabytes * MEGABYTE
         self._file, self._writer, self._sink = -1, None, None
 
     def add(self, table: pa.Table) -> Row:
         """Appends an episode; returns its place."""
-        if self._sink is not None and self._sink.tell() >= DATA_MEGABYTES * MEGABYTE:
+        if self._sink is not None and self._sink.tell() >= self._limit:
             self.finish()
         if self._writer is None:
             self._file += 1
-            path = self._folder / self._pattern.format(**place(self._file))
+            path = self._folder / path_of(self._pattern, self._file)
             path.parent.mkdir(parents=True, exist_ok=True)
             self._sink = pa.OSFile(str(path), "wb")
             self._writer = pq.ParquetWriter(self._sink, self._schema, compression="snappy")
@@ -115,6 +122,7 @@ class Writer:
     VERSION = "v3.0"
     DATA = "data/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet"
     FILMS = "videos/{video_key}/chunk-{chunk_index:03d}/file-{file_index:03d}.mp4"
+    DATA_MEGABYTES, FILM_MEGABYTES = 100, 200
     EPISODES = "meta/episodes/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet"
 
     def __init__(self, folder: Path, fps: int, cameras: list[Camera], columns: Mapping[str, Column],
@@ -123,8 +131,9 @@ class Writer:
         self._folder, self._fps, self._robot = folder, fps, robot
         self.features = features_of(columns, cameras, fps)
         self._schema = schema_of(self.features)
-        self.films = {camera.key: FilmFiles(folder, camera, fps, self.FILMS) for camera in cameras}
-        self._data = DataFiles(folder, self._schema, self.DATA)
+        self.films = {camera.key: FilmFiles(folder, camera, fps, self.FILMS, self.FILM_MEGABYTES)
+                      for camera in cameras}
+        self._data = DataFiles(folder, self._schema, self.DATA, self.DATA_MEGABYTES)
         self._tasks: dict[str, int] = {}
         self._episodes: list[Row] = []
         self._num_frames = 0
@@ -207,7 +216,8 @@ class Writer:
 
     def _write_meta(self, totals: dict[str, statistics.Statistics]) -> None:
         info = self._info()
-        info["data_files_size_in_mb"], info["video_files_size_in_mb"] = DATA_MEGABYTES, FILM_MEGABYTES
+        info["data_files_size_in_mb"] = self.DATA_MEGABYTES
+        info["video_files_size_in_mb"] = self.FILM_MEGABYTES
         write_json(self._folder / "meta/info.json", info)
         write_json(self._folder / "meta/stats.json", totals)
         pq.write_table(_tasks_table(list(self._tasks)), self._folder / "meta/tasks.parquet")
@@ -216,6 +226,68 @@ class Writer:
             path = self._folder / self.EPISODES.format(**place(file))
             path.parent.mkdir(parents=True, exist_ok=True)
             pq.write_table(_episodes_table(rows, place(file)), path, compression="snappy")
+
+
+class WriterOfVersion2(Writer):
+    """A dataset of version 2.1 in the making: a file for each episode, and meta data in lines of JSON.
+
+    With `modality.json`, for GR00T. Source: LeRobot 0.3.3; GR00T, "Data preparation".
+    """
+
+    VERSION = "v2.1"
+    DATA = "data/chunk-{episode_chunk:03d}/episode_{episode_index:06d}.parquet"
+    FILMS = "videos/chunk-{episode_chunk:03d}/{video_key}/episode_{episode_index:06d}.mp4"
+    # Each episode begins a file.
+    DATA_MEGABYTES, FILM_MEGABYTES = 0, 0
+
+    def _write_meta(self, totals: dict[str, statistics.Statistics]) -> None:
+        info = self._info()
+        info["total_videos"] = len(self._episodes) * len(self.films)
+        info["total_chunks"] = -(-len(self._episodes) // FILES_PER_CHUNK)
+        meta = self._folder / "meta"
+        write_json(meta / "info.json", info)
+        # Readers of version 2.0 look for it.
+        write_json(meta / "stats.json", totals)
+        write_json(meta / "modality.json", modality_of(self.features))
+        _write_lines(meta / "tasks.jsonl", ({"task_index": number, "task": task}
+                                            for task, number in self._tasks.items()))
+        _write_lines(meta / "episodes.jsonl", map(_listed, self._episodes))
+        _write_lines(meta / "episodes_stats.jsonl", (
+            {"episode_index": row["episode_index"], "stats": row["stats"]} for row in self._episodes))
+
+
+def _listed(row: Row) -> Row:
+    """Returns an episode without what version 2.1 has elsewhere."""
+    places = ("data/", "videos/", "dataset_", "stats")
+    return {name: value for name, value in row.items() if not name.startswith(places)}
+
+
+def _write_lines(path: Path, rows: Iterable[Row]) -> None:
+    path.write_text("".join(json.dumps(row) + "\n" for row in rows))
+
+
+def modality_of(features: Mapping[str, Any]) -> Row:
+    """Returns `modality.json`: the parts of states and actions, by arm and gripper."""
+    parts = {name: _parts_of(features[key]["names"]) if key in features else {}
+             for name, key in (("state", "observation.state"), ("action", "action"))}
+    cameras = {key.removeprefix("observation.images."): {"original_key": key}
+               for key, feature in features.items() if feature["dtype"] == "video"}
+    return {**parts, "video": cameras,
+            "annotation": {"human.task_description": {"original_key": "task_index"}}}
+
+
+def _parts_of(names: Sequence[str]) -> dict[str, dict[str, int]]:
+    """The joints of an arm are followed by its gripper."""
+    parts, begin = {}, 0
+    for at, name in enumerate(names):
+        if name.endswith("_gripper"):
+            if at > begin:
+                parts[name.removesuffix("_gripper") + "_arm"] = {"start": begin, "end": at}
+            parts[name] = {"start": at, "end": at + 1}
+            begin = at + 1
+    if begin < len(names):
+        parts["others" if parts else "joints"] = {"start": begin, "end": len(names)}
+    return parts
 
 
 def _tasks_table(tasks: Sequence[str]) -> pa.Table:

@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 target=build/dataset_readers
-packages=(pyarrow==19.0.1                                                           # writes
+packages=(pyarrow==19.0.1 h5py==3.13.0                                              # write
           duckdb==1.4.1 av==15.1.0                                                  # read
           pandas==2.2.3 python-dateutil==2.9.0.post0 pytz==2025.2 tzdata==2025.2 six==1.17.0)
 if [[ $(cat "$target/packages.txt" 2>/dev/null) != "${packages[*]}" ]]; then

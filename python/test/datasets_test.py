@@ -24,6 +24,7 @@ sys.path.insert(0, str(READERS))
 try:
     import av
     import duckdb
+    import h5py
     import pandas
     import pyarrow as pa
     import pyarrow.parquet as pq
@@ -262,6 +263,58 @@ class Version2Test(unittest.TestCase):
         self.assertIn("episode_000000.parquet: cannot be read", found)
         (copy / "meta/episodes.jsonl").unlink()
         self.assertRegex(str(examine(copy)[0]), "meta/episodes.jsonl: is missing")
+
+
+class RobomimicTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(SHARED.name) / "robomimic"
+        export([ROBOT, ROBOT], cls.folder, format="robomimic", cameras={"eye": SIZE}, fps=FPS,
+               action="joint_velocity")
+        cls.file = h5py.File(cls.folder / "demo.hdf5", swmr=True, libver="latest")
+        cls.addClassCleanup(cls.file.close)
+        cls.demo = cls.file["data/demo_1"]
+        cls.length = int(cls.demo.attrs["num_samples"])
+
+    def test_has_what_robomimic_demands(self):
+        self.assertEqual(set(self.file["data"]), {"demo_0", "demo_1"})
+        self.assertEqual(self.file["data"].attrs["total"], 2 * self.length)
+        arguments = json.loads(self.file["data"].attrs["env_args"])
+        self.assertEqual((type(arguments["type"]), type(arguments["env_kwargs"])), (int, dict))
+        self.assertEqual([name.decode() for name in self.file["mask/train"]], ["demo_0", "demo_1"])
+        for name in ("actions", "dones", "rewards", "states", "obs/state", "obs/eye_image", "obs/object"):
+            self.assertEqual(len(self.demo[name]), self.length, name)
+        self.assertEqual(np.abs(self.demo["actions"]).max(), 1)
+
+    def test_pictures_and_scaled_actions_are_those_of_the_recording(self):
+        recording = smile.open(ROBOT)
+        tick = int(self.demo["states"][3, 0])
+        picture = recording.at(tick / 60).render("eye", SIZE).rgb
+        np.testing.assert_array_equal(self.demo["obs/eye_image"][3], picture)
+        attributes = self.file["data"].attrs
+        action = self.demo["actions"][:] * attributes["action_scale"] + attributes["action_offset"]
+        moved = np.diff(self.demo["obs/state"][:], axis=0) * FPS
+        joints = [i for i, name in enumerate(json.loads(attributes["names.action"])) if "gripper" not in name]
+        np.testing.assert_allclose(action[:-1, joints], moved[:, joints], atol=1e-4)
+
+    def test_mimicgen_finds_poses_targets_and_ends_of_subtasks(self):
+        info = self.demo["datagen_info"]
+        self.assertEqual(info.attrs["arm"], "right")
+        np.testing.assert_array_equal(info["target_pose"][:-1], info["eef_pose"][1:])
+        rotation = info["eef_pose"][5][:3, :3]
+        np.testing.assert_allclose(rotation @ rotation.T, np.eye(3), atol=1e-5)
+        first = json.loads(self.demo.attrs["sparse_subtask_names"])[0]
+        signal = info["subtask_term_signals"][first.replace(" ", "_")][:]
+        end = json.loads(self.demo.attrs["sparse_subtask_end_frames"])[0]
+        self.assertEqual(np.flatnonzero(signal).tolist(), list(range(end, self.length)))
+        # What is taken is then at the tool.
+        held = info["object_poses"][first.removeprefix("take ")][end][:3, 3]
+        self.assertLess(np.linalg.norm(held - info["eef_pose"][end][:3, 3]), 0.1)
+
+    def test_refuses_runs_without_actions(self):
+        with self.assertRaisesRegex(ValueError, "robomimic needs actions, but no robot moves"):
+            export([DEMONSTRATION], self.folder / "none", format="robomimic", cameras=())
+        self.assertFalse((self.folder / "none").exists())
 
 
 class ActionsTest(unittest.TestCase):

@@ -22,6 +22,7 @@ ACTIONS = ("joint_position", "joint_velocity", "end_effector")
 _VERBS = {"gripper_holds": "take", "grasped": "take", "gripper_let_go": "place", "released": "place",
           "destroyed": "remove", "pressed": "press", "triggered": "trigger", "fastened": "fasten",
           "loosened": "loosen", "used": "use"}
+_AXES = ("x", "y", "z", "qw", "qx", "qy", "qz")
 _TAKES, _LEAVES = ("gripper_holds", "grasped"), ("gripper_let_go", "released", "destroyed")
 
 
@@ -144,7 +145,10 @@ def _robot_columns(recording: smile.Recording, rows: npt.NDArray[np.intp],
         if sampling.action == "joint_velocity":
             targets = (targets - positions[:-1]) * sampling.fps
         action = Column(targets[:, kept].astype(np.float32), names)
-    return {"observation.state": state, "action": action}
+    tools = _native.tool_poses(recording._native, recording.joints[rows[:-1]])
+    poses = Column(tools.reshape(len(tools), -1).astype(np.float32),
+                   [f"{arm}.{axis}" for arm in _native.arm_names_of(recording._native) for axis in _AXES])
+    return {"observation.state": state, "action": action, "sim.tool_poses": poses}
 
 
 def _channel_targets(recording: smile.Recording, rows: npt.NDArray[np.intp],
@@ -209,10 +213,9 @@ def _truth_columns(recording: smile.Recording, frames: npt.NDArray[np.intp],
     if ids:
         poses = recording.poses
         exists = ~np.isnan(poses[:, :, 0])
-        axes = ("x", "y", "z", "qw", "qx", "qy", "qz")
         columns["sim.object_poses"] = Column(
             _without_gaps(poses)[frames].reshape(len(frames), -1).astype(np.float32),
-            [f"{id}.{axis}" for id in ids for axis in axes])
+            [f"{id}.{axis}" for id in ids for axis in _AXES])
         columns["sim.object_exists"] = Column(exists[frames].astype(np.float32), list(ids))
         columns["sim.object_held"] = Column(_held(recording)[frames].astype(np.float32), list(ids))
     columns["sim.tick"] = Column(recording.ticks[frames].astype(np.int64), None)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import os
 import shutil
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -21,8 +22,7 @@ from smile.datasets.sources import Source, find_source
 from smile.datasets.target import new_folder, refuse_existing
 from smile.simulation import TICKS_PER_SECOND, _native, picture_size
 
-_WRITERS = {"lerobot-v3.0": Writer, "lerobot-v2.1": WriterOfVersion2}
-FORMATS = tuple(_WRITERS)
+FORMATS = ("lerobot-v3.0", "lerobot-v2.1", "robomimic")
 RATES = tuple(fps for fps in range(1, TICKS_PER_SECOND + 1) if TICKS_PER_SECOND % fps == 0)
 # Statistics of colors are of at most as many pictures of an episode.
 _SAMPLED_PICTURES = 100
@@ -86,8 +86,8 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
                 if not plan.has_success:
                     episode.columns.pop("next.success", None)
                 if writer is None:
-                    writer = _WRITERS[format](partial, fps, plan.cameras,
-                                              _columns_before_drawing(episode, plan.cameras), plan.robot)
+                    writer = _writer_of(format)(partial, fps, plan.cameras, _columns_before_drawing(
+                        episode, plan.cameras), plan.robot)
                 say(f"episode {number + 1} of {len(plan.sources)}: {source.path}, {len(episode)} frames")
                 drawn = _draw(episode, writer.films)
                 episode.columns.update(_pose_columns(plan.cameras, drawn.poses))
@@ -103,12 +103,19 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
                 writer.abandon()
             raise
         constant = _constant(writer.features, totals)
-        write_json(partial / "meta/smile.json",
+        write_json(partial / ("meta/smile.json" if format.startswith("lerobot") else "smile.json"),
                    {"format": 1, "action": action if plan.sampling.has_robot else None,
                     "intrinsics": intrinsics, "constant": constant,
                     "dropped": sorted(plan.sampling.dropped)})
         say("completing the files")
     return Report(target, writer.num_episodes, writer.num_frames, constant)
+
+
+def _writer_of(format: str) -> type[Writer]:
+    if format == "robomimic":
+        # Imported late: only this format needs h5py.
+        return importlib.import_module("smile.datasets.robomimic").Writer
+    return WriterOfVersion2 if format == "lerobot-v2.1" else Writer
 
 
 def _check_words(format: str, action: str, fps: int) -> None:

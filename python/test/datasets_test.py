@@ -28,6 +28,7 @@ try:
     import pandas
     import pyarrow as pa
     import pyarrow.parquet as pq
+    import zarr
 except ImportError as missing:
     print(f"skipped: {missing}; tools/get_dataset_readers.sh installs it")
     sys.exit(77)
@@ -315,6 +316,24 @@ class RobomimicTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "robomimic needs actions, but no robot moves"):
             export([DEMONSTRATION], self.folder / "none", format="robomimic", cameras=())
         self.assertFalse((self.folder / "none").exists())
+
+
+class ZarrTest(unittest.TestCase):
+    def test_arrays_of_all_episodes_follow_one_another(self):
+        folder = Path(SHARED.name) / "zarr"
+        export([ROBOT, ROBOT], folder, format="zarr", cameras={"eye": SIZE}, fps=5, task="build")
+        root = zarr.open(str(folder / "replay.zarr"), mode="r")
+        ends = root["meta/episode_ends"][:].tolist()
+        self.assertEqual((len(ends), ends[1]), (2, 2 * ends[0]))
+        for name, array in root["data"].arrays():
+            self.assertEqual(len(array), ends[1], name)
+        recording = smile.open(ROBOT)
+        tick = int(root["data/sim.tick"][ends[0] + 3])
+        np.testing.assert_array_equal(root["data/eye"][ends[0] + 3], recording.at(tick / 60).render("eye", SIZE).rgb)
+        joints = [i for i, name in enumerate(root.attrs["names"]["action"]) if "gripper" not in name]
+        np.testing.assert_array_equal(root["data/action"][:ends[0] - 1][:, joints],
+                                      root["data/state"][1:ends[0]][:, joints])
+        self.assertEqual([one["task"] for one in root.attrs["episodes"]], ["build", "build"])
 
 
 class ActionsTest(unittest.TestCase):

@@ -22,7 +22,7 @@ from smile.datasets.sources import Source, find_source
 from smile.datasets.target import new_folder, refuse_existing
 from smile.simulation import TICKS_PER_SECOND, _native, picture_size
 
-FORMATS = ("lerobot-v3.0", "lerobot-v2.1", "robomimic")
+FORMATS = ("lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr")
 RATES = tuple(fps for fps in range(1, TICKS_PER_SECOND + 1) if TICKS_PER_SECOND % fps == 0)
 # Statistics of colors are of at most as many pictures of an episode.
 _SAMPLED_PICTURES = 100
@@ -112,9 +112,10 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
 
 
 def _writer_of(format: str) -> type[Writer]:
-    if format == "robomimic":
-        # Imported late: only this format needs h5py.
-        return importlib.import_module("smile.datasets.robomimic").Writer
+    # Imported late: only these formats need h5py and zarr.
+    late = {"robomimic": "robomimic", "zarr": "zarr_arrays"}
+    if format in late:
+        return importlib.import_module(f"smile.datasets.{late[format]}").Writer
     return WriterOfVersion2 if format == "lerobot-v2.1" else Writer
 
 

@@ -20,30 +20,13 @@ from smile.datasets import statistics
 from smile.datasets.episode import Column
 from smile.datasets.features import Camera, features_of
 from smile.datasets.lerobot import Row
+from smile.datasets.pictures import Pictures
 
 FILE = "demo.hdf5"
 # Of ten episodes, the last is for validation.
 _VALID_EACH = 10
 # robomimic's number for environments of gym; training needs no environment.
 _GYM = 2
-
-
-class Pictures:
-    """The pictures of a camera during an episode."""
-
-    def __init__(self, camera: Camera) -> None:
-        self.camera = camera
-        self.frames: list[npt.NDArray[np.uint8]] = []
-
-    def begin(self) -> Row:
-        self.frames = []
-        return {}
-
-    def add(self, rgb: npt.NDArray[np.uint8]) -> None:
-        self.frames.append(rgb)
-
-    def end(self) -> float:
-        return 0.0
 
 
 class Writer:

@@ -336,6 +336,24 @@ class ZarrTest(unittest.TestCase):
         self.assertEqual([one["task"] for one in root.attrs["episodes"]], ["build", "build"])
 
 
+class CsvTest(unittest.TestCase):
+    def test_tables_and_films_of_each_episode_read_back(self):
+        folder = Path(SHARED.name) / "csv"
+        export([ROBOT, ROBOT], folder, format="csv", cameras={"eye": SIZE}, fps=5, task="build, quickly")
+        episodes = pandas.read_csv(folder / "episodes.csv")
+        self.assertEqual(episodes["tasks"].map(json.loads).tolist(), [["build, quickly"]] * 2)
+        recording = smile.open(ROBOT)
+        for number, length in enumerate(episodes["length"]):
+            table = pandas.read_csv(folder / f"episode_{number:06d}.csv")
+            rows = np.searchsorted(recording.ticks, table["sim.tick"])
+            joint = recording.joints[rows, recording.joint_names.index("right_s1")]
+            np.testing.assert_array_equal(table["observation.state.right_s1"].astype(np.float32),
+                                          joint.astype(np.float32))
+            self.assertEqual((len(table), table["next.done"].sum()), (length, 1))
+            with av.open(str(folder / f"episode_{number:06d}.observation.images.eye.mp4")) as film:
+                self.assertEqual(sum(1 for _ in film.decode(video=0)), length)
+
+
 class ActionsTest(unittest.TestCase):
     def test_velocities_and_displacements_lead_to_the_next_frame(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -8,6 +8,7 @@ Needs pyarrow. The same from a shell: `python3 -m smile.datasets --help`.
 """
 
 from smile.datasets.doctor import Finding, examine
-from smile.datasets.exporting import ACTIONS, FORMATS, Report, export
+from smile.datasets.episode import ACTIONS
+from smile.datasets.exporting import FORMATS, Report, export
 
 __all__ = ["ACTIONS", "FORMATS", "Finding", "Report", "examine", "export"]

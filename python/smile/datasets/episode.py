@@ -92,7 +92,8 @@ def channels_of(recording: smile.Recording) -> list[Channel]:
 
 def positions_of(recording: smile.Recording, rows: npt.NDArray[np.intp]) -> Floats:
     """Returns the positions of all channels, (rows, channels) [rad or m]."""
-    return _native.channel_positions(recording._native, recording.joints[rows])
+    positions: Floats = _native.channel_positions(recording._native, recording.joints[rows])
+    return positions
 
 
 def rows_at(recording: smile.Recording, fps: int, has_robot: bool) -> npt.NDArray[np.intp]:
@@ -143,7 +144,7 @@ def _robot_columns(recording: smile.Recording, rows: npt.NDArray[np.intp],
     else:
         targets = _channel_targets(recording, rows, channels, positions)
         if sampling.action == "joint_velocity":
-            targets = (targets - positions[:-1]) * sampling.fps
+            targets = np.multiply(targets - positions[:-1], sampling.fps)
         action = Column(targets[:, kept].astype(np.float32), names)
     tools = _native.tool_poses(recording._native, recording.joints[rows[:-1]])
     poses = Column(tools.reshape(len(tools), -1).astype(np.float32),
@@ -155,7 +156,7 @@ def _channel_targets(recording: smile.Recording, rows: npt.NDArray[np.intp],
                      channels: Sequence[Channel], positions: Floats) -> Floats:
     """(frames, channels): where each action leads. A joint: where it is at the next frame. A gripper:
     how far it is commanded to open or close by then, even if an object is in between."""
-    targets = positions[1:].copy()
+    targets: Floats = positions[1:].copy()
     arms = _native.arm_names_of(recording._native)
     rates = _native.gripper_rates(recording._native, recording.ticks)
     # Integral of the commanded rates; a row belongs to the tick after it.
@@ -202,7 +203,7 @@ def rotation_between(before: Floats, after: Floats) -> Floats:
     length = np.linalg.norm(imaginary, axis=1, keepdims=True)
     angle = 2 * np.arctan2(length, np.abs(real))
     factor = np.divide(angle, length, out=np.full_like(length, 2), where=length > 1e-12)
-    return imaginary * factor
+    return np.multiply(imaginary, factor)
 
 
 def _truth_columns(recording: smile.Recording, frames: npt.NDArray[np.intp],
@@ -251,7 +252,8 @@ def _held(recording: smile.Recording) -> npt.NDArray[np.bool_]:
         if sign and event.get("object") in ids:
             row = np.searchsorted(recording.ticks, event["tick"])
             change[row, ids.index(event["object"])] += sign
-    return np.cumsum(change, axis=0)[:-1] > 0
+    held: npt.NDArray[np.bool_] = np.cumsum(change, axis=0)[:-1] > 0
+    return held
 
 
 def subtasks_of(recording: smile.Recording, frames: npt.NDArray[np.intp]) -> list[Subtask]:

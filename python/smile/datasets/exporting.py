@@ -22,7 +22,7 @@ from smile.datasets.sources import Source, find_source
 from smile.datasets.target import new_folder, refuse_existing
 from smile.simulation import TICKS_PER_SECOND, _native, picture_size
 
-FORMATS = ("lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr")
+FORMATS = ("lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr", "csv")
 RATES = tuple(fps for fps in range(1, TICKS_PER_SECOND + 1) if TICKS_PER_SECOND % fps == 0)
 # Statistics of colors are of at most as many pictures of an episode.
 _SAMPLED_PICTURES = 100
@@ -112,10 +112,11 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
 
 
 def _writer_of(format: str) -> type[Writer]:
-    # Imported late: only these formats need h5py and zarr.
-    late = {"robomimic": "robomimic", "zarr": "zarr_arrays"}
+    # Imported late: some of these need h5py or zarr.
+    late = {"robomimic": "robomimic", "zarr": "zarr_arrays", "csv": "csv_films"}
     if format in late:
-        return importlib.import_module(f"smile.datasets.{late[format]}").Writer
+        writer: type[Writer] = importlib.import_module(f"smile.datasets.{late[format]}").Writer
+        return writer
     return WriterOfVersion2 if format == "lerobot-v2.1" else Writer
 
 

@@ -57,7 +57,8 @@ class Layout:
 
     @property
     def features(self) -> dict[str, dict[str, Any]]:
-        return self.info["features"]
+        features: dict[str, dict[str, Any]] = self.info["features"]
+        return features
 
     @property
     def film_keys(self) -> list[str]:

@@ -49,7 +49,8 @@ class FilmFiles:
     def __init__(self, folder: Path, camera: Camera, fps: int, pattern: str, megabytes: int) -> None:
         self._folder, self.camera, self._fps, self._pattern = folder, camera, fps, pattern
         self._limit = megabytes * MEGABYTE
-        self._file, self._film = -1, None
+        self._file = -1
+        self._film: Any = None
         self._path = folder
         self.pixels = statistics.Pixels()
 
@@ -85,7 +86,9 @@ class DataFiles:
     def __init__(self, folder: Path, schema: pa.Schema, pattern: str, megabytes: int) -> None:
         self._folder, self._schema, self._pattern = folder, schema, pattern
         self._limit = megabytes * MEGABYTE
-        self._file, self._writer, self._sink = -1, None, None
+        self._file = -1
+        self._writer: Any = None
+        self._sink: Any = None
 
     def add(self, table: pa.Table) -> Row:
         """Appends an episode; returns its place."""
@@ -158,9 +161,7 @@ class Writer:
         length = len(next(iter(columns.values())).values)
         values = {name: column.values for name, column in columns.items()}
         values.update(self._default_columns(length, task))
-        table = pa.table([array_of(values[field.name], field.type) for field in self._schema],
-                         schema=self._schema)
-        data = self._data.add(table)
+        data = self._write_frames(values)
         row: Row = {"episode_index": len(self._episodes), "tasks": [task], "length": length}
         row.update({f"data/{name}": number for name, number in data.items()})
         row["dataset_from_index"] = self._num_frames
@@ -171,6 +172,11 @@ class Writer:
         row.update(more)
         self._episodes.append(row)
         self._num_frames += length
+
+    def _write_frames(self, values: Mapping[str, npt.NDArray[Any]]) -> Row:
+        """Appends the frames of an episode to the data; returns their place."""
+        return self._data.add(pa.table([array_of(values[field.name], field.type) for field in self._schema],
+                                       schema=self._schema))
 
     def _default_columns(self, length: int, task: str) -> dict[str, npt.NDArray[Any]]:
         frames = np.arange(length)

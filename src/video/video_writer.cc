@@ -18,11 +18,12 @@ using internal::CheckMade;
 /// Pipeline of libav from a picture to the file: pad, convert to YUV, encode, write.
 class VideoWriter::Encoder {
  public:
-  Encoder(std::filesystem::path path, int width_px, int height_px, double frames_per_second)
+  Encoder(std::filesystem::path path, int width_px, int height_px, double frames_per_second,
+          VideoCoding coding)
       : path_(std::move(path)), width_px_(width_px), height_px_(height_px) {
     av_log_set_level(AV_LOG_ERROR);  // x264 reports statistics otherwise
     OpenOutput();
-    OpenCodec(av_d2q(frames_per_second, 1'000'000));
+    OpenCodec(av_d2q(frames_per_second, 1'000'000), coding);
     OpenFile();
     MakeFrames();
   }
@@ -73,7 +74,7 @@ class VideoWriter::Encoder {
 
   /// Opens the encoder. Every setting that influences the bytes is fixed, so that equal pictures
   /// give equal files.
-  void OpenCodec(AVRational rate) {
+  void OpenCodec(AVRational rate, VideoCoding coding) {
     const AVCodec* x264 = CheckMade(avcodec_find_encoder_by_name("libx264"), path_,
                                     "avcodec_find_encoder_by_name(libx264)");
     codec_.reset(CheckMade(avcodec_alloc_context3(x264), path_, "avcodec_alloc_context3"));
@@ -89,6 +90,10 @@ class VideoWriter::Encoder {
     codec_->colorspace = AVCOL_SPC_BT709;
     codec_->color_primaries = AVCOL_PRI_BT709;
     codec_->color_trc = AVCOL_TRC_BT709;
+    if (coding == VideoCoding::kSeekable) {
+      codec_->gop_size = 2;
+      codec_->max_b_frames = 0;
+    }
     codec_->thread_count = 1;  // the bytes depend on the number of threads
     codec_->flags |= AV_CODEC_FLAG_GLOBAL_HEADER | AV_CODEC_FLAG_BITEXACT;
     AVDictionary* options = nullptr;
@@ -179,7 +184,7 @@ class VideoWriter::Encoder {
 };
 
 VideoWriter::VideoWriter(std::filesystem::path path, int width_px, int height_px,
-                         double frames_per_second) {
+                         double frames_per_second, VideoCoding coding) {
   constexpr int kMaxSize = 8192;
   if (width_px < 1 || width_px > kMaxSize || height_px < 1 || height_px > kMaxSize) {
     throw std::invalid_argument(path.string() + ": size is " + std::to_string(width_px) + "x" +
@@ -190,7 +195,8 @@ VideoWriter::VideoWriter(std::filesystem::path path, int width_px, int height_px
     throw std::invalid_argument(path.string() + ": rate is " + std::to_string(frames_per_second) +
                                 " frames per second, expected above 0 and at most 1000");
   }
-  encoder_ = std::make_unique<Encoder>(std::move(path), width_px, height_px, frames_per_second);
+  encoder_ =
+      std::make_unique<Encoder>(std::move(path), width_px, height_px, frames_per_second, coding);
 }
 
 VideoWriter::~VideoWriter() {

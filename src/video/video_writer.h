@@ -8,6 +8,14 @@
 
 namespace smile::video {
 
+/// Trade between the size of a film and access to its pictures.
+enum class VideoCoding {
+  kCompact,  ///< for people: pictures refer to many former and later ones
+  /// For readers of single pictures: every second one stands alone, and none refers to a later one,
+  /// so that times begin at 0 and pictures are stored in the order in which they are shown.
+  kSeekable,
+};
+
 /// Writer of an mp4 film that browsers and players show directly: H.264, 4:2:0, BT.709, with the
 /// index in front. Equal pictures give equal bytes.
 ///
@@ -17,7 +25,8 @@ class VideoWriter {
   /// @param frames_per_second  above 0, at most 1000.
   /// @throws std::invalid_argument if sizes are not 1 to 8192 or the rate is out of range.
   /// @throws std::runtime_error naming the path and the reason.
-  VideoWriter(std::filesystem::path path, int width_px, int height_px, double frames_per_second);
+  VideoWriter(std::filesystem::path path, int width_px, int height_px, double frames_per_second,
+              VideoCoding coding = VideoCoding::kCompact);
   /// Finishes the film unless Finish() was called, so that the pictures so far can be watched;
   /// ignores errors.
   ~VideoWriter();

@@ -11,5 +11,7 @@ void BindSimulation(pybind11::module_& m);
 void BindRecording(pybind11::module_& m);
 void BindTask(pybind11::module_& m);
 void BindExperiments(pybind11::module_& m);
+void BindFilms(pybind11::module_& m);
+void BindRobotMotion(pybind11::module_& m);
 
 }  // namespace smile::python

@@ -48,4 +48,6 @@ PYBIND11_MODULE(smile_simulator_native, m) {
   smile::python::BindRecording(m);
   smile::python::BindTask(m);
   smile::python::BindExperiments(m);
+  smile::python::BindFilms(m);
+  smile::python::BindRobotMotion(m);
 }

@@ -158,6 +158,29 @@ TEST_F(VideoWriterTest, KeepsUnusualRates) {
   }
 }
 
+TEST_F(VideoWriterTest, ASeekableFilmStoresPicturesInOrderAndEverySecondAlone) {
+  {
+    VideoWriter writer(File(), 64, 48, 30, VideoCoding::kSeekable);
+    for (int k = 0; k < 25; ++k) writer.Add(FrameOfFilm(64, 48, k));
+    writer.Finish();
+  }
+  AVFormatContext* opened = nullptr;
+  Check(avformat_open_input(&opened, internal::UrlOf(File()).c_str(), nullptr, nullptr), File(),
+        "avformat_open_input");
+  const internal::Input input(opened);
+  const internal::Packet packet(av_packet_alloc());
+  const AVStream* stream = input->streams[0];
+  int number = 0;
+  for (; av_read_frame(input.get(), packet.get()) >= 0; ++number, av_packet_unref(packet.get())) {
+    EXPECT_EQ(packet->pts, packet->dts);
+    // number / 30 s, exactly
+    EXPECT_EQ(packet->pts * stream->time_base.num * 30,
+              std::int64_t{number} * stream->time_base.den);
+    EXPECT_EQ((packet->flags & AV_PKT_FLAG_KEY) != 0, number % 2 == 0);
+  }
+  EXPECT_EQ(number, 25);
+}
+
 TEST_F(VideoWriterTest, FinishesWhenItIsDestroyed) {
   {
     VideoWriter writer(File(), 32, 32, 30);

@@ -1,0 +1,81 @@
+// Pictures of recordings one after another, and films of them.
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <optional>
+
+#include "arrays.h"
+#include "bindings.h"
+#include "recording/trace_reader.h"
+#include "recording/view_sample.h"
+#include "values.h"
+#include "video/video_writer.h"
+
+namespace smile::python {
+namespace {
+
+/// Moments of a recording in increasing order, drawn: the trace is opened once.
+class FrameReader {
+ public:
+  explicit FrameReader(const recording::Recording& recording)
+      : recording_(recording), trace_(recording) {}
+
+  py::tuple RenderAt(std::uint64_t tick, const PictureRequest& request) {
+    if (!moment_ || moment_->tick != tick) {
+      const py::gil_scoped_release release;
+      moment_ = trace_.At(tick);
+    }
+    if (!moment_) {
+      throw std::invalid_argument("tick " + std::to_string(tick) +
+                                  " is not in the recording, expected one of its ticks");
+    }
+    const model::Model& model = *recording_.model;
+    return Render(
+        model, [&] { return recording::VisualStateAt(*moment_, model); }, moment_->joints,
+        moment_->is_robot_shown, request);
+  }
+
+ private:
+  const recording::Recording& recording_;
+  recording::TraceReader trace_;
+  std::optional<recording::TraceTick> moment_;  ///< the last one
+};
+
+using Pixels = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
+
+void Add(video::VideoWriter& film, const Pixels& rgb) {
+  if (rgb.ndim() != 3 || rgb.shape(2) != 3) {
+    throw std::invalid_argument("rgb has " + std::to_string(rgb.ndim()) +
+                                " axes, expected (height, width, 3)");
+  }
+  const Image image{.width_px = static_cast<int>(rgb.shape(1)),
+                    .height_px = static_cast<int>(rgb.shape(0)),
+                    .color = {rgb.data(), rgb.data() + rgb.size()}};
+  const py::gil_scoped_release release;
+  film.Add(image);
+}
+
+}  // namespace
+
+void BindFilms(py::module_& m) {
+  py::class_<FrameReader>(m, "FrameReader")
+      .def(py::init<const recording::Recording&>(), py::keep_alive<1, 2>())
+      .def("render", [](FrameReader& frames, std::uint64_t tick, const std::string& camera,
+                        int width, int height, bool rgb, bool depth, bool id) {
+        return frames.RenderAt(tick,
+                               {.spec = {.width_px = width, .height_px = height, .camera = camera},
+                                .channels = {.rgb = rgb, .depth = depth, .id = id}});
+      });
+  py::class_<video::VideoWriter>(m, "VideoWriter")
+      .def(py::init([](const std::filesystem::path& path, int width, int height, double rate) {
+        return std::make_unique<video::VideoWriter>(path, width, height, rate,
+                                                    video::VideoCoding::kSeekable);
+      }))
+      .def("add", &Add)
+      .def("finish", &video::VideoWriter::Finish, py::call_guard<py::gil_scoped_release>())
+      .def_property_readonly("num_frames", &video::VideoWriter::num_frames);
+}
+
+}  // namespace smile::python

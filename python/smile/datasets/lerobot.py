@@ -1,0 +1,323 @@
+"""Writer of LeRobot datasets, version 3.0.
+
+Source of the layout: LeRobot 0.6.2, src/lerobot/datasets (utils.py, dataset_metadata.py).
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from smile.datasets import statistics
+from smile.datasets.episode import Column
+from smile.datasets.features import Camera, array_of, features_of, schema_of
+from smile.simulation import _native
+
+MEGABYTE = 1_000_000
+FILES_PER_CHUNK = 1000
+EPISODES_PER_FILE = 5000
+
+Row = dict[str, Any]
+
+
+def write_json(path: Path, content: Any) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(content, indent=2) + "\n")
+
+
+def place(file: int) -> dict[str, int]:
+    """Returns the numbers in the name of a file."""
+    return {"chunk_index": file // FILES_PER_CHUNK, "file_index": file % FILES_PER_CHUNK}
+
+
+def path_of(pattern: str, file: int, camera: str = "") -> str:
+    """Returns the name of a file, by the pattern of either version; in 2.1 files are episodes."""
+    return pattern.format(**place(file), episode_chunk=file // FILES_PER_CHUNK, episode_index=file,
+                          video_key=camera)
+
+
+class FilmFiles:
+    """Films of one camera: episodes one after another, in files of a limited size."""
+
+    def __init__(self, folder: Path, camera: Camera, fps: int, pattern: str, megabytes: int) -> None:
+        self._folder, self.camera, self._fps, self._pattern = folder, camera, fps, pattern
+        self._limit = megabytes * MEGABYTE
+        self._file = -1
+        self._film: Any = None
+        self._path = folder
+        self.pixels = statistics.Pixels()
+
+    def begin(self) -> Row:
+        """Begins an episode; returns its place."""
+        if self._film is not None and self._path.stat().st_size >= self._limit:
+            self.finish()
+        if self._film is None:
+            self._file += 1
+            self._path = self._folder / path_of(self._pattern, self._file, self.camera.key)
+            self._path.parent.mkdir(parents=True, exist_ok=True)
+            self._film = _native.VideoWriter(self._path, self.camera.width, self.camera.height, self._fps)
+        return {**place(self._file), "from_timestamp": self._film.num_frames / self._fps}
+
+    def add(self, rgb: npt.NDArray[np.uint8]) -> None:
+        assert self._film is not None
+        self._film.add(rgb)
+
+    def end(self) -> float:
+        """Ends an episode; returns its end in the film [s]."""
+        assert self._film is not None
+        return float(self._film.num_frames / self._fps)
+
+    def finish(self) -> None:
+        if self._film is not None:
+            self._film.finish()
+        self._film = None
+
+
+class DataFiles:
+    """Parquet files of frames: a row group for each episode, in files of a limited size."""
+
+    def __init__(self, folder: Path, schema: pa.Schema, pattern: str, megabytes: int) -> None:
+        self._folder, self._schema, self._pattern = folder, schema, pattern
+        self._limit = megabytes * MEGABYTE
+        self._file = -1
+        self._writer: Any = None
+        self._sink: Any = None
+
+    def add(self, table: pa.Table) -> Row:
+        """Appends an episode; returns its place."""
+        if self._sink is not None and self._sink.tell() >= self._limit:
+            self.finish()
+        if self._writer is None:
+            self._file += 1
+            path = self._folder / path_of(self._pattern, self._file)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            self._sink = pa.OSFile(str(path), "wb")
+            self._writer = pq.ParquetWriter(self._sink, self._schema, compression="snappy")
+        self._writer.write_table(table, row_group_size=max(1, len(table)))
+        return place(self._file)
+
+    def finish(self) -> None:
+        if self._writer is not None:
+            self._writer.close()
+        if self._sink is not None:
+            self._sink.close()
+        self._writer = self._sink = None
+
+    def abandon(self) -> None:
+        """Closes the file as it is."""
+        if self._sink is not None:
+            try:
+                self.finish()
+            except OSError:
+                pass  # the reason why it was abandoned
+
+
+class Writer:
+    """A dataset of version 3.0 in the making."""
+
+    VERSION = "v3.0"
+    DATA = "data/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet"
+    FILMS = "videos/{video_key}/chunk-{chunk_index:03d}/file-{file_index:03d}.mp4"
+    DATA_MEGABYTES, FILM_MEGABYTES = 100, 200
+    EPISODES = "meta/episodes/chunk-{chunk_index:03d}/file-{file_index:03d}.parquet"
+
+    def __init__(self, folder: Path, fps: int, cameras: list[Camera], columns: Mapping[str, Column],
+                 robot: str) -> None:
+        """columns: of any episode; the others have the same"""
+        self._folder, self._fps, self._robot = folder, fps, robot
+        self.features = features_of(columns, cameras, fps)
+        self._schema = schema_of(self.features)
+        self.films = {camera.key: FilmFiles(folder, camera, fps, self.FILMS, self.FILM_MEGABYTES)
+                      for camera in cameras}
+        self._data = DataFiles(folder, self._schema, self.DATA, self.DATA_MEGABYTES)
+        self._tasks: dict[str, int] = {}
+        self._episodes: list[Row] = []
+        self._num_frames = 0
+        self._totals: dict[str, list[npt.NDArray[Any]]] = {}
+
+    @property
+    def num_episodes(self) -> int:
+        return len(self._episodes)
+
+    @property
+    def num_frames(self) -> int:
+        return self._num_frames
+
+    def add(self, columns: Mapping[str, Column], task: str, films: Mapping[str, Row],
+            pixels: Mapping[str, statistics.Pixels], more: Row) -> None:
+        """Appends an episode, whose pictures are already in its films.
+
+        films   by camera: chunk_index, file_index, from_timestamp, to_timestamp
+        pixels  by camera
+        more    further columns of the episode
+        """
+        length = len(next(iter(columns.values())).values)
+        values = {name: column.values for name, column in columns.items()}
+        values.update(self._default_columns(length, task))
+        data = self._write_frames(values)
+        row: Row = {"episode_index": len(self._episodes), "tasks": [task], "length": length}
+        row.update({f"data/{name}": number for name, number in data.items()})
+        row["dataset_from_index"] = self._num_frames
+        row["dataset_to_index"] = self._num_frames + length
+        for camera, film in films.items():
+            row.update({f"videos/{camera}/{name}": value for name, value in film.items()})
+        row["stats"] = self._statistics_of(values, pixels)
+        row.update(more)
+        self._episodes.append(row)
+        self._num_frames += length
+
+    def _write_frames(self, values: Mapping[str, npt.NDArray[Any]]) -> Row:
+        """Appends the frames of an episode to the data; returns their place."""
+        return self._data.add(pa.table([array_of(values[field.name], field.type) for field in self._schema],
+                                       schema=self._schema))
+
+    def _default_columns(self, length: int, task: str) -> dict[str, npt.NDArray[Any]]:
+        frames = np.arange(length)
+        return {"timestamp": (frames / self._fps).astype(np.float32), "frame_index": frames,
+                "episode_index": np.full(length, len(self._episodes)),
+                "index": self._num_frames + frames,
+                "task_index": np.full(length, self._tasks.setdefault(task, len(self._tasks)))}
+
+    def _statistics_of(self, values: Mapping[str, npt.NDArray[Any]],
+                       pixels: Mapping[str, statistics.Pixels]) -> dict[str, statistics.Statistics]:
+        of_episode = {}
+        for name in self.features:
+            if name in values:
+                self._totals.setdefault(name, []).append(values[name])
+                of_episode[name] = statistics.of_rows(values[name])
+            else:
+                self.films[name].pixels.join(pixels[name])
+                of_episode[name] = pixels[name].statistics()
+        return of_episode
+
+    def finish(self) -> dict[str, statistics.Statistics]:
+        """Completes all files; returns the statistics of the dataset."""
+        for film in self.films.values():
+            film.finish()
+        self._data.finish()
+        totals = {name: self.films[name].pixels.statistics() if name in self.films
+                  else statistics.of_rows(np.concatenate(self._totals[name]))
+                  for name in self.features}
+        self._write_meta(totals)
+        return totals
+
+    def abandon(self) -> None:
+        """Closes what is open."""
+        self._data.abandon()
+
+    def _info(self) -> Row:
+        return {"codebase_version": self.VERSION, "robot_type": self._robot,
+                "total_episodes": len(self._episodes), "total_frames": self._num_frames,
+                "total_tasks": len(self._tasks), "chunks_size": FILES_PER_CHUNK,
+                "fps": self._fps, "splits": {"train": f"0:{len(self._episodes)}"},
+                "data_path": self.DATA, "video_path": self.FILMS if self.films else None,
+                "features": self.features}
+
+    def _write_meta(self, totals: dict[str, statistics.Statistics]) -> None:
+        info = self._info()
+        info["data_files_size_in_mb"] = self.DATA_MEGABYTES
+        info["video_files_size_in_mb"] = self.FILM_MEGABYTES
+        write_json(self._folder / "meta/info.json", info)
+        write_json(self._folder / "meta/stats.json", totals)
+        pq.write_table(_tasks_table(list(self._tasks)), self._folder / "meta/tasks.parquet")
+        for file, first in enumerate(range(0, len(self._episodes), EPISODES_PER_FILE)):
+            rows = self._episodes[first:first + EPISODES_PER_FILE]
+            path = self._folder / self.EPISODES.format(**place(file))
+            path.parent.mkdir(parents=True, exist_ok=True)
+            pq.write_table(_episodes_table(rows, place(file)), path, compression="snappy")
+
+
+class WriterOfVersion2(Writer):
+    """A dataset of version 2.1 in the making: a file for each episode, and meta data in lines of JSON.
+
+    With `modality.json`, for GR00T. Source: LeRobot 0.3.3; GR00T, "Data preparation".
+    """
+
+    VERSION = "v2.1"
+    DATA = "data/chunk-{episode_chunk:03d}/episode_{episode_index:06d}.parquet"
+    FILMS = "videos/chunk-{episode_chunk:03d}/{video_key}/episode_{episode_index:06d}.mp4"
+    # Each episode begins a file.
+    DATA_MEGABYTES, FILM_MEGABYTES = 0, 0
+
+    def _write_meta(self, totals: dict[str, statistics.Statistics]) -> None:
+        info = self._info()
+        info["total_videos"] = len(self._episodes) * len(self.films)
+        info["total_chunks"] = -(-len(self._episodes) // FILES_PER_CHUNK)
+        meta = self._folder / "meta"
+        write_json(meta / "info.json", info)
+        # Readers of version 2.0 look for it.
+        write_json(meta / "stats.json", totals)
+        write_json(meta / "modality.json", modality_of(self.features))
+        _write_lines(meta / "tasks.jsonl", ({"task_index": number, "task": task}
+                                            for task, number in self._tasks.items()))
+        _write_lines(meta / "episodes.jsonl", map(_listed, self._episodes))
+        _write_lines(meta / "episodes_stats.jsonl", (
+            {"episode_index": row["episode_index"], "stats": row["stats"]} for row in self._episodes))
+
+
+def _listed(row: Row) -> Row:
+    """Returns an episode without what version 2.1 has elsewhere."""
+    places = ("data/", "videos/", "dataset_", "stats")
+    return {name: value for name, value in row.items() if not name.startswith(places)}
+
+
+def _write_lines(path: Path, rows: Iterable[Row]) -> None:
+    path.write_text("".join(json.dumps(row) + "\n" for row in rows))
+
+
+def modality_of(features: Mapping[str, Any]) -> Row:
+    """Returns `modality.json`: the parts of states and actions, by arm and gripper."""
+    parts = {name: _parts_of(features[key]["names"]) if key in features else {}
+             for name, key in (("state", "observation.state"), ("action", "action"))}
+    cameras = {key.removeprefix("observation.images."): {"original_key": key}
+               for key, feature in features.items() if feature["dtype"] == "video"}
+    return {**parts, "video": cameras,
+            "annotation": {"human.task_description": {"original_key": "task_index"}}}
+
+
+def _parts_of(names: Sequence[str]) -> dict[str, dict[str, int]]:
+    """The joints of an arm are followed by its gripper."""
+    parts, begin = {}, 0
+    for at, name in enumerate(names):
+        if name.endswith("_gripper"):
+            if at > begin:
+                parts[name.removesuffix("_gripper") + "_arm"] = {"start": begin, "end": at}
+            parts[name] = {"start": at, "end": at + 1}
+            begin = at + 1
+    if begin < len(names):
+        parts["others" if parts else "joints"] = {"start": begin, "end": len(names)}
+    return parts
+
+
+def _tasks_table(tasks: Sequence[str]) -> pa.Table:
+    """Readers find a task by the index of a pandas frame, which the file must declare."""
+    def column(name: str, pandas_type: str, numpy_type: str) -> Row:
+        return {"name": name, "field_name": name, "pandas_type": pandas_type, "numpy_type": numpy_type,
+                "metadata": None}
+
+    pandas = {"index_columns": ["task"],
+              "column_indexes": [{**column("", "unicode", "object"), "name": None, "field_name": None,
+                                  "metadata": {"encoding": "UTF-8"}}],
+              "columns": [column("task_index", "int64", "int64"), column("task", "unicode", "object")],
+              "creator": {"library": "pyarrow", "version": pa.__version__}, "pandas_version": "2.0.0"}
+    schema = pa.schema([("task_index", pa.int64()), ("task", pa.string())],
+                       metadata={"pandas": json.dumps(pandas)})
+    return pa.table([list(range(len(tasks))), list(tasks)], schema=schema)
+
+
+def _episodes_table(rows: Sequence[Row], file: Mapping[str, int]) -> pa.Table:
+    flat = []
+    for row in rows:
+        one = {name: value for name, value in row.items() if name != "stats"}
+        one.update({f"meta/episodes/{name}": number for name, number in file.items()})
+        for feature, values in row["stats"].items():
+            one.update({f"stats/{feature}/{name}": value for name, value in values.items()})
+        flat.append(one)
+    return pa.Table.from_pylist(flat)

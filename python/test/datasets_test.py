@@ -1,0 +1,628 @@
+"""Tests datasets: what other programs read in them is what was recorded.
+
+Usage: datasets_test.py PROJECT_FOLDER
+Needs the packages that tools/get_dataset_readers.sh installs; ends with 77 without them.
+"""
+
+import json
+import os
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+PROJECT = Path(sys.argv[1])
+READERS = PROJECT / "build/dataset_readers"
+sys.path.insert(0, str(READERS))
+try:
+    import av
+    import duckdb
+    import h5py
+    import pandas
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+    import zarr
+except ImportError as missing:
+    print(f"skipped: {missing}; tools/get_dataset_readers.sh installs it")
+    sys.exit(77)
+
+import smile
+from smile.datasets import examine, export
+from smile.datasets.episode import rotation_between
+
+ROBOT = PROJECT / "tests/golden/recordings/imitation"
+TERN = PROJECT / "tests/golden/recordings/tern"
+DEMONSTRATION = PROJECT / "tests/golden/recordings/hands"
+FPS, SIZE = 10, (64, 48)
+CAMERAS = {"eye": SIZE, "close": (80, 60)}
+SHARED = tempfile.TemporaryDirectory()
+
+
+def imitation(folder, success, cause=None):
+    """A folder as `smile imitate` writes it."""
+    shutil.copytree(ROBOT, folder / "imitation")
+    (folder / "result.json").write_text(json.dumps({"format": 2, "success": success, "cause": cause}))
+    return folder
+
+
+def run(*arguments, **more):
+    """Runs the command line."""
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([os.environ["PYTHONPATH"], str(READERS)])}
+    return subprocess.run([sys.executable, "-m", "smile.datasets", *map(str, arguments)], text=True,
+                          capture_output=True, env=environment, **more)
+
+
+def files_of(folder):
+    return {path.relative_to(folder): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
+class Exported(unittest.TestCase):
+    """Two episodes of a robot with two cameras, exported once for all tests."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder, dataset = Path(SHARED.name), Path(SHARED.name) / "dataset"
+        cls.runs, cls.dataset = [cls.folder / "seed-0007", cls.folder / "second"], dataset
+        if not dataset.exists():
+            for folder in cls.runs:
+                imitation(folder, True)
+            export(cls.runs, dataset, cameras=CAMERAS, fps=FPS, task="build a tower")
+        cls.recording = smile.open(ROBOT)
+        cls.info = json.loads((dataset / "meta/info.json").read_text())
+        cls.table = pq.read_table(dataset / "data/chunk-000/file-000.parquet")
+        cls.episodes = pq.read_table(dataset / "meta/episodes/chunk-000/file-000.parquet").to_pylist()
+
+    def column(self, name, episode=0):
+        rows = self.table.filter(pa.compute.equal(self.table["episode_index"], episode))
+        return np.array(rows[name].to_pylist())
+
+    def rows(self):
+        """The rows of the recording's arrays that are frames of an episode."""
+        ticks = self.recording.ticks.astype(int)
+        return [int(np.flatnonzero(ticks == tick)[0]) for tick in self.column("sim.tick")]
+
+
+class ColumnsTest(Exported):
+    def test_what_pyarrow_reads_is_the_trace(self):
+        rows = self.rows()
+        names = self.info["features"]["observation.state"]["names"]
+        state = self.column("observation.state")
+        self.assertEqual(state.shape, (len(rows), len(names)))
+        for i, name in enumerate(names):
+            if not name.endswith("_gripper"):
+                joint = self.recording.joint_names.index(name)
+                np.testing.assert_array_equal(state[:, i],
+                                              self.recording.joints[rows, joint].astype(np.float32))
+        np.testing.assert_array_equal(self.column("sim.object_poses").reshape(len(rows), -1, 7),
+                                      self.recording.poses[rows].astype(np.float32))
+        np.testing.assert_array_equal(self.column("observation.state", 1), state)
+
+    def test_times_are_exact_and_a_frame_apart(self):
+        ticks = self.column("sim.tick")
+        self.assertEqual(set(np.diff(ticks)), {60 // FPS})
+        np.testing.assert_array_equal(self.column("timestamp"), (np.arange(len(ticks)) / FPS).astype(np.float32))
+        np.testing.assert_array_equal(self.table["index"].to_numpy(), np.arange(len(self.table)))
+
+    def test_a_position_is_where_the_joint_is_at_the_next_frame(self):
+        names = self.info["features"]["action"]["names"]
+        joints = [i for i, name in enumerate(names) if not name.endswith("_gripper")]
+        state, action = self.column("observation.state"), self.column("action")
+        np.testing.assert_array_equal(action[:-1, joints], state[1:, joints])
+        self.assertGreater(np.ptp(action, axis=0).max(), 0.1)
+        # Nothing jumps, though the robot was put into its first pose.
+        self.assertLess(np.abs(action - state).max() * FPS, 5)
+
+    def test_a_gripper_goes_on_closing_on_what_it_holds(self):
+        gripper = self.info["features"]["action"]["names"].index("right_gripper")
+        state, action = self.column("observation.state")[:, gripper], self.column("action")[:, gripper]
+        closes = state[1:] < state[:-1] - 1e-4
+        self.assertTrue(closes.any())
+        self.assertTrue((action[:-1][closes] < state[:-1][closes]).all())
+
+    def test_declares_what_is_in_the_files_and_hides_the_truth_from_policies(self):
+        features = self.info["features"]
+        films = {name for name, feature in features.items() if feature["dtype"] == "video"}
+        self.assertEqual(set(features) - films, set(self.table.column_names))
+        self.assertEqual({name for name in features if name.startswith("observation")},
+                         {"observation.state", "observation.images.eye", "observation.images.close"})
+        self.assertEqual([name for name in features if name.startswith("action")], ["action"])
+
+    def test_the_end_is_marked_with_its_success(self):
+        for name in ("next.done", "next.success"):
+            self.assertEqual(np.flatnonzero(self.column(name)).tolist(), [len(self.rows()) - 1])
+
+    def test_subtasks_end_where_something_is_taken_or_placed(self):
+        row = self.episodes[0]
+        names, ends = row["sparse_subtask_names"], row["sparse_subtask_end_frames"]
+        self.assertRegex(names[0], "^take .*Block$")
+        self.assertEqual((ends[-1], row["sparse_subtask_start_frames"][1:]), (row["length"], ends[:-1]))
+        held = self.column("sim.object_held")
+        thing = self.info["features"]["sim.object_held"]["names"].index(names[0].removeprefix("take "))
+        self.assertEqual(held[ends[0] - 1:ends[0] + 1, thing].tolist()[-1], 1)
+        self.assertEqual(held[:ends[0] - 1].max(), 0)
+
+
+class OtherReadersTest(Exported):
+    def test_duckdb_reads_the_same(self):
+        found = duckdb.sql(f"""select episode_index, count(*), sum(action[3]), max(timestamp)
+            from '{self.dataset}/data/*/*.parquet' group by 1 order by 1""").fetchall()
+        for episode, (number, length, total, end) in enumerate(found):
+            action = self.column("action", episode)
+            self.assertEqual((number, length, end), (episode, len(action), np.float32((length - 1) / FPS)))
+            self.assertAlmostEqual(total, action[:, 2].sum(dtype=float), places=5)
+        self.assertEqual(len(found), 2)
+
+    def test_each_episode_is_a_row_group(self):
+        file = pq.ParquetFile(self.dataset / "data/chunk-000/file-000.parquet")
+        self.assertEqual([file.metadata.row_group(i).num_rows for i in range(file.num_row_groups)],
+                         [row["length"] for row in self.episodes])
+
+    def test_pandas_finds_tasks_by_their_words(self):
+        tasks = pandas.read_parquet(self.dataset / "meta/tasks.parquet")
+        self.assertEqual((tasks.index.name, tasks.iloc[0].name), ("task", "build a tower"))
+
+    def test_statistics_are_those_of_the_columns(self):
+        stats = json.loads((self.dataset / "meta/stats.json").read_text())
+        self.assertEqual(set(stats), set(self.info["features"]))
+        values = np.array(self.table["action"].to_pylist())
+        np.testing.assert_allclose(stats["action"]["std"], values.std(axis=0), atol=1e-6)
+        np.testing.assert_allclose(stats["action"]["q99"], np.quantile(values, 0.99, axis=0), atol=1e-6)
+        self.assertEqual(stats["action"]["count"], [len(values)])
+        self.assertEqual(np.shape(stats["observation.images.eye"]["q01"]), (3, 1, 1))
+        self.assertEqual(np.shape(self.episodes[1]["stats/observation.images.eye/mean"]), (3, 1, 1))
+
+
+class FilmsTest(Exported):
+    def test_a_film_shows_the_frames_at_their_times(self):
+        rows, key = self.rows(), "observation.images.eye"
+        with av.open(str(self.dataset / f"videos/{key}/chunk-000/file-000.mp4")) as film:
+            pictures = list(film.decode(video=0))
+        self.assertEqual(len(pictures), 2 * len(rows))
+        self.assertEqual([round(picture.time * FPS, 6) for picture in pictures], list(range(2 * len(rows))))
+        second = self.episodes[1]
+        self.assertEqual((second[f"videos/{key}/from_timestamp"], second[f"videos/{key}/to_timestamp"]),
+                         (len(rows) / FPS, 2 * len(rows) / FPS))
+        for number in (0, len(rows) // 3, len(rows) - 1, len(rows) + 5):
+            drawn = self.recording[rows[number % len(rows)]].render("eye", SIZE).rgb.astype(int)
+            shown = pictures[number].to_ndarray(format="rgb24").astype(int)
+            self.assertEqual(shown.shape, (SIZE[1], SIZE[0], 3))
+            # Of 255; edges of blocks are blurred, as color has half the resolution.
+            self.assertLess(np.abs(shown - drawn).mean(), 3, number)
+
+    def test_cameras_are_where_the_pictures_were_drawn(self):
+        picture = self.recording[self.rows()[4]].render("eye", SIZE)
+        np.testing.assert_allclose(self.column("sim.camera_pose.eye")[4].reshape(3, 4), picture.pose[:3], atol=1e-6)
+        about = json.loads((self.dataset / "meta/smile.json").read_text())
+        np.testing.assert_array_equal(about["intrinsics"]["eye"], picture.intrinsics)
+
+
+class OriginTest(Exported):
+    def test_each_episode_replays_from_the_dataset(self):
+        copy = smile.open(self.dataset / "extras/episode_000001")
+        self.assertEqual(self.episodes[1]["smile/state_hash"], f"{copy.hashes[-1]:016x}")
+        copy.verify()
+
+    def test_episodes_name_their_seed(self):
+        self.assertEqual([row["smile/seed"] for row in self.episodes], [7, None])
+
+    def test_the_same_runs_give_the_same_bytes(self):
+        export(self.runs, self.folder / "again", cameras=CAMERAS, fps=FPS, task="build a tower")
+        first, second = files_of(self.dataset), files_of(self.folder / "again")
+        self.assertEqual(set(first), set(second))
+        self.assertEqual([name for name in first if first[name] != second[name]], [])
+
+
+class Version2Test(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.dataset = Path(SHARED.name) / "version2"
+        export([ROBOT, ROBOT], cls.dataset, format="lerobot-v2.1", cameras={"eye": SIZE}, fps=FPS)
+
+    def lines(self, name):
+        return [json.loads(line) for line in (self.dataset / "meta" / name).read_text().splitlines()]
+
+    def test_each_episode_has_a_table_and_a_film(self):
+        info = json.loads((self.dataset / "meta/info.json").read_text())
+        self.assertEqual((info["codebase_version"], info["total_videos"], info["total_chunks"]), ("v2.1", 2, 1))
+        for row in self.lines("episodes.jsonl"):
+            number = {"episode_chunk": 0, "episode_index": row["episode_index"]}
+            table = pq.read_table(self.dataset / info["data_path"].format(**number))
+            self.assertEqual(table.num_rows, row["length"])
+            self.assertEqual(set(table["episode_index"].to_pylist()), {row["episode_index"]})
+            key = "observation.images.eye"
+            with av.open(str(self.dataset / info["video_path"].format(video_key=key, **number))) as film:
+                times = [picture.time for picture in film.decode(video=0)]
+            np.testing.assert_allclose(times, table["timestamp"].to_numpy(), atol=1e-4)
+        self.assertEqual(self.lines("tasks.jsonl"), [{"task_index": 0, "task": "tower_robot"}])
+        self.assertEqual(len(self.lines("episodes_stats.jsonl")), 2)
+
+    def test_the_parts_of_a_modality_cover_states_and_actions(self):
+        info = json.loads((self.dataset / "meta/info.json").read_text())
+        modality = json.loads((self.dataset / "meta/modality.json").read_text())
+        for part, key in (("state", "observation.state"), ("action", "action")):
+            covered = [i for one in modality[part].values() for i in range(one["start"], one["end"])]
+            self.assertEqual(covered, list(range(info["features"][key]["shape"][0])))
+        self.assertEqual(list(modality["state"]),
+                         ["left_arm", "left_gripper", "right_arm", "right_gripper", "others"])
+
+    def test_the_doctor_reads_it(self):
+        self.assertEqual([str(finding) for finding in examine(self.dataset) if finding.is_error], [])
+        copy = Path(SHARED.name) / "damaged2"
+        shutil.copytree(self.dataset, copy)
+        self.addCleanup(shutil.rmtree, copy)
+        (copy / "videos/chunk-000/observation.images.eye/episode_000001.mp4").unlink()
+        (copy / "data/chunk-000/episode_000000.parquet").write_bytes(b"PAR1")
+        found = "\n".join(map(str, examine(copy)))
+        self.assertIn("episode_000001.mp4: is missing", found)
+        self.assertIn("episode_000000.parquet: cannot be read", found)
+        (copy / "meta/episodes.jsonl").unlink()
+        self.assertRegex(str(examine(copy)[0]), "meta/episodes.jsonl: is missing")
+
+
+class RobomimicTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(SHARED.name) / "robomimic"
+        export([ROBOT, ROBOT], cls.folder, format="robomimic", cameras={"eye": SIZE}, fps=FPS,
+               action="joint_velocity")
+        cls.file = h5py.File(cls.folder / "demo.hdf5", swmr=True, libver="latest")
+        cls.addClassCleanup(cls.file.close)
+        cls.demo = cls.file["data/demo_1"]
+        cls.length = int(cls.demo.attrs["num_samples"])
+
+    def test_has_what_robomimic_demands(self):
+        self.assertEqual(set(self.file["data"]), {"demo_0", "demo_1"})
+        self.assertEqual(self.file["data"].attrs["total"], 2 * self.length)
+        arguments = json.loads(self.file["data"].attrs["env_args"])
+        self.assertEqual((type(arguments["type"]), type(arguments["env_kwargs"])), (int, dict))
+        self.assertEqual([name.decode() for name in self.file["mask/train"]], ["demo_0", "demo_1"])
+        for name in ("actions", "dones", "rewards", "states", "obs/state", "obs/eye_image", "obs/object"):
+            self.assertEqual(len(self.demo[name]), self.length, name)
+        self.assertEqual(np.abs(self.demo["actions"]).max(), 1)
+
+    def test_pictures_and_scaled_actions_are_those_of_the_recording(self):
+        recording = smile.open(ROBOT)
+        tick = int(self.demo["states"][3, 0])
+        picture = recording.at(tick / 60).render("eye", SIZE).rgb
+        np.testing.assert_array_equal(self.demo["obs/eye_image"][3], picture)
+        attributes = self.file["data"].attrs
+        action = self.demo["actions"][:] * attributes["action_scale"] + attributes["action_offset"]
+        moved = np.diff(self.demo["obs/state"][:], axis=0) * FPS
+        joints = [i for i, name in enumerate(json.loads(attributes["names.action"])) if "gripper" not in name]
+        np.testing.assert_allclose(action[:-1, joints], moved[:, joints], atol=1e-4)
+
+    def test_mimicgen_finds_poses_targets_and_ends_of_subtasks(self):
+        info = self.demo["datagen_info"]
+        self.assertEqual(info.attrs["arm"], "right")
+        np.testing.assert_array_equal(info["target_pose"][:-1], info["eef_pose"][1:])
+        rotation = info["eef_pose"][5][:3, :3]
+        np.testing.assert_allclose(rotation @ rotation.T, np.eye(3), atol=1e-5)
+        first = json.loads(self.demo.attrs["sparse_subtask_names"])[0]
+        signal = info["subtask_term_signals"][first.replace(" ", "_")][:]
+        end = json.loads(self.demo.attrs["sparse_subtask_end_frames"])[0]
+        self.assertEqual(np.flatnonzero(signal).tolist(), list(range(end, self.length)))
+        # What is taken is then at the tool.
+        held = info["object_poses"][first.removeprefix("take ")][end][:3, 3]
+        self.assertLess(np.linalg.norm(held - info["eef_pose"][end][:3, 3]), 0.1)
+
+    def test_refuses_runs_without_actions(self):
+        with self.assertRaisesRegex(ValueError, "robomimic needs actions, but no robot moves"):
+            export([DEMONSTRATION], self.folder / "none", format="robomimic", cameras=())
+        self.assertFalse((self.folder / "none").exists())
+
+
+class ZarrTest(unittest.TestCase):
+    def test_arrays_of_all_episodes_follow_one_another(self):
+        folder = Path(SHARED.name) / "zarr"
+        export([ROBOT, ROBOT], folder, format="zarr", cameras={"eye": SIZE}, fps=5, task="build")
+        root = zarr.open(str(folder / "replay.zarr"), mode="r")
+        ends = root["meta/episode_ends"][:].tolist()
+        self.assertEqual((len(ends), ends[1]), (2, 2 * ends[0]))
+        for name, array in root["data"].arrays():
+            self.assertEqual(len(array), ends[1], name)
+        recording = smile.open(ROBOT)
+        tick = int(root["data/sim.tick"][ends[0] + 3])
+        np.testing.assert_array_equal(root["data/eye"][ends[0] + 3], recording.at(tick / 60).render("eye", SIZE).rgb)
+        joints = [i for i, name in enumerate(root.attrs["names"]["action"]) if "gripper" not in name]
+        np.testing.assert_array_equal(root["data/action"][:ends[0] - 1][:, joints],
+                                      root["data/state"][1:ends[0]][:, joints])
+        self.assertEqual([one["task"] for one in root.attrs["episodes"]], ["build", "build"])
+
+
+class CsvTest(unittest.TestCase):
+    def test_tables_and_films_of_each_episode_read_back(self):
+        folder = Path(SHARED.name) / "csv"
+        export([ROBOT, ROBOT], folder, format="csv", cameras={"eye": SIZE}, fps=5, task="build, quickly")
+        episodes = pandas.read_csv(folder / "episodes.csv")
+        self.assertEqual(episodes["tasks"].map(json.loads).tolist(), [["build, quickly"]] * 2)
+        recording = smile.open(ROBOT)
+        for number, length in enumerate(episodes["length"]):
+            table = pandas.read_csv(folder / f"episode_{number:06d}.csv")
+            rows = np.searchsorted(recording.ticks, table["sim.tick"])
+            joint = recording.joints[rows, recording.joint_names.index("right_s1")]
+            np.testing.assert_array_equal(table["observation.state.right_s1"].astype(np.float32),
+                                          joint.astype(np.float32))
+            self.assertEqual((len(table), table["next.done"].sum()), (length, 1))
+            with av.open(str(folder / f"episode_{number:06d}.observation.images.eye.mp4")) as film:
+                self.assertEqual(sum(1 for _ in film.decode(video=0)), length)
+
+
+class ActionsTest(unittest.TestCase):
+    def test_velocities_and_displacements_lead_to_the_next_frame(self):
+        with tempfile.TemporaryDirectory() as folder:
+            columns = {}
+            for action in ("joint_velocity", "end_effector"):
+                export([TERN], Path(folder) / action, cameras=(), fps=60, action=action)
+                table = pq.read_table(Path(folder) / action / "data/chunk-000/file-000.parquet")
+                columns[action] = np.array(table["action"].to_pylist())
+            state = np.array(table["observation.state"].to_pylist())
+            joints = [i for i in range(state.shape[1]) if i != 6]  # the gripper follows its command
+            np.testing.assert_allclose(np.diff(state, axis=0)[:, joints] * 60,
+                                       columns["joint_velocity"][:-1, joints], atol=1e-3)
+            # The tool at the end is where the displacements lead.
+            sim = smile.Simulation(smile.open(TERN).model)
+            arm, poses = sim.robot.arms["arm"], []
+            for row in (0, -1):
+                arm.set_q(state[row, :6])
+                poses.append(arm.tool_pose)
+            moved = columns["end_effector"][:-1].sum(axis=0)
+            np.testing.assert_allclose(moved[:3], poses[1][:3] - poses[0][:3], atol=1e-4)
+
+    def test_rotations_are_the_shorter_ones_in_the_world(self):
+        half = np.sqrt(0.5)
+        before = np.array([[1, 0, 0, 0], [half, half, 0, 0], [1, 0, 0, 0]], float)
+        after = np.array([[half, 0, 0, half], [half, half, 0, 0], [-half, 0, 0, half]])
+        np.testing.assert_allclose(rotation_between(before, after),
+                                   [[0, 0, np.pi / 2], [0, 0, 0], [0, 0, -np.pi / 2]], atol=1e-12)
+
+
+class DemonstrationTest(unittest.TestCase):
+    def test_a_demonstration_has_objects_and_no_robot(self):
+        with tempfile.TemporaryDirectory() as folder:
+            dataset = Path(folder) / "dataset"
+            export([DEMONSTRATION], dataset, cameras=(), fps=20)
+            table = pq.read_table(dataset / "data/chunk-000/file-000.parquet")
+            self.assertEqual([name for name in table.column_names if name.startswith(("observation", "action"))], [])
+            held = np.array(table["sim.object_held"].to_pylist())
+            self.assertEqual(set(held.flat), {0, 1})
+            self.assertEqual(examine(dataset), [])
+
+
+class RefusalsTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def assert_nothing_left(self):
+        self.assertEqual([path.name for path in self.folder.iterdir() if path.name.startswith("dataset")], [])
+
+    def refuse(self, pattern, runs=(ROBOT,), error=ValueError, **options):
+        with self.assertRaisesRegex(error, pattern):
+            export(runs, self.folder / "dataset", **{"cameras": (), **options})
+        self.assert_nothing_left()
+
+    def test_what_cannot_be_exported_is_refused_before_anything_is_written(self):
+        self.refuse('imitation: camera is "nose", expected eye', cameras=("nose",))
+        self.refuse("fps is 25, expected one of 1, 2", fps=25)
+        self.refuse("size is 65x48, expected even", cameras=("eye",), size=(65, 48))
+        self.refuse("action is 'dance', expected joint_position or", action="dance")
+        self.refuse("format is 'rlds', expected lerobot", format="rlds")
+        self.refuse("there are no runs", runs=())
+        self.refuse("scenes: is no recording", runs=[PROJECT / "scenes"])
+        self.refuse("nowhere: does not exist", runs=[PROJECT / "nowhere"])
+        self.refuse("has other objects", runs=[ROBOT, PROJECT / "tests/golden/recordings/um"])
+        self.refuse("has another robot", runs=[PROJECT / "tests/golden/recordings/robot", TERN])
+
+    def test_a_failed_run_is_exported_only_if_asked_for(self):
+        failed = imitation(self.folder / "failed", False, {"word": "toppled", "text": "…"})
+        self.refuse(r"failed: failed \(toppled\)", runs=[failed])
+        export([failed], self.folder / "dataset", cameras=(), include_failed=True)
+        table = pq.read_table(self.folder / "dataset/data/chunk-000/file-000.parquet")
+        self.assertFalse(any(table["next.success"].to_pylist()))
+
+    def test_a_folder_that_exists_stays_as_it_is(self):
+        (self.folder / "mine").mkdir()
+        (self.folder / "mine/notes.txt").write_text("important")
+        with self.assertRaisesRegex(FileExistsError, "exists, expected a new folder"):
+            export([ROBOT], self.folder / "mine", cameras=())
+        self.assertEqual([path.name for path in (self.folder / "mine").iterdir()], ["notes.txt"])
+
+    def test_what_is_interrupted_leaves_nothing(self):
+        def interrupt(_):
+            raise KeyboardInterrupt
+        self.refuse("", error=KeyboardInterrupt, progress=interrupt)
+
+    def test_the_rest_of_a_killed_export_is_removed_by_the_next(self):
+        (self.folder / "dataset.partial").mkdir()
+        (self.folder / "dataset.partial/half").write_text("")
+        export([TERN], self.folder / "dataset", cameras=())
+        self.assertEqual({path.name for path in self.folder.iterdir()}, {"dataset"})
+        self.assertFalse((self.folder / "dataset/half").exists())
+
+    def test_a_full_disk_is_reported_and_leaves_nothing(self):
+        def small_files():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (30_000, 30_000))
+        for camera in ("none", "eye"):
+            answer = run("export", ROBOT, "--out", self.folder / "dataset", "--camera", camera, "--fps", 10,
+                         "--no-extras", preexec_fn=small_files)
+            self.assertEqual(answer.returncode, 2, answer)
+            self.assertRegex(answer.stderr, "error: .*File too large")
+            self.assertNotIn("Traceback", answer.stderr)
+            self.assert_nothing_left()
+
+
+class DoctorTest(Exported):
+    """Each damage to a copy of the dataset is found, with advice."""
+
+    def setUp(self):
+        self.copy = self.folder / "copy"
+        shutil.copytree(self.dataset, self.copy)
+        self.addCleanup(shutil.rmtree, self.copy)
+
+    def finds(self, pattern):
+        found = [str(finding) for finding in examine(self.copy)]
+        self.assertTrue(any(re.search(pattern, line) for line in found), (pattern, found))
+
+    def edit_json(self, name, change):
+        path = self.copy / "meta" / name
+        content = json.loads(path.read_text())
+        change(content)
+        path.write_text(json.dumps(content))
+
+    def edit_table(self, change, name="data/chunk-000/file-000.parquet"):
+        table = pq.read_table(self.copy / name)
+        pq.write_table(change(table), self.copy / name)
+
+    def replaced(self, table, name, values):
+        return table.set_column(table.column_names.index(name), name, pa.array(values, table[name].type))
+
+    def test_finds_no_error_in_a_sound_dataset(self):
+        self.assertEqual([finding for finding in examine(self.copy) if finding.is_error], [])
+        self.finds("warning: action: never changes in left_s0.*--drop-constant")
+
+    def test_finds_faults_of_the_description(self):
+        self.edit_json("info.json", lambda info: info.update(total_frames=3))
+        self.finds("total_frames is 3, but there are")
+        self.edit_json("info.json", lambda info: info["features"].pop("timestamp"))
+        self.finds("does not declare the feature timestamp")
+        self.finds("has the column timestamp, which meta/info.json does not declare")
+        self.edit_json("info.json", lambda info: info["features"].update(
+            {"action_2": {"dtype": "float32", "shape": [2], "names": None},
+             "my_image_id": {"dtype": "int64", "shape": [1], "names": None}}))
+        self.finds("warning: action_2: begins with 'action'")
+        self.finds("my_image_id: has 'image' in its name")
+        self.finds("lacks the column action_2")
+        self.edit_json("info.json", lambda info: info["features"]["observation.images.eye"].update(names=None))
+        self.finds("observation.images.eye: has the names None")
+        self.edit_json("info.json", lambda info: info.update(fps=0))
+        self.finds("meta/info.json: fps is 0")
+        self.edit_json("info.json", lambda info: info.update(codebase_version="v1.6"))
+        self.finds("codebase_version is 'v1.6', expected v3.0 or v2.1; convert")
+
+    def test_finds_what_is_missing(self):
+        (self.copy / "meta/stats.json").unlink()
+        self.finds("meta/stats.json: is missing")
+        (self.copy / "videos/observation.images.eye/chunk-000/file-000.mp4").unlink()
+        self.finds("eye/chunk-000/file-000.mp4: is missing")
+        (self.copy / "data/chunk-000/file-000.parquet").unlink()
+        self.finds("data/chunk-000/file-000.parquet: is missing")
+        (self.copy / "meta/info.json").unlink()
+        self.finds("info.json: is missing; expected the folder of a LeRobot dataset")
+
+    def test_finds_missing_and_impossible_statistics(self):
+        self.edit_json("stats.json", lambda stats: stats["action"].pop("q99"))
+        self.finds("action: has no statistics q99")
+        self.edit_json("stats.json", lambda stats: stats["observation.state"].update(mean=[float("nan")]))
+        self.finds("observation.state: has statistics that are not finite")
+
+    def test_finds_files_that_were_not_completed(self):
+        for name in ("data/chunk-000/file-000.parquet", "videos/observation.images.eye/chunk-000/file-000.mp4"):
+            path = self.copy / name
+            path.write_bytes(path.read_bytes()[:2000])
+        self.finds("file-000.parquet: cannot be read .*interrupted")
+        self.finds("file-000.mp4: has no index of a film")
+
+    def test_finds_a_stale_index(self):
+        def change(table):
+            return self.replaced(table, "dataset_from_index", [0, 17])
+        self.edit_table(change, "meta/episodes/chunk-000/file-000.parquet")
+        self.finds("episode 1: begins at frame 17 of the dataset, expected")
+
+    def test_finds_frames_that_are_elsewhere_or_miscounted(self):
+        self.edit_table(lambda table: table.slice(3))
+        self.finds("episode 0: has .* frames in data/.*, but is listed with")
+        self.edit_table(lambda table: self.replaced(table, "frame_index", [0] * len(table)))
+        self.finds("episode 1: has frame_index that does not count from 0")
+
+    def test_finds_wrong_times_tasks_and_numbers(self):
+        self.edit_table(lambda table: self.replaced(table, "timestamp", np.arange(len(table)) / 9.5))
+        self.finds("episode 0: has times that are not frame_index / fps")
+        self.edit_table(lambda table: self.replaced(table, "task_index", [4] * len(table)))
+        self.finds("has the task 4, which is not in the list")
+        self.edit_table(lambda table: self.replaced(
+            table, "sim.subtask_progress", [float("nan")] * len(table)))
+        self.finds("numbers in sim.subtask_progress that are not finite")
+
+    def test_finds_tasks_that_are_no_index(self):
+        self.edit_table(lambda table: table.replace_schema_metadata({}), "meta/tasks.parquet")
+        self.finds("meta/tasks.parquet: does not declare the tasks as the index")
+
+    def test_finds_films_that_do_not_fit(self):
+        key = "videos/observation.images.eye/to_timestamp"
+        def change(table):
+            return self.replaced(table, key, [end + 3 for end in table[key].to_pylist()])
+        self.edit_table(change, "meta/episodes/chunk-000/file-000.parquet")
+        self.finds("episode 0: is .* s long, but its part of")
+        self.edit_json("info.json", lambda info: info.update(fps=12))
+        self.finds("has 10 pictures per second, but the dataset has 12")
+
+    def test_finds_films_whose_pictures_are_stored_out_of_order(self):
+        path = self.copy / "videos/observation.images.eye/chunk-000/file-000.mp4"
+        with av.open(str(path)) as film:
+            pictures = [picture.to_ndarray(format="rgb24") for picture in film.decode(video=0)]
+        with av.open(str(path), "w") as film:
+            stream = film.add_stream("libx264", rate=FPS, options={"bf": "2"})
+            stream.width, stream.height, stream.pix_fmt = *SIZE, "yuv420p"
+            for picture in pictures[:-4]:
+                film.mux(stream.encode(av.VideoFrame.from_ndarray(picture, format="rgb24")))
+            film.mux(stream.encode())
+        self.finds("warning: .*file-000.mp4: stores pictures in another order")
+        self.finds(r"episode 1: ends at picture \d+ of .*, which has only")
+
+    def test_finds_recordings_that_were_changed(self):
+        with (self.copy / "extras/episode_000001/commands.jsonl").open("a") as file:
+            file.write("\n")
+        self.finds("extras/episode_000001: is not the recording")
+
+    def test_survives_any_damaged_file(self):
+        files = sorted(path for path in self.copy.rglob("*") if path.is_file() and "extras" not in path.parts)
+        for path in files:
+            content = path.read_bytes()
+            for damaged in (b"", content[:len(content) // 2], content[:-1], b"\0" * len(content)):
+                path.write_bytes(damaged)
+                examine(self.copy)
+            path.write_bytes(content)
+
+
+class CommandLineTest(unittest.TestCase):
+    def test_the_document_works(self):
+        """Runs docs/datasets.md as tests/docs runs the others, which need no packages."""
+        text = (PROJECT / "docs/datasets.md").read_text()
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("scenes", "examples", "python", "robots", "tests"):
+                (Path(folder) / name).symlink_to(PROJECT / name)
+            blocks = re.findall(r"^```(\w+)( [\w.]+)?\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)
+            environment = {**os.environ, "PYTHONPATH": f"{os.environ['PYTHONPATH']}:{READERS}"}
+            printed = ""
+            for language, purpose, content in blocks:
+                if purpose.strip().count("."):
+                    (Path(folder) / purpose.strip()).write_text(content)
+                elif language == "sh":
+                    content = re.sub(r"^export PYTHONPATH.*|^python3 -m pip.*", "", content, flags=re.MULTILINE)
+                    content = content.replace("./run", os.environ["SMILE"]).replace("python3 ", sys.executable + " ")
+                    answer = subprocess.run(["bash", "-ec", content], cwd=folder, text=True, env=environment,
+                                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                    printed = answer.stdout
+                    self.assertEqual(answer.returncode, 0, content + printed)
+                elif purpose.strip() == "output":
+                    for line in content.splitlines():
+                        pattern = ".*".join(map(re.escape, line.split("…")))
+                        self.assertRegex(printed, pattern)
+
+    def test_the_help_names_formats_rates_and_actions(self):
+        answer = run("export", "--help")
+        for word in ("lerobot-v3.0", "joint_velocity", "30, 60 (default 30)", "--include-failed"):
+            self.assertIn(word, answer.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -57,9 +58,10 @@ class WorstBreach {
               double upper)
       : joint_(joint), slides_(slides), quantity_(quantity), lower_(lower), upper_(upper) {}
 
-  void See(double seconds, double value) {
+  /// @param rounding  error of the value that follows from the rounding of positions.
+  void See(double seconds, double value, double rounding = 0) {
     const double limit = value > upper_ ? upper_ : lower_;
-    const double beyond = std::max(value - upper_, lower_ - value);
+    const double beyond = std::max(value - upper_, lower_ - value) - rounding;
     // Relative to the limit's size, with a floor for limits near zero.
     const double size = std::max({1e-3, std::abs(lower_), std::abs(upper_)});
     // Of equal violations the first one counts, as only a larger one replaces it.
@@ -140,12 +142,16 @@ std::vector<LimitBreach> CheckLimits(const JointTrajectory& trajectory,
       const TrajectoryPoint &from = points[k - 1], &to = points[k];
       const Cubic cubic{from.positions[i], to.positions[i], from.velocities[i], to.velocities[i],
                         to.seconds - from.seconds};
+      // Of a span as short as a motion to where the joint already is, the derivatives are nothing
+      // but rounding. Their greatest factors of the distance: see Cubic.
+      const double rounding = std::numeric_limits<double>::epsilon() *
+                              (std::abs(cubic.from) + std::abs(cubic.to)) / cubic.seconds;
       for (const double u : TurningPoints(cubic)) {
         const double seconds = from.seconds + u * cubic.seconds;
         position.See(seconds, cubic.At(u));
-        velocity.See(seconds, cubic.DerivativeAt(u));
+        velocity.See(seconds, cubic.DerivativeAt(u), 1.5 * rounding);
         // The acceleration jumps at points, so each span is evaluated at both of its ends.
-        acceleration.See(seconds, cubic.SecondDerivativeAt(u));
+        acceleration.See(seconds, cubic.SecondDerivativeAt(u), 6 * rounding / cubic.seconds);
       }
     }
     for (const WorstBreach* worst : {&position, &velocity, &acceleration}) {

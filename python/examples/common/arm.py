@@ -65,11 +65,11 @@ class Arm:
                 return motions
         return None
 
-    def start_postures(self, num_random=START_POSTURES):
+    def start_postures(self):
         random = np.random.default_rng(1)  # the same postures each time
         yield self.q
         yield from self.over_table()
-        for _ in range(num_random):
+        for _ in range(START_POSTURES):
             yield random.uniform(*self.limits)
 
     def over_table(self):

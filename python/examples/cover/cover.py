@@ -18,10 +18,11 @@ from screws import plan_drive
 from sight import find_bin, find_housing, find_screwdriver, find_spare, find_stand
 
 SCREW_X, SCREW_Y = 1.55, 0.75      # of the screws, from the middle of the housing
-KNOB, KNOB_ON_STAND = 2.2, 2       # heights of the tool that holds the knob of the cover, ...
-FUSE, FUSE_INSIDE = 1.1, 1.2       # a fuse on the table, and one in the socket or the bin
-OVER, OVER_FUSE = 3.4, 2.9         # heights at which the cover and a fuse are carried
-LIFT = 1.8                         # of a fuse that stands alone, before it rises on its way across
+# Heights of the tips of the fingers:
+KNOB, KNOB_ON_STAND = 1.4, 1.2     # they hold the knob of the cover, ...
+FUSE, FUSE_INSIDE = 0.3, 0.45      # a fuse on the table, and one in the socket or the bin
+OVER, OVER_FUSE = 2.6, 2.1         # they carry the cover and a fuse
+LIFT = 1                           # they lift a fuse that stands alone, which then rises on its way
 DROP = 0.02                        # height above its place from which an object is released
 WIDE = 0.9                         # opening of the gripper around an object of 0.4
 
@@ -49,8 +50,9 @@ def replace(motor, aux):
 
 
 def carry(arms, start, start_height, goal, goal_height, over, *lower_lifts):
-    """Carries an object from a place to another one, and sets it down parallel to it. It is lifted
-    to `over`, or lower if no arm can lift it so high there."""
+    """Carries an object from a place to another one, and sets it down parallel to it. Heights are
+    those of the tips of the fingers. It is lifted to `over`, or lower if no arm can lift it so high
+    there."""
     arm, (to_start, lower, raise_, cross, put, leave) = carrying_plan(
         arms, start, start_height, goal, goal_height, over, lower_lifts)
     print("carrying with the", arm.name, "arm")
@@ -69,10 +71,11 @@ def carrying_plan(arms, start, start_height, goal, goal_height, over, lower_lift
     The fingers are at the longer sides of the object; it may be grasped, and stand, in two ways. A
     straight way keeps it level on its way across.
     """
+    tip = arms[0].tip(TABLE)
     ways = itertools.product([over, *lower_lifts], ["line", "joints"], [1, -1], [1, -1])
     for lift, across, start_side, goal_side in ways:
         from_above, grasp, above, put = [
-            pose_at(place.at(0, 0, height), side * place.y)
+            pose_at(place.at(0, 0, height + tip), side * place.y)
             for place, height, side in [
                 (start, lift, start_side), (start, start_height, start_side),
                 (goal, over, goal_side), (goal, goal_height + DROP, goal_side)]]

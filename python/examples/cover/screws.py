@@ -11,7 +11,6 @@ CARRY = 2.1          # and on the way
 DROP = 0.02          # height above its place from which the screwdriver is released
 WIDE = 1.3           # opening of the gripper around the handle
 STROKE = np.radians(183)  # of the wrist: half a turn, and a little more
-START_POSTURES = 60  # from which a plan for all screws is tried
 LOOSEN, FASTEN = 4, 5     # strokes for the two turns of a screw; one more until it is surely tight
 
 
@@ -26,7 +25,7 @@ def plan_drive(arms, holder, screws, is_loosening, table):
     """
     for arm in arms:
         q_others = [other.q for other in arms]
-        for q_start in arm.start_postures(START_POSTURES):
+        for q_start in arm.start_postures():
             try:
                 drive = Drive(arm, holder, screws, is_loosening, q_start)
             except Unreachable:

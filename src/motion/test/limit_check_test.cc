@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "motion/trajectory_shape.h"
+
 namespace smile::motion {
 namespace {
 
@@ -44,6 +46,21 @@ TEST(CheckLimits, AMoveAtTheLimitsKeepsThem) {
   const JointTrajectory move{{"a"}, MoveStraight(std::vector{-1.0}, std::vector{1.0}, kOneJoint)};
   EXPECT_TRUE(CheckLimits(move, kOneJoint).empty());
   EXPECT_TRUE(CheckLimits({{"a"}, {}}, kOneJoint).empty());
+}
+
+TEST(CheckLimits, ForgivesTheRoundingOfMovesToWhereTheJointIs) {
+  // Inverse kinematics gives the same angles again but for their last bits: from
+  // 1e-8 rad down to a single bit, where the place half way is not half way.
+  for (double distance = 1e-8; distance > 1e-16; distance /= 3) {
+    const double from = 0.7;
+    const JointTrajectory move{
+        {"a"}, MoveStraight(std::vector{from}, std::vector{from + distance}, kOneJoint)};
+    EXPECT_TRUE(CheckLimits(move, kOneJoint).empty()) << distance;
+  }
+  // Ten times too fast is no rounding, even where the motion is short.
+  JointTrajectory fast{{"a"}, MoveStraight(std::vector{0.7}, std::vector{0.7 + 1e-8}, kOneJoint)};
+  ScaleTime(0.1, &fast);
+  EXPECT_FALSE(CheckLimits(fast, kOneJoint).empty());
 }
 
 TEST(CheckLimits, RefusesWhatIsNoTrajectory) {

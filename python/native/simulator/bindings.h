@@ -10,5 +10,6 @@ void BindModel(pybind11::module_& m);
 void BindSimulation(pybind11::module_& m);
 void BindRecording(pybind11::module_& m);
 void BindTask(pybind11::module_& m);
+void BindEpisode(pybind11::module_& m);
 
 }  // namespace smile::python

@@ -42,4 +42,5 @@ PYBIND11_MODULE(smile_simulator_native, m) {
   smile::python::BindSimulation(m);
   smile::python::BindRecording(m);
   smile::python::BindTask(m);
+  smile::python::BindEpisode(m);
 }

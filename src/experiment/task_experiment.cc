@@ -22,19 +22,6 @@ constexpr const char* kLearner = "matlab/learner";
 /// Timeout per callback: a busy machine is no reason to fail [s].
 constexpr double kPatientCallbackSeconds = 60;
 
-/// Performs the shipped script of the task with the hands of the demonstrator, and records it.
-void RecordDemonstration(const TaskExperimentPlan& plan, const std::filesystem::path& directory,
-                         const Callbacks& callbacks) {
-  RunPlan run{.scene = scene_xml::LoadScene(DataFile("scenes/" + plan.task + ".xml")),
-              .robot = plan.robot,
-              .record = directory,
-              .recording = {.title = plan.task},
-              .label = "showing " + plan.task};
-  run.script =
-      sim::ReadScript(DataFile("examples/" + plan.task + ".jsonl"), run.scene.meters_per_unit);
-  (void)Run(run, callbacks);
-}
-
 /// Films the demonstration and the imitation, from the usual view for people. Small and at a low
 /// rate: without a graphics card, films take longer than the experiment itself.
 void FilmBoth(const std::filesystem::path& out, const Callbacks& callbacks) {
@@ -75,11 +62,26 @@ const ShippedTask* FindTask(std::string_view name) {
   return task == kTasks.end() ? nullptr : &*task;
 }
 
+void RecordDemonstration(std::string_view task, const sim::RobotPlacement& robot,
+                         const std::filesystem::path& directory, bool has_pictures,
+                         const Callbacks& callbacks) {
+  const std::string name(task);
+  RunPlan run{.scene = scene_xml::LoadScene(DataFile("scenes/" + name + ".xml")),
+              .robot = robot,
+              .record = directory,
+              .recording = {.title = name},
+              .has_pictures = has_pictures,
+              .label = "showing " + name};
+  run.script = sim::ReadScript(DataFile("examples/" + name + ".jsonl"), run.scene.meters_per_unit);
+  (void)Run(run, callbacks);
+}
+
 ImitationResult RunTaskExperiment(const TaskExperimentPlan& plan, const Callbacks& callbacks) {
   // Earlier results are never overwritten, so a failed experiment costs none.
   MoveAside(plan.out, callbacks);
   MakeDirectories(plan.out);
-  RecordDemonstration(plan, plan.out / "demonstration", callbacks);
+  RecordDemonstration(plan.task, plan.robot, plan.out / "demonstration", /*has_pictures=*/true,
+                      callbacks);
   if (callbacks.IsCancelled())
     throw std::runtime_error("interrupted; the recording so far is kept");
 

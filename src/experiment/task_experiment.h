@@ -42,6 +42,13 @@ inline constexpr std::array<ShippedTask, 19> kTasks{{{"um"},
 /// Returns the shipped task of this name, or nullptr.
 const ShippedTask* FindTask(std::string_view name);
 
+/// Performs the script of a shipped task with the hands of the demonstrator, at the table of a
+/// robot, and records it into a new directory.
+/// @throws std::runtime_error if a file cannot be read or written.
+void RecordDemonstration(std::string_view task, const sim::RobotPlacement& robot,
+                         const std::filesystem::path& directory, bool has_pictures,
+                         const Callbacks& callbacks = {});
+
 /// Speed of the films: four seconds in one.
 inline constexpr double kFilmSpeed = 4;
 

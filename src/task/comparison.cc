@@ -94,11 +94,10 @@ ObjectError StructureComparison::mean_error() const {
   return mean;
 }
 
-StructureComparison CompareWith(const Structure& structure, const Episode& outcome) {
-  // Motion and match are optimized together; the match by appearance alone is the start, and stays
-  // for objects that only effects refer to.
+StructureComparison ComparePoses(const Structure& structure, const Episode& outcome, Match match,
+                                 const std::set<std::string>& held) {
   const ObjectPoses poses = PosesAt(outcome.scene, outcome.end);
-  StructureComparison comparison{.match = MatchObjects(structure, outcome.scene),
+  StructureComparison comparison{.match = std::move(match),
                                  .goal = {},
                                  .errors = {},
                                  .neighbors = {},
@@ -107,17 +106,16 @@ StructureComparison CompareWith(const Structure& structure, const Episode& outco
                                  .order = {},
                                  .broken_rules = {},
                                  .achieved = {}};
-  MatchRemoved(structure, outcome, &comparison.match);
+  // Motion and match are optimized together; the match by appearance alone is the start, and stays
+  // for objects that only effects refer to.
   for (const Structure& part : PartsOf(structure)) {
     const Placing placing = FindPlacing(part, outcome, comparison.match);
-    const bool is_free = !part.objects.empty() && !part.is_fixed() && part.anchor == Anchor::kNone;
-    if (is_free) comparison.turn = placing.turn;
+    if (!part.objects.empty() && part.is_free()) comparison.turn = placing.turn;
     for (const scene::ObjectSpec& object : part.objects) {
       comparison.match[object.id()] = placing.match.at(object.id());
       comparison.goal[object.id()] = placing.motion * object.pose_in_world();
     }
   }
-  const std::set<std::string> held = HeldInTheEnd(outcome);
   for (const scene::ObjectSpec& object : structure.objects) {
     const std::string& id = object.id();
     const std::string& counterpart = comparison.match.at(id);
@@ -130,6 +128,23 @@ StructureComparison CompareWith(const Structure& structure, const Episode& outco
     // Of two objects in their places, the one that was to be placed later must fit the other.
     if (!error.is_within()) comparison.errors[error.pair.object].is_apart = true;
   }
+  return comparison;
+}
+
+double ScoreOf(const std::map<std::string, ObjectError>& errors, const std::vector<bool>& achieved,
+               std::size_t num_faults) {
+  const auto num_right =
+      std::ranges::count_if(errors, [](const auto& error) { return error.second.is_within(); }) +
+      std::ranges::count(achieved, true);
+  return static_cast<double>(num_right) /
+         static_cast<double>(errors.size() + achieved.size() + num_faults);
+}
+
+StructureComparison CompareWith(const Structure& structure, const Episode& outcome) {
+  Match match = MatchObjects(structure, outcome.scene);
+  MatchRemoved(structure, outcome, &match);
+  const std::set<std::string> held = HeldInTheEnd(outcome);
+  StructureComparison comparison = ComparePoses(structure, outcome, std::move(match), held);
   comparison.intruders = IntrudersOf(structure, outcome, comparison.match);
   // Order and effects refer to the match that was found.
   comparison.order = CompareOrder(structure, outcome, comparison);
@@ -139,16 +154,7 @@ StructureComparison CompareWith(const Structure& structure, const Episode& outco
   for (std::size_t i = 0; i < structure.effects.size(); ++i) {
     if (IsRefuted(structure.effects[i], held, comparison)) comparison.achieved[i] = false;
   }
-  // Each object and each effect has the same weight, and so has each object too many and
-  // each broken rule.
-  const auto num_right =
-      std::ranges::count_if(comparison.errors,
-                            [](const auto& error) { return error.second.is_within(); }) +
-      std::ranges::count(comparison.achieved, true);
-  comparison.score =
-      static_cast<double>(num_right) /
-      static_cast<double>(structure.objects.size() + structure.effects.size() +
-                          comparison.intruders.size() + comparison.broken_rules.size());
+  comparison.score = ScoreOf(comparison.errors, comparison.achieved, comparison.num_faults());
   if (comparison.turn && comparison.is_achieved()) {
     comparison.is_mirrored = IsMirrored(structure, outcome, comparison.match, *comparison.turn);
   }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,8 +36,15 @@ struct StructureComparison {
   double score = 0;
 
   bool is_achieved() const { return score == 1; }
+  std::size_t num_faults() const { return intruders.size() + broken_rules.size(); }
   ObjectError mean_error() const;  ///< over all objects; 0 without any
 };
+
+/// Returns the fraction of objects within tolerance and effects achieved, of all these and the
+/// faults: each object, each effect and each fault has the same weight.
+/// @param num_faults  intruders and broken rules.
+double ScoreOf(const std::map<std::string, ObjectError>& errors, const std::vector<bool>& achieved,
+               std::size_t num_faults);
 
 /// Compares up to a motion of the whole structure on the table, a shift along x and y and a turn
 /// about z, and up to an exchange of objects that look alike. Motion and match are chosen together
@@ -44,5 +53,12 @@ struct StructureComparison {
 /// determines the place of what it carries. A landmark stays where it was when the outcome began
 /// (Structure::anchor).
 StructureComparison CompareWith(const Structure& structure, const Episode& outcome);
+
+/// The part of CompareWith() that depends on poses only: `match`, `goal`, `errors`, `neighbors` and
+/// `turn`; the others stay empty.
+/// @param match  as from MatchObjects().
+/// @param held   ids of the outcome's scene that a hand or a gripper holds.
+StructureComparison ComparePoses(const Structure& structure, const Episode& outcome, Match match,
+                                 const std::set<std::string>& held);
 
 }  // namespace smile::task

@@ -214,6 +214,12 @@ Episode EpisodeObserver::episode() const {
   return episode;
 }
 
+void EpisodeObserver::Continue(std::vector<ContactEvent> contacts) {
+  contacts_ = {};
+  std::vector<NumberedContact>& before = contacts_[simulation_->history().current().id];
+  for (ContactEvent& contact : contacts) before.push_back({.contact = std::move(contact)});
+}
+
 Episode AtBegin(const Episode& episode) {
   return {.scene = episode.scene, .begin = episode.begin, .end = episode.begin, .contacts = {}};
 }

@@ -51,6 +51,10 @@ class EpisodeObserver : public sim::Listener {
   /// Returns the episode up to now.
   Episode episode() const;
 
+  /// Continues the episode from a state that the simulation has just restored.
+  /// @param contacts  of the episode up to that state.
+  void Continue(std::vector<ContactEvent> contacts);
+
  private:
   struct NumberedContact {
     ContactEvent contact;

@@ -57,6 +57,8 @@ struct Structure {
 
   /// True if some of its objects cannot be moved; then the structure can stand nowhere else.
   bool is_fixed() const;
+  /// True if nothing determines its place: it may stand anywhere on the table.
+  bool is_free() const { return anchor == Anchor::kNone && !is_fixed(); }
   bool Contains(const std::string& object) const;
   /// Returns the properties of an object that matter; empty if none were specified.
   std::vector<std::string> AttendedOf(const std::string& object) const;

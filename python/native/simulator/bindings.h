@@ -13,5 +13,6 @@ void BindTask(pybind11::module_& m);
 void BindExperiments(pybind11::module_& m);
 void BindFilms(pybind11::module_& m);
 void BindRobotMotion(pybind11::module_& m);
+void BindEpisode(pybind11::module_& m);
 
 }  // namespace smile::python

@@ -106,7 +106,7 @@ class Handle {
     observers_.push_back(std::make_unique<task::EpisodeObserver>(&*use));
     return observers_.size() - 1;
   }
-  const task::EpisodeObserver& observer(std::size_t number) const { return *observers_[number]; }
+  task::EpisodeObserver& observer(std::size_t number) { return *observers_[number]; }
 
   /// Starts a recording in a new directory.
   /// @param eye  nullopt for a recording without pictures.

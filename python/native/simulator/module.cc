@@ -50,4 +50,5 @@ PYBIND11_MODULE(smile_simulator_native, m) {
   smile::python::BindExperiments(m);
   smile::python::BindFilms(m);
   smile::python::BindRobotMotion(m);
+  smile::python::BindEpisode(m);
 }

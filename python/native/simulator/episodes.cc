@@ -1,0 +1,202 @@
+// Goals and episodes of tasks, for environments of reinforcement learning.
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <thread>
+
+#include "base/files.h"
+#include "bindings.h"
+#include "catalog/placed_robot.h"
+#include "contacts.h"
+#include "experiment/task_experiment.h"
+#include "recording/recording.h"
+#include "task/demonstrated_structure.h"
+#include "task/structure_json.h"
+#include "task_episode.h"
+
+namespace smile::python {
+
+namespace py = pybind11;
+
+namespace {
+
+using GoalSpacePointer = std::shared_ptr<task::GoalSpace>;
+
+GoalSpacePointer GoalsOf(const recording::Recording& demonstration) {
+  const py::gil_scoped_release release;
+  return std::make_shared<task::GoalSpace>(task::StructureOf(demonstration));
+}
+
+void DemandRows(const char* name, const Array& goals, py::ssize_t columns) {
+  if (goals.ndim() == 2 && goals.shape(1) == columns) return;
+  throw std::invalid_argument(std::string(name) + " has shape " + ShapeText(goals) +
+                              ", expected (n, " + std::to_string(columns) + ")");
+}
+
+/// Compares goals row by row.
+/// @returns (n, 3): score, relations, closeness.
+Array CompareRows(const task::GoalSpace& space, const Array& achieved, const Array& desired) {
+  const auto columns = static_cast<py::ssize_t>(space.size());
+  DemandRows("achieved_goal", achieved, columns);
+  DemandRows("desired_goal", desired, columns);
+  if (achieved.shape(0) != desired.shape(0)) {
+    throw std::invalid_argument("achieved_goal has shape " + ShapeText(achieved) +
+                                " and desired_goal " + ShapeText(desired) +
+                                ", expected equal shapes");
+  }
+  const py::ssize_t rows = achieved.shape(0);
+  Array scores({rows, py::ssize_t{3}});
+  double* out = scores.mutable_data();
+  const double *from = achieved.data(), *to = desired.data();
+  const py::gil_scoped_release release;
+  task::GoalComparer comparer(&space);
+  for (py::ssize_t i = 0; i < rows; ++i, from += columns, to += columns, out += 3) {
+    const task::GoalScore score = comparer.Compare({from, space.size()}, {to, space.size()});
+    out[0] = score.score;
+    out[1] = score.relations;
+    out[2] = score.closeness;
+  }
+  return scores;
+}
+
+/// (observation, achieved goal, (score, relations, closeness), refusal or None)
+py::tuple TupleOf(StepResult result) {
+  return py::make_tuple(
+      ArrayOf(result.observation), ArrayOf(result.achieved),
+      py::make_tuple(result.score.score, result.score.relations, result.score.closeness),
+      result.refusal);
+}
+
+/// Performs an action in each of several episodes, which share nothing: so the results do not
+/// depend on the number of threads.
+/// @throws what the first failing episode throws, after all have ended.
+std::vector<StepResult> StepAll(const std::vector<TaskEpisode*>& episodes, const double* actions,
+                                std::size_t action_size, int num_threads) {
+  std::vector<StepResult> results(episodes.size());
+  std::vector<std::exception_ptr> failures(episodes.size());
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < episodes.size(); i = next++) {
+      try {
+        results[i] = episodes[i]->Step({actions + i * action_size, action_size});
+      } catch (...) {
+        failures[i] = std::current_exception();
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    for (int i = 1; i < num_threads; ++i) helpers.emplace_back(work);
+    work();
+  }
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+  return results;
+}
+
+py::list StepEpisodes(const std::vector<TaskEpisode*>& episodes, const Array& actions,
+                      int num_threads) {
+  if (actions.ndim() != 2 || actions.shape(0) != static_cast<py::ssize_t>(episodes.size())) {
+    throw std::invalid_argument("actions has shape " + ShapeText(actions) + ", expected (" +
+                                std::to_string(episodes.size()) + ", n)");
+  }
+  if (std::ranges::find(episodes, nullptr) != episodes.end()) {
+    throw std::invalid_argument("episodes has None, expected episodes");
+  }
+  std::vector<StepResult> results;
+  {
+    const double* numbers = actions.data();
+    const auto size = static_cast<std::size_t>(actions.shape(1));
+    const py::gil_scoped_release release;
+    results = StepAll(episodes, numbers, size, num_threads);
+  }
+  py::list list;
+  for (StepResult& result : results) list.append(TupleOf(std::move(result)));
+  return list;
+}
+
+void BindGoals(py::module_& m) {
+  py::class_<task::GoalSpace, GoalSpacePointer>(m, "GoalSpace")
+      .def(py::init(&GoalsOf))
+      .def_property_readonly("size", &task::GoalSpace::size)
+      .def_property_readonly("names", &task::GoalSpace::names)
+      .def("words", [](const task::GoalSpace& space,
+                       double unit) { return task::WordsOf(space.structure(), unit); })
+      .def("compare", &CompareRows);
+  m.def("shipped_tasks", [] {
+    std::vector<std::pair<std::string, std::string>> tasks;
+    for (const experiment::ShippedTask& task : experiment::kTasks) {
+      tasks.emplace_back(task.name,
+                         layout::kLayoutLevelWords[static_cast<std::size_t>(task.level)]);
+    }
+    return tasks;
+  });
+  m.def("data_file", [](const std::string& path) { return DataFile(path); });
+  m.def("record_demonstration", [](const std::string& task, const std::string& robot,
+                                   const std::filesystem::path& directory) {
+    if (experiment::FindTask(task) == nullptr) {
+      throw std::invalid_argument("there is no task '" + task + "'");
+    }
+    const py::gil_scoped_release release;
+    experiment::RecordDemonstration(task, catalog::PlaceRobot(robot, {}).placement, directory,
+                                    /*has_pictures=*/false);
+  });
+}
+
+std::unique_ptr<TaskEpisode> MakeEpisode(Handle* handle, const GoalSpacePointer& space,
+                                         ControlKind kind, std::vector<std::string> arms, int ticks,
+                                         double speed, double displacement, double rotation,
+                                         const Array& lowest, const Array& highest,
+                                         const std::vector<std::string>& objects) {
+  if (handle == nullptr || space == nullptr) {
+    throw std::invalid_argument("expected a simulation and a goal space, found None");
+  }
+  ControlOptions options{.kind = kind,
+                         .arms = std::move(arms),
+                         .ticks = ticks,
+                         .speed = speed,
+                         .displacement = displacement,
+                         .rotation = rotation,
+                         .lowest = Vector3From("lowest", lowest),
+                         .highest = Vector3From("highest", highest)};
+  const py::gil_scoped_release release;
+  return std::make_unique<TaskEpisode>(handle, space, std::move(options), objects);
+}
+
+}  // namespace
+
+void BindEpisode(py::module_& m) {
+  BindGoals(m);
+  py::enum_<ControlKind>(m, "ControlKind")
+      .value("joint_velocities", ControlKind::kJointVelocities)
+      .value("joint_positions", ControlKind::kJointPositions)
+      .value("end_effector", ControlKind::kEndEffector)
+      .value("waypoints", ControlKind::kWaypoints);
+  py::class_<TaskEpisode>(m, "TaskEpisode")
+      .def(py::init(&MakeEpisode), py::keep_alive<1, 2>())
+      .def_property_readonly("observation_names", &TaskEpisode::observation_names)
+      .def_property_readonly("num_robot_numbers", &TaskEpisode::num_robot_numbers)
+      .def_property_readonly("action_names",
+                             [](const TaskEpisode& episode) { return episode.control().names(); })
+      .def_property_readonly("desired",
+                             [](const TaskEpisode& episode) { return ArrayOf(episode.desired()); })
+      .def("now", [](TaskEpisode& episode) { return TupleOf(episode.Now()); })
+      .def("contacts",
+           [](TaskEpisode& episode) {
+             const std::vector<std::byte> bytes = SerializeContacts(episode.Contacts());
+             return py::bytes(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+           })
+      .def("continue_from", [](TaskEpisode& episode, const py::bytes& bytes) {
+        const std::string_view view = bytes;
+        episode.Continue(ParseContacts(std::as_bytes(std::span(view.data(), view.size()))));
+      });
+  m.def("step_episodes", &StepEpisodes);
+}
+
+}  // namespace smile::python

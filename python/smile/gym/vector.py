@@ -1,0 +1,140 @@
+"""Vector environment: worlds in one process, stepped by threads."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import gymnasium
+import numpy as np
+import numpy.typing as npt
+from gymnasium.vector import AutoresetMode
+from gymnasium.vector.utils import batch_space, concatenate, create_empty_array
+
+from smile.gym.environment import MAX_EPISODE_STEPS, Environment
+from smile.simulation import _native
+
+Flags = npt.NDArray[np.bool_]
+
+
+class VectorEnv(gymnasium.vector.VectorEnv[dict[str, Any], npt.NDArray[np.float32], Any]):
+    """N environments in one process; threads step their worlds at the same time.
+
+    num_envs  number of environments
+    threads   number of threads (default: one per core, at most num_envs); the results are the same
+              with any number
+    max_episode_steps  steps after which an episode is truncated
+    kwargs    arguments of Environment
+
+    Each environment is as gymnasium.make() makes it, with the seeds `seed`, `seed + 1`, …. An
+    environment whose episode has ended begins the next one in the next step, which ignores its
+    action and has the reward 0 (autoreset mode NEXT_STEP).
+    """
+
+    def __init__(self, num_envs: int = 1, *, threads: int | None = None,
+                 max_episode_steps: int = MAX_EPISODE_STEPS, **kwargs: Any) -> None:
+        for name, value in (("num_envs", num_envs), ("threads", threads),
+                            ("max_episode_steps", max_episode_steps)):
+            if value is not None and (not isinstance(value, int) or value < 1):
+                raise ValueError(f"{name} is {value!r}, expected a whole number above 0")
+        self.num_envs = num_envs
+        self._threads = min(threads or os.cpu_count() or 1, num_envs)
+        self._max_episode_steps = max_episode_steps
+        self.envs = [Environment(**kwargs) for _ in range(num_envs)]
+        first = self.envs[0]
+        self.metadata = {**first.metadata, "autoreset_mode": AutoresetMode.NEXT_STEP}
+        self.render_mode = first.render_mode
+        self.single_action_space = first.action_space
+        self.single_observation_space = first.observation_space
+        self.action_space = batch_space(first.action_space, num_envs)
+        self.observation_space = batch_space(first.observation_space, num_envs)
+        self._pool = ThreadPoolExecutor(self._threads)
+        self._steps = np.zeros(num_envs, int)
+        self._has_ended: Flags = np.zeros(num_envs, bool)
+
+    @property
+    def np_random(self) -> Any:
+        """The generators of the environments."""
+        return tuple(env.np_random for env in self.envs)
+
+    @property
+    def np_random_seed(self) -> Any:
+        """The seeds of the environments."""
+        return tuple(env.np_random_seed for env in self.envs)
+
+    def reset(self, *, seed: int | Sequence[int | None] | None = None,
+              options: dict[str, Any] | None = None) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Begins an episode in all environments, see Environment.reset()."""
+        if seed is None or isinstance(seed, (int, np.integer)):
+            seeds: list[int | None] = [None if seed is None else int(seed) + i
+                                       for i in range(self.num_envs)]
+        else:
+            seeds = list(seed)
+        if len(seeds) != self.num_envs:
+            raise ValueError(f"seed has {len(seeds)} numbers, expected {self.num_envs}")
+        answers = list(self._pool.map(lambda env, one: env.reset(seed=one, options=options),
+                                      self.envs, seeds))
+        self._steps[:] = 0
+        self._has_ended[:] = False
+        return self._batched([answer[0] for answer in answers], [answer[1] for answer in answers])
+
+    def step(self, actions: npt.ArrayLike) -> tuple[dict[str, Any], npt.NDArray[np.float64], Flags,
+                                                     Flags, dict[str, Any]]:
+        """Steps all environments: actions (num_envs, n)."""
+        rows = np.asarray(actions, float)
+        if rows.shape != self.action_space.shape:
+            raise ValueError(f"actions has shape {rows.shape}, expected {self.action_space.shape}")
+        going = np.flatnonzero(~self._has_ended)
+        resets = {int(i): self._pool.submit(self.envs[i].reset)
+                  for i in np.flatnonzero(self._has_ended)}
+        results = _native.step_episodes([self.envs[i]._episode for i in going], rows[going],
+                                        self._threads)
+        steps = dict(zip(going.tolist(), results))
+
+        def told(i: int) -> tuple[dict[str, Any], float, bool, bool, dict[str, Any]]:
+            if i in resets:
+                observation, info = resets[i].result()
+                return observation, 0.0, False, False, info
+            return self.envs[i]._answer(steps[i])
+
+        # Pictures are drawn by threads, too.
+        has_pictures = bool(self.envs[0]._cameras)
+        answers = list((self._pool.map if has_pictures else map)(told, range(self.num_envs)))
+        self._steps = np.where(self._has_ended, 0, self._steps + 1)
+        terminated = np.array([answer[2] for answer in answers])
+        truncated = self._steps >= self._max_episode_steps
+        self._has_ended = terminated | truncated
+        observations, infos = self._batched([answer[0] for answer in answers],
+                                            [answer[4] for answer in answers])
+        rewards = np.array([answer[1] for answer in answers])
+        return observations, rewards, terminated, truncated, infos
+
+    def _batched(self, observations: list[dict[str, Any]],
+                 infos: list[dict[str, Any]]) -> tuple[dict[str, Any], dict[str, Any]]:
+        batch = create_empty_array(self.single_observation_space, self.num_envs)
+        all_infos: dict[str, Any] = {}
+        for i, info in enumerate(infos):
+            all_infos = self._add_info(all_infos, info, i)
+        return concatenate(self.single_observation_space, observations, batch), all_infos
+
+    def call(self, name: str, *args: Any, **kwargs: Any) -> tuple[Any, ...]:
+        """Calls a method of each environment, or gets an attribute."""
+        values = [getattr(env, name) for env in self.envs]
+        return tuple(value(*args, **kwargs) if callable(value) else value for value in values)
+
+    def get_attr(self, name: str) -> tuple[Any, ...]:
+        """Returns an attribute of each environment."""
+        return tuple(getattr(env, name) for env in self.envs)
+
+    def render(self) -> tuple[Any, ...] | None:
+        """Returns a picture of each environment, or None without a render_mode."""
+        if self.render_mode is None:
+            return None
+        return tuple(self._pool.map(lambda env: env.render(), self.envs))
+
+    def close_extras(self, **kwargs: Any) -> None:
+        for env in self.envs:
+            env.close()
+        self._pool.shutdown()

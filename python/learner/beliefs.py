@@ -19,7 +19,9 @@ def update_beliefs(known, seen, picture, eye, heights=None):
     table = table_color(picture)
     now = list(seen)
     for block in known:
-        distances = [np.linalg.norm(it.position - block.position) for it in seen]
+        # What is entirely below or above it is another block.
+        distances = [np.linalg.norm(it.position - block.position)
+                     if it.bottom < block.position[2] < it.top else np.inf for it in seen]
         if distances and min(distances) < C.same_block_distance:
             nearest = int(np.argmin(distances))
             is_same = is_same_kind(seen[nearest], block)

@@ -32,11 +32,11 @@ def is_top_hidden(block, others, eye):
 
 
 def top_points(block):
-    """Returns the middle of a block's top and, unless it is a ball, points near its corners, Nx3
-    [units]."""
-    along = C.top_fraction * block.size[0] * np.array([math.cos(block.yaw), math.sin(block.yaw), 0])
-    across = C.top_fraction * block.size[1] * np.array([-math.sin(block.yaw), math.cos(block.yaw),
-                                                        0])
+    """Returns the middle of a block's top and, unless it is a ball, points near its corners or its
+    border, Nx3 [units]."""
+    fraction = C.top_fraction / (math.sqrt(2) if block.form == "disc" else 1)
+    along = fraction * block.size[0] * np.array([math.cos(block.yaw), math.sin(block.yaw), 0])
+    across = fraction * block.size[1] * np.array([-math.sin(block.yaw), math.cos(block.yaw), 0])
     middle = np.array([*block.position[:2], block.top])
     if block.form == "ball":
         return middle[None]

@@ -217,6 +217,7 @@ class PerceptionTest(unittest.TestCase):
             [found] = detect_blocks(picture, EYE, [wanted], heights=heights)
             np.testing.assert_allclose(found.position, wanted.position, atol=0.01)
             self.assertEqual(found.is_round, wanted.is_round)
+        self.assertEqual(update_beliefs([disc], [], *view_of([disc])[:1], EYE, heights), [disc])
         self.assertEqual(len(grasp_yaws(disc, [])), 8)
         self.assertEqual(yaw_difference(disc, 1), 0)
         [unknown] = detect_unknown_objects(picture, EYE, [square], heights)

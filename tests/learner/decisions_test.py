@@ -96,7 +96,8 @@ def prepare(smile, source, name, task, layout):
         subprocess.run([smile, "layout", scene, *layout, "--out", case / "scene.xml"], check=True,
                        stdout=subprocess.DEVNULL)
         scene = case / "scene.xml"
-    subprocess.run([smile, "run", scene, "--brain", f"{source}/tests/learner/look.py", *robot],
+    subprocess.run([smile, "run", scene, "--brain", f"{source}/tests/learner/look.py",
+                    "--timeout", "60", *robot],
                    check=True, stdout=subprocess.DEVNULL,
                    env=os.environ | {"LOOK": str(case.resolve())})
     print(f"{case}: {task} {' '.join(layout)}")

@@ -74,7 +74,7 @@ std::pair<Work, Work> SavesAndRestores() {
 /// Computes in registers only: two threads share neither memory nor caches, so what they lose is
 /// the machine's.
 std::pair<Work, Work> ArithmeticOnly() {
-  const Work work = [] {
+  const auto work = [] {
     double x = 0.5;
     for (int i = 0; i < 12'000'000; ++i) x = 3.9 * x * (1 - x);
     benchmark::DoNotOptimize(x);

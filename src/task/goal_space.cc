@@ -28,14 +28,14 @@ std::size_t IndexOf(const scene::SceneSpec& scene, const std::string& id) {
 
 }  // namespace
 
-std::vector<std::string> GoalSpace::names() const {
+std::vector<std::string> GoalSpace::Names(double meters_per_unit) const {
   std::vector<std::string> names;
   for (const scene::ObjectSpec& object : structure_.objects) {
     for (const char* name : {"x", "y", "z", "qw", "qx", "qy", "qz", "released"}) {
       names.push_back(object.id() + "." + name);
     }
   }
-  for (const Effect& effect : structure_.effects) names.push_back(WordsOf(effect, 1));
+  for (const Effect& effect : structure_.effects) names.push_back(WordsOf(effect, meters_per_unit));
   names.emplace_back("faults");
   return names;
 }

@@ -24,8 +24,8 @@ class GoalSpace {
   std::size_t size() const {
     return kNumbersPerObject * structure_.objects.size() + structure_.effects.size() + 1;
   }
-  /// Names of the numbers, `RedBlock.x` for example.
-  std::vector<std::string> names() const;
+  /// Returns names of the numbers, `RedBlock.x` or `Lamp from dark to blue` for example.
+  std::vector<std::string> Names(double meters_per_unit) const;
 
   /// Returns the goal of an episode: the structure where it was demonstrated, if it may stand
   /// anywhere; else where it belongs in the episode's scene.

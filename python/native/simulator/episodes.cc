@@ -125,7 +125,7 @@ void BindGoals(py::module_& m) {
   py::class_<task::GoalSpace, GoalSpacePointer>(m, "GoalSpace")
       .def(py::init(&GoalsOf))
       .def_property_readonly("size", &task::GoalSpace::size)
-      .def_property_readonly("names", &task::GoalSpace::names)
+      .def("names", &task::GoalSpace::Names)
       .def("words", [](const task::GoalSpace& space,
                        double unit) { return task::WordsOf(space.structure(), unit); })
       .def("compare", &CompareRows);

@@ -7,14 +7,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 import smile
 from smile.datasets.sources import Source
-from smile.simulation import TICKS_PER_SECOND, Floats, _native
+from smile.native import load
+from smile.simulation import TICKS_PER_SECOND, Floats
+
+if TYPE_CHECKING:
+    from smile import smile_simulator_native as _native
+else:
+    _native = load("smile_simulator_native")
 
 ACTIONS = ("joint_position", "joint_velocity", "end_effector")
 

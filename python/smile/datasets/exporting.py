@@ -7,7 +7,7 @@ import os
 import shutil
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -20,7 +20,13 @@ from smile.datasets.features import Camera
 from smile.datasets.lerobot import FilmFiles, Row, Writer, WriterOfVersion2, write_json
 from smile.datasets.sources import Source, find_source
 from smile.datasets.target import new_folder, refuse_existing
-from smile.simulation import TICKS_PER_SECOND, _native, picture_size
+from smile.native import load
+from smile.simulation import TICKS_PER_SECOND, picture_size
+
+if TYPE_CHECKING:
+    from smile import smile_simulator_native as _native
+else:
+    _native = load("smile_simulator_native")
 
 FORMATS = ("lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr", "csv")
 RATES = tuple(fps for fps in range(1, TICKS_PER_SECOND + 1) if TICKS_PER_SECOND % fps == 0)

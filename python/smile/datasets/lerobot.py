@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -18,7 +18,12 @@ import pyarrow.parquet as pq
 from smile.datasets import statistics
 from smile.datasets.episode import Column
 from smile.datasets.features import Camera, array_of, features_of, schema_of
-from smile.simulation import _native
+from smile.native import load
+
+if TYPE_CHECKING:
+    from smile import smile_simulator_native as _native
+else:
+    _native = load("smile_simulator_native")
 
 MEGABYTE = 1_000_000
 FILES_PER_CHUNK = 1000

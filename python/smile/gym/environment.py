@@ -6,7 +6,7 @@ import json
 import os
 import struct
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import gymnasium
 import numpy as np
@@ -14,10 +14,15 @@ import numpy.typing as npt
 from gymnasium import spaces
 
 from smile.gym.tasks import LEVELS, find_task
+from smile.native import load
 from smile.picture import Picture
 from smile.simulation import (
-    CHANNELS, TICKS_PER_SECOND, Floats, Model, Simulation, State, _native, channel_flags,
-    picture_size)
+    CHANNELS, TICKS_PER_SECOND, Floats, Model, Simulation, State, channel_flags, picture_size)
+
+if TYPE_CHECKING:
+    from smile import smile_simulator_native as _native
+else:
+    _native = load("smile_simulator_native")
 
 MAX_EPISODE_STEPS = 600
 CONTROLS = ("joint_velocities", "joint_positions", "end_effector", "waypoints")
@@ -112,8 +117,8 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
         """Begins an episode. Raises SceneError if there is nothing to do."""
         simulation = Simulation(model)
         # Objects that a level adds are not in the state: its size is the same in all episodes.
-        self._episode = _native.TaskEpisode(simulation._native, self._goals, *self._control,
-                                            self._base.object_ids)
+        options = (*self._control, self._base.object_ids)
+        self._episode = _native.TaskEpisode(simulation._native, self._goals, *options)
         self._simulation = simulation
 
     def _make_spaces(self) -> None:
@@ -166,7 +171,7 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
     @property
     def goal_names(self) -> list[str]:
         """Names of the numbers of a goal."""
-        return self._goals.names
+        return self._goals.names(self._base.unit)
 
     def reset(self, *, seed: int | None = None,
               options: dict[str, Any] | None = None) -> tuple[Observation, dict[str, Any]]:
@@ -309,7 +314,7 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
         self.np_random = generator
         return self._told(self._episode.now())
 
-    def render(self) -> npt.NDArray[np.uint8] | None:  # type: ignore[override]
+    def render(self) -> npt.NDArray[np.uint8] | None:
         """Returns a picture (height, width, 3), or None without a render_mode."""
         if self.render_mode is None:
             return None

@@ -6,10 +6,16 @@ import os
 import tempfile
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import smile
-from smile.simulation import Model, _native
+from smile.native import load
+from smile.simulation import Model
+
+if TYPE_CHECKING:
+    from smile import smile_simulator_native as _native
+else:
+    _native = load("smile_simulator_native")
 
 # Levels of random layouts, and the positions in the scene file.
 LEVELS = ("scattered", "touching", "stacked", "edges", "distractors", "mixed", "fixtures", "piles",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import gymnasium
 import numpy as np
@@ -14,7 +14,12 @@ from gymnasium.vector import AutoresetMode
 from gymnasium.vector.utils import batch_space, concatenate, create_empty_array
 
 from smile.gym.environment import MAX_EPISODE_STEPS, Environment
-from smile.simulation import _native
+from smile.native import load
+
+if TYPE_CHECKING:
+    from smile import smile_simulator_native as _native
+else:
+    _native = load("smile_simulator_native")
 
 Flags = npt.NDArray[np.bool_]
 
@@ -54,7 +59,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[dict[str, Any], npt.NDArray[np.float3
         self._steps = np.zeros(num_envs, int)
         self._has_ended: Flags = np.zeros(num_envs, bool)
 
-    @property
+    @property  # type: ignore[misc]
     def np_random(self) -> Any:
         """The generators of the environments."""
         return tuple(env.np_random for env in self.envs)
@@ -113,11 +118,12 @@ class VectorEnv(gymnasium.vector.VectorEnv[dict[str, Any], npt.NDArray[np.float3
 
     def _batched(self, observations: list[dict[str, Any]],
                  infos: list[dict[str, Any]]) -> tuple[dict[str, Any], dict[str, Any]]:
-        batch = create_empty_array(self.single_observation_space, self.num_envs)
+        batch: Any = create_empty_array(self.single_observation_space, self.num_envs)
         all_infos: dict[str, Any] = {}
         for i, info in enumerate(infos):
             all_infos = self._add_info(all_infos, info, i)
-        return concatenate(self.single_observation_space, observations, batch), all_infos
+        batched: Any = concatenate(self.single_observation_space, observations, batch)
+        return batched, all_infos
 
     def call(self, name: str, *args: Any, **kwargs: Any) -> tuple[Any, ...]:
         """Calls a method of each environment, or gets an attribute."""

@@ -70,7 +70,7 @@ TEST(GoalSpace, AHeldObjectIsNotPlacedAndAFaultCounts) {
   GoalComparer comparer(&space);
   const std::vector<double> desired = space.Desired(EpisodeTo(space.structure().objects));
   EXPECT_EQ(desired.size(), space.size());
-  EXPECT_EQ(space.names()[7], "a.released");
+  EXPECT_EQ(space.Names(1)[7], "a.released");
   std::vector<double> achieved = desired;
   achieved[7] = 0;
   EXPECT_EQ(comparer.Compare(achieved, desired).score, 0.75);

@@ -20,6 +20,9 @@ static_assert(std::endian::native == std::endian::little,
 /// Writer of plain values to a byte string, field by field, little-endian, without padding.
 class ByteWriter {
  public:
+  /// @param room  number of bytes that are expected: saves growing.
+  explicit ByteWriter(std::size_t room = 0) : room_(room) {}
+
   template <class T>
   requires std::is_arithmetic_v<T> || std::is_enum_v<T>
   void Put(T value) { PutBytes({reinterpret_cast<const std::byte*>(&value), sizeof value}); }
@@ -65,6 +68,14 @@ class ByteReader {
     std::span<const std::byte> bytes = GetBytes(sizeof value);
     if (!bytes.empty()) std::memcpy(&value, bytes.data(), sizeof value);
     return value;
+  }
+  /// Returns true, and skips them, if these bytes come next.
+  bool SkipIfNext(std::span<const std::byte> bytes) {
+    if (bytes.size() > rest_.size() || std::memcmp(rest_.data(), bytes.data(), bytes.size()) != 0) {
+      return false;
+    }
+    rest_ = rest_.subspan(bytes.size());
+    return true;
   }
   /// Returns the next `count` bytes; empty, and not `ok()`, if fewer are left.
   std::span<const std::byte> GetBytes(std::size_t count) {

@@ -1,7 +1,6 @@
 #include "physics/articulation.h"
 
 #include <algorithm>
-#include <cstring>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -222,15 +221,9 @@ void Articulation::Save(ByteWriter* out) const {
 
 void Articulation::Restore(ByteReader* in) {
   // Computing where the links are takes far longer than seeing that the robot stands still.
-  ByteWriter present;
+  ByteWriter present(/*room=*/in->remaining());
   Save(&present);
-  ByteReader ahead = *in;
-  const std::span<const std::byte> saved = ahead.GetBytes(present.size());
-  if (saved.size() == present.size() &&
-      std::memcmp(saved.data(), present.bytes().data(), saved.size()) == 0) {
-    *in = ahead;
-    return;
-  }
+  if (in->SkipIfNext(present.bytes())) return;
   for (int i = 0; i < num_joints(); ++i) {
     links_->links[i].SetPosition(in->Get<double>());
     links_->links[i].SetVelocity(in->Get<double>());

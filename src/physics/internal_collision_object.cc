@@ -1,8 +1,5 @@
 #include "physics/internal_collision_object.h"
 
-#include <array>
-#include <span>
-
 namespace smile::physics {
 namespace {
 
@@ -44,8 +41,7 @@ void SetPose(const RigidTransform& X_W, btCollisionObject* object) {
 }
 
 void WriteVector(const btVector3& v, ByteWriter* out) {
-  const std::array<double, 3> numbers{v.x(), v.y(), v.z()};
-  out->PutBytes(std::as_bytes(std::span(numbers)));
+  out->PutBytes(std::as_bytes(std::span(v.m_floats).first<3>()));
 }
 
 void SaveObject(const btCollisionObject& object, ByteWriter* out) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace smile {
 namespace {
 
@@ -49,6 +51,17 @@ TEST(ByteReader, DoesNotTrustALengthItReads) {
   ByteReader reader(writer.bytes());
   EXPECT_EQ(reader.GetString(), "");
   EXPECT_FALSE(reader.ok());
+}
+
+TEST(ByteReader, SkipsOnlyWhatComesNext) {
+  ByteWriter writer;
+  writer.Put(std::uint16_t{9});
+  ByteReader reader(writer.bytes());
+  EXPECT_FALSE(reader.SkipIfNext(std::array{std::byte{8}}));
+  EXPECT_FALSE(reader.SkipIfNext(std::array{std::byte{9}, std::byte{0}, std::byte{0}}));
+  EXPECT_TRUE(reader.SkipIfNext(std::array{std::byte{9}}));
+  EXPECT_EQ(reader.remaining(), 1u);
+  EXPECT_TRUE(reader.ok());
 }
 
 }  // namespace

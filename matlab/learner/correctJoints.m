@@ -2,8 +2,8 @@ function [joints, sensor] = correctJoints(joints, sensor, tick_seconds)
 % Replaces the measured joint angles in `sensor` by estimates: see jointEstimates().
   c = constants().joint_estimates;
   num_ticks = round(sensor.timeElapsed / tick_seconds);
-  is_at_rest = all(cellfun(@(told) ~any(told(:)), joints.told));
-  if is_at_rest && ~any(joints.variances)
+  joints.has_moved = joints.has_moved || any(cellfun(@(told) any(told(:)), joints.told));
+  if ~joints.has_moved
     for k = 1:numel(sensor.arms)
       joints.rest = [joints.rest; sensor.arms(k).joints(:) - joints.starts{k}];
     end

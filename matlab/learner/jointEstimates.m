@@ -7,6 +7,7 @@ function joints = jointEstimates(starts)
   joints.angles = starts;
   joints.variances = zeros(size(starts));  % of the estimates [rad2]
   joints.surprises = cell(size(starts));   % measured less predicted, the last few, nxN
+  joints.has_moved = false;
   joints.rest = [];                        % measured less known, while nothing has moved
   joints.told = {};                        % velocities of each arm, nxN for N ticks, or nx1 [rad/s]
   joints.last = cellfun(@(q) zeros(size(q)), starts, 'UniformOutput', false);  % the last told [rad/s]

@@ -21,14 +21,15 @@ class JointEstimates:
         self.variances = [0.0] * len(starts)  # of the estimates [rad2]
         self.surprises = [[] for _ in starts]  # measured less predicted, the last few
         self.rest = []  # measured less known, while nothing has moved
-        self.told = None  # velocities of each arm, n or nxN for N ticks [rad/s]
+        self.told = []  # velocities of each arm, n or nxN for N ticks [rad/s]
+        self.has_moved = False
         self.last = [np.zeros_like(q) for q in self.starts]  # the last velocities told [rad/s]
 
     def correct(self, sensor, tick_seconds):
         """Replaces the measured joint angles in `sensor` by estimates."""
         num_ticks = round(sensor.timeElapsed / tick_seconds)
-        is_at_rest = self.told is None or not any(np.any(told) for told in self.told)
-        if is_at_rest and not any(self.variances):
+        self.has_moved = self.has_moved or any(np.any(told) for told in self.told)
+        if not self.has_moved:
             self.rest += [arm.joints - q for arm, q in zip(sensor.arms, self.starts)]
         noise = np.sqrt(np.mean(np.concatenate(self.rest) ** 2))
         for k, arm in enumerate(sensor.arms):
@@ -41,7 +42,7 @@ class JointEstimates:
 
     def predict(self, k, num_ticks, tick_seconds):
         """Moves the estimate of an arm as its motors were told for some ticks."""
-        if self.told is None or num_ticks == 0:
+        if not self.told or num_ticks == 0:
             return
         told = self.told[k]
         told = told[:, None].repeat(num_ticks, 1) if told.ndim == 1 else told[:, :num_ticks]

@@ -298,8 +298,9 @@ class NoiseTest(unittest.TestCase):
     def test_noisy_joints_are_where_the_motors_brought_them(self):
         told = np.repeat([[0, 0], [0.5, -0.5], [0, 0]], [20, 60, 20], axis=0)
         truths = np.cumsum(np.vstack([[0, 0], told[:-1]]), axis=0) * self.TICK
-        exact = self.estimates_while(truths, told, 0)
-        np.testing.assert_array_equal(exact, truths)
+        pushed = truths + np.repeat([[0], [0.1]], [90, 10], axis=0)
+        exact = self.estimates_while(pushed, told, 0)
+        np.testing.assert_array_equal(exact, pushed)
         noisy = self.estimates_while(truths, told, 0.01)
         self.assertLess(np.abs(noisy - truths).max(), 0.004)
 

@@ -71,6 +71,7 @@ class ByteReader {
   }
   /// Returns true, and skips them, if these bytes come next.
   bool SkipIfNext(std::span<const std::byte> bytes) {
+    if (bytes.empty()) return true;
     if (bytes.size() > rest_.size() || std::memcmp(rest_.data(), bytes.data(), bytes.size()) != 0) {
       return false;
     }

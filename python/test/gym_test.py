@@ -14,6 +14,7 @@ import warnings
 from pathlib import Path
 
 import numpy as np
+from hands import put_on
 
 PROJECT = Path(sys.argv[1])
 sys.path.append(str(PROJECT / "build/gymnasium"))
@@ -38,20 +39,6 @@ def stacked_demo(folder):
     sim.record(folder, pictures=False)
     put_on(sim, "RedBlock", "BlueBlock")
     return sim.finish()
-
-
-def put_on(sim, mover, base):
-    def yaw(one):
-        return 2 * np.arctan2(one.quaternion[3], one.quaternion[0])
-
-    hand, under = sim.hand("left"), sim.objects[base]
-    hand.grasp(mover)
-    hand.rotate([0, 0, yaw(under) - yaw(sim.objects[mover])])
-    for height in (0.3, 0.151):
-        hand.move_to([*under.position[:2], height])
-        sim.run_until("arrived")
-    hand.release()
-    sim.run_until("still")
 
 
 def equal(one, other):

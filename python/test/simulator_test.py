@@ -14,6 +14,7 @@ import unittest
 from pathlib import Path
 
 import numpy as np
+from hands import put_on
 
 import smile
 
@@ -152,19 +153,6 @@ class RecordingTest(unittest.TestCase):
 
 class TaskTest(unittest.TestCase):
     def test_what_was_shown_counts_in_another_layout_and_nothing_else(self):
-        def yaw(one):
-            return 2 * np.arctan2(one.quaternion[3], one.quaternion[0])
-
-        def put_on(sim, mover, base):
-            hand, under = sim.hand("left"), sim.objects[base]
-            hand.grasp(mover)
-            hand.rotate([0, 0, yaw(under) - yaw(sim.objects[mover])])
-            for height in (0.3, 0.151):
-                hand.move_to([*under.position[:2], height])
-                sim.run_until("arrived")
-            hand.release()
-            sim.run_until("still")
-
         with tempfile.TemporaryDirectory() as folder:
             sim = tower()
             sim.record(Path(folder) / "demo", pictures=False)

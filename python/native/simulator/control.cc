@@ -246,7 +246,7 @@ std::optional<std::string> Control::StartToWaypoint(const ControlledArm& arm,
   options.max_iterations = kMaxIterations;
   options.any_rotation = limits.size() < 6;  // such arms cannot take every rotation
   const auto goal = motion::SolveInverseKinematics(arm.kinematics, {R, place}, q, options);
-  if (!goal) return "the waypoint is out of reach of the " + arm.name + " arm";
+  if (!goal) return "the waypoint is out of reach of the arm " + Quoted(arm.name);
   const std::vector<std::vector<double>> path{q, *goal};
   return simulation->Apply(sim::FollowTrajectory{
       .trajectory = {.joint_names = arm.kinematics.joint_names(),

@@ -16,6 +16,7 @@ void AddStudio(CLI::App* program, ExitAnswer answer);
 void AddReplay(CLI::App* program, ExitAnswer answer);
 void AddHistory(CLI::App* program, ExitAnswer answer);
 void AddDescribe(CLI::App* program, ExitAnswer answer);
+void AddAnalyze(CLI::App* program, ExitAnswer answer);
 void AddCheckout(CLI::App* program, ExitAnswer answer);
 void AddEdit(CLI::App* program, ExitAnswer answer);
 void AddImport(CLI::App* program, ExitAnswer answer);

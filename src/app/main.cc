@@ -49,6 +49,7 @@ int main(int argc, char** argv) {
   app::AddReplay(&program, &answer);
   app::AddHistory(&program, &answer);
   app::AddDescribe(&program, &answer);
+  app::AddAnalyze(&program, &answer);
   app::AddCheckout(&program, &answer);
   app::AddEdit(&program, &answer);
   app::AddImport(&program, &answer);

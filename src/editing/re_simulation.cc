@@ -89,36 +89,6 @@ void CompareHostPoints(const recording::TraceTick& before, const recording::Trac
   }
 }
 
-/// Runs a new simulation to the start of the demonstration. A refused command is an error, since
-/// the past is not edited.
-void RunToStart(const recording::Recording& recording, replay::LogPlayer* player,
-                sim::Simulation* simulation) {
-  const auto failure = player->RunToStart(simulation);
-  if (!failure) return;
-  throw InputError({(recording.directory / "commands.jsonl").string(),
-                    static_cast<int>(failure->command.line), "",
-                    "was carried out in the recording, but is refused now: " + failure->refusal});
-}
-
-/// Runs for a number of ticks and executes the commands that are due, those of the last tick
-/// included.
-/// @returns the commands that were refused.
-std::vector<SkippedCommand> RunFor(std::uint64_t ticks, replay::LogPlayer* player,
-                                   sim::Simulation* simulation,
-                                   const recording::Progress& progress) {
-  std::vector<SkippedCommand> skipped;
-  for (std::uint64_t tick = 0;; ++tick) {
-    // Commands of a tick come before the tick, as in a live simulation; at the end one more round
-    // applies those of the last tick.
-    while (auto refused = player->ApplyDue(simulation)) {
-      skipped.push_back({refused->command.line, std::move(refused->refusal)});
-    }
-    if (tick == ticks) return skipped;
-    simulation->Tick();
-    if (progress && !progress(sim::SecondsOf(tick + 1), sim::SecondsOf(ticks))) return skipped;
-  }
-}
-
 /// Returns the end of the recording. The trace has the state before the commands of its last tick;
 /// if there are any, the recording is simulated again.
 recording::TraceTick EndOf(const recording::Recording& recording,
@@ -148,6 +118,31 @@ void CompareJoints(const recording::TraceTick& before, const recording::TraceTic
 }
 
 }  // namespace
+
+void RunToStart(const recording::Recording& recording, replay::LogPlayer* player,
+                sim::Simulation* simulation) {
+  const auto failure = player->RunToStart(simulation);
+  if (!failure) return;
+  throw InputError({(recording.directory / "commands.jsonl").string(),
+                    static_cast<int>(failure->command.line), "",
+                    "was carried out in the recording, but is refused now: " + failure->refusal});
+}
+
+std::vector<SkippedCommand> RunFor(std::uint64_t ticks, replay::LogPlayer* player,
+                                   sim::Simulation* simulation,
+                                   const recording::Progress& progress) {
+  std::vector<SkippedCommand> skipped;
+  for (std::uint64_t tick = 0;; ++tick) {
+    // Commands of a tick come before the tick, as in a live simulation; at the end one more round
+    // applies those of the last tick.
+    while (auto refused = player->ApplyDue(simulation)) {
+      skipped.push_back({refused->command.line, std::move(refused->refusal)});
+    }
+    if (tick == ticks) return skipped;
+    simulation->Tick();
+    if (progress && !progress(sim::SecondsOf(tick + 1), sim::SecondsOf(ticks))) return skipped;
+  }
+}
 
 EditReport ReSimulate(const recording::Recording& recording, const recording::Demonstration& edited,
                       const std::optional<EditOutput>& output,

@@ -7,7 +7,8 @@
 
 #include "math/angles.h"
 #include "recording/demonstration.h"
-#include "replay/replay.h"
+#include "recording/progress.h"
+#include "replay/log_player.h"
 #include "sim/eye.h"
 
 namespace smile::editing {
@@ -62,6 +63,20 @@ struct EditOutput {
   std::filesystem::path directory;  ///< new
   sim::Eye* eye = nullptr;          ///< takes the pictures; nullptr for text only
 };
+
+/// Runs a new simulation to the start of the demonstration. A refused command is an error, since
+/// the past is not edited.
+/// @throws InputError
+void RunToStart(const recording::Recording& recording, replay::LogPlayer* player,
+                sim::Simulation* simulation);
+
+/// Runs for a number of ticks and executes the commands that are due, those of the last tick
+/// included.
+/// @param progress  returning false ends it early.
+/// @returns the commands that were refused.
+std::vector<SkippedCommand> RunFor(std::uint64_t ticks, replay::LogPlayer* player,
+                                   sim::Simulation* simulation,
+                                   const recording::Progress& progress = {});
 
 /// Simulates an edited demonstration; commands that are refused are skipped.
 /// @param recording  source of the demonstration. Title, notes and display options are kept.

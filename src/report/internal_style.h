@@ -87,6 +87,8 @@ svg .end { text-anchor: end; } svg .middle { text-anchor: middle; }
   background: var(--c); margin-right: 7px; }
 .yes { fill: var(--good); fill-opacity: 0.8; } .no { fill: var(--bad); }
 .limit { stroke: var(--text); stroke-width: 1.2; stroke-dasharray: 4 3; }
+.subtask { fill: var(--accent-soft); stroke: var(--accent); } .redundant { stroke-dasharray: 4 3; }
+.edge { fill: none; stroke: var(--muted); stroke-width: 1.4; }
 .legend { white-space: pre-wrap; margin-top: 4px; }
 .cross { stroke: var(--card); stroke-width: 1.6; }
 footer { color: var(--muted); font-size: 13px; margin: 22px 4px 0; }

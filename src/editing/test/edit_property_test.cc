@@ -7,6 +7,7 @@
 #include "editing/re_simulation.h"
 #include "recorder/recording_controller.h"
 #include "recorder/test/recording_fixture.h"
+#include "replay/replay.h"
 #include "scene_xml/scene_writer.h"
 #include "sim/test/everything_scene.h"
 #include "sim/test/random_hands.h"

@@ -6,6 +6,7 @@
 #include "editing/re_simulation.h"
 #include "recorder/test/painted_eye.h"
 #include "recorder/test/recording_fixture.h"
+#include "replay/replay.h"
 
 namespace smile::editing {
 namespace {

@@ -1,0 +1,49 @@
+#include "analysis/analysis_json.h"
+
+#include "base/version.h"
+#include "sim/tick.h"
+
+namespace smile::analysis {
+namespace {
+
+constexpr int kFormat = 1;
+
+Json ToJson(const std::optional<std::string>& text) { return text ? Json(*text) : Json(nullptr); }
+
+/// People count subtasks from 1.
+std::size_t NumberOf(std::size_t index) { return index + 1; }
+
+}  // namespace
+
+Json ToJson(const Analysis& analysis) {
+  const std::vector<std::size_t> levels = analysis.Levels();
+  Json subtasks = Json::array();
+  for (std::size_t i = 0; i < analysis.subtasks.size(); ++i) {
+    const SubtaskFinding& finding = analysis.subtasks[i];
+    const Subtask& subtask = finding.subtask;
+    subtasks.push_back({{"number", NumberOf(i)},
+                        {"segments", {subtask.first, subtask.last}},
+                        {"seconds", {sim::SecondsOf(subtask.begin), sim::SecondsOf(subtask.end)}},
+                        {"words", subtask.words},
+                        {"actions", subtask.actions},
+                        {"necessary", finding.harm.has_value()},
+                        {"without", ToJson(finding.harm)},
+                        {"level", levels[i]}});
+  }
+  Json order = Json::array();
+  for (const Precedence& one : analysis.precedences) {
+    order.push_back({{"before", NumberOf(one.before)},
+                     {"after", NumberOf(one.after)},
+                     {"otherwise", one.harm}});
+  }
+  Json sufficient = Json::array();
+  for (const std::size_t subtask : analysis.sufficient) sufficient.push_back(NumberOf(subtask));
+  return {{"format", kFormat},
+          {"program", ProgramName()},
+          {"subtasks", std::move(subtasks)},
+          {"order", std::move(order)},
+          {"sufficient", std::move(sufficient)},
+          {"simulations", analysis.num_simulations}};
+}
+
+}  // namespace smile::analysis

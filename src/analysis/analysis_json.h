@@ -1,0 +1,11 @@
+#pragma once
+
+#include "analysis/analysis.h"
+#include "base/json.h"
+
+namespace smile::analysis {
+
+/// Returns the content of `analysis.json` (docs/analysis.md).
+Json ToJson(const Analysis& analysis);
+
+}  // namespace smile::analysis

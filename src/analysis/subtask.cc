@@ -1,0 +1,90 @@
+#include "analysis/subtask.h"
+
+#include <set>
+
+#include "base/diagnostic.h"
+#include "recording/recording_history.h"
+
+namespace smile::analysis {
+namespace {
+
+/// Hands that hold something, as the actions tell.
+class HoldingHands {
+ public:
+  void Follow(const sim::ActionSummary& action) {
+    if (!action.hand) return;
+    switch (action.kind) {
+      case sim::ActionKind::kTake:
+        hands_.insert(*action.hand);
+        break;
+      case sim::ActionKind::kPut:
+      case sim::ActionKind::kDrop:
+      case sim::ActionKind::kRelease:
+      case sim::ActionKind::kDestroy:
+        // What both hands hold is released by both, however they took it.
+        if (*action.hand == sim::HandName::kBoth) hands_.clear();
+        hands_.erase(*action.hand);
+        break;
+      default:
+        break;
+    }
+  }
+  bool is_empty() const { return hands_.empty(); }
+
+ private:
+  std::set<sim::HandName> hands_;
+};
+
+/// Adds an action to a subtask.
+void Append(const recording::Segment& action, Subtask* subtask) {
+  const std::string words = recording::WordsOf(action);
+  const bool takes = action.summary && action.summary->kind == sim::ActionKind::kTake;
+  if (!takes) subtask->words += (subtask->words.empty() ? "" : ", ") + words;
+  subtask->actions.push_back(words);
+}
+
+}  // namespace
+
+std::vector<Subtask> SubtasksOf(const recording::Recording& recording) {
+  const std::vector<recording::Segment> path = OnPath(HistoryOf(recording));
+  const std::uint64_t start = recording.info.start.tick;
+  std::vector<Subtask> subtasks;
+  HoldingHands hands;
+  bool is_open = false;
+  for (std::size_t number = 1; number < path.size(); ++number) {
+    const recording::Segment& segment = path[number];
+    if (!is_open) {
+      subtasks.push_back(
+          {.first = static_cast<int>(number), .begin = segment.begin.tick - start, .actions = {}});
+    }
+    subtasks.back().last = static_cast<int>(number);
+    subtasks.back().end = segment.end.tick - start;
+    Append(segment, &subtasks.back());
+    if (segment.summary) hands.Follow(*segment.summary);
+    is_open = !hands.is_empty();
+  }
+  if (subtasks.empty()) {
+    throw InputError({recording.directory.string(), 0, "",
+                      "contains no action of a hand, expected a demonstration by hands"});
+  }
+  // What is still held at the end.
+  if (subtasks.back().words.empty()) subtasks.back().words = subtasks.back().actions.back();
+  return subtasks;
+}
+
+recording::Demonstration Arranged(const recording::Demonstration& demonstration,
+                                  const std::vector<Subtask>& subtasks,
+                                  const std::vector<std::size_t>& order) {
+  recording::Demonstration arranged = demonstration;
+  arranged.segments.clear();
+  // Nothing was dropped from `demonstration`, so the number of a segment is its index.
+  arranged.segments.push_back(demonstration.segments.front());
+  for (const std::size_t subtask : order) {
+    const auto first = demonstration.segments.begin();
+    arranged.segments.insert(arranged.segments.end(), first + subtasks[subtask].first,
+                             first + subtasks[subtask].last + 1);
+  }
+  return arranged;
+}
+
+}  // namespace smile::analysis

@@ -1,0 +1,135 @@
+#include "analysis/analysis.h"
+
+#include <gtest/gtest.h>
+
+#include "analysis/analysis_json.h"
+#include "base/diagnostic.h"
+#include "recorder/test/recording_fixture.h"
+
+namespace smile::analysis {
+namespace {
+
+using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+bool Contains(const std::string& text, const char* part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Red on green, with an errand in between that changes nothing, and blue beside them.
+class AnalysisTest : public recorder::RecordingFixture {
+ protected:
+  static constexpr const char* kBlocks =
+      R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <block id="red" color="red" location="(-3, -2, 0.5)"/>
+  <block id="green" color="green" location="(0, -3, 0.5)"/>
+  <block id="blue" color="blue" location="(3, -2, 0.5)"/>
+</tabletop>)xml";
+
+  /// Returns the script that carries an object.
+  static std::string Carry(const std::string& id, const std::string& to) {
+    return R"({"hand":"left","do":"grasp","object":")" + id + R"("}
+{"hand":"left","do":"move_to","position":[)" +
+           to + R"(,3]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"move_to","position":[)" +
+           to + R"(,HEIGHT]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"release"}
+{"do":"wait","seconds":0.5}
+)";
+  }
+  static std::string At(const std::string& height, std::string script) {
+    return script.replace(script.find("HEIGHT"), 6, height);
+  }
+
+  recording::Recording Recorded(const std::string& script) {
+    return recording::OpenRecording(Record(script.c_str(), false, nullptr, kBlocks));
+  }
+  recording::Recording TowerAndErrand() {
+    return Recorded(At("0.51", Carry("green", "0,-1")) + At("0.51", Carry("blue", "3,-4")) +
+                    At("1.51", Carry("red", "0,-1")) + At("0.51", Carry("blue", "3,-2")) +
+                    R"({"do":"wait","seconds":1})");
+  }
+
+  static std::vector<bool> Necessary(const Analysis& analysis) {
+    std::vector<bool> necessary;
+    for (const SubtaskFinding& finding : analysis.subtasks)
+      necessary.push_back(finding.harm.has_value());
+    return necessary;
+  }
+  static Pairs Order(const Analysis& analysis) {
+    Pairs order;
+    for (const Precedence& one : analysis.precedences) order.emplace_back(one.before, one.after);
+    return order;
+  }
+};
+
+TEST_F(AnalysisTest, FindsTheSubtasksThatMatterAndTheirOrder) {
+  const recording::Recording recording = TowerAndErrand();
+  const Analysis analysis = Analyze(recording, {});
+  ASSERT_EQ(analysis.subtasks.size(), 4u);
+  EXPECT_EQ(analysis.subtasks[2].subtask.words, "left hand puts red on green");
+  // Blue comes back to where it was: it need not have left, but if it did, it must come back.
+  EXPECT_EQ(Necessary(analysis), (std::vector{true, false, true, true}));
+  EXPECT_EQ(NumbersOf(analysis.sufficient), "1 and 3");
+  EXPECT_EQ(Order(analysis), (Pairs{{0, 2}, {1, 3}}));
+  EXPECT_TRUE(Contains(analysis.precedences.front().harm, "red"));
+  EXPECT_EQ(analysis.Levels(), (std::vector<std::size_t>{0, 0, 1, 1}));
+  const Json json = ToJson(analysis);
+  EXPECT_EQ(json["subtasks"][2]["segments"], (Json{5, 6}));
+  EXPECT_EQ(json["subtasks"][1]["without"], nullptr);
+  EXPECT_EQ(json["order"][0]["after"], 3);
+}
+
+TEST_F(AnalysisTest, DoesNotDependOnTheNumberOfThreads) {
+  const recording::Recording recording = TowerAndErrand();
+  const Analysis one = Analyze(recording, {}), three = Analyze(recording, {.num_threads = 3});
+  EXPECT_EQ(Necessary(one), Necessary(three));
+  EXPECT_EQ(Order(one), Order(three));
+  EXPECT_EQ(one.num_simulations, three.num_simulations);
+}
+
+TEST_F(AnalysisTest, WhatTwoHandsDoAtTheSameTimeIsOneSubtask) {
+  const recording::Recording recording = Recorded(
+      R"({"hand":"left","do":"grasp","object":"green"}
+{"hand":"right","do":"grasp","object":"red"}
+{"hand":"left","do":"move_to","position":[0,-1,0.52]}
+{"hand":"right","do":"move_to","position":[-3,-1,0.52]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"release"}
+{"hand":"right","do":"release"}
+{"do":"wait","seconds":1}
+)" + At("0.51", Carry("blue", "3,-4")));
+  const std::vector<Subtask> subtasks = SubtasksOf(recording);
+  ASSERT_EQ(subtasks.size(), 2u);
+  EXPECT_EQ(subtasks[0].actions.size(), 4u);
+  EXPECT_EQ(subtasks[1].first, 5);
+}
+
+TEST_F(AnalysisTest, EndsWhenItIsInterrupted) {
+  const recording::Recording recording = TowerAndErrand();
+  const auto stop = [](std::size_t done, std::size_t at_most) {
+    EXPECT_EQ(at_most, 17u);
+    return done < 3;
+  };
+  EXPECT_THROW((void)Analyze(recording, {.num_threads = 2, .progress = stop}), std::runtime_error);
+}
+
+TEST_F(AnalysisTest, RefusesWhatDoesNotStand) {
+  // Red is released in the air, and the recording ends at once.
+  const recording::Recording recording = Recorded(
+      R"({"hand":"left","do":"grasp","object":"red"}
+{"hand":"left","do":"move_to","position":[0,-3,4]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"release"}
+{"do":"wait","seconds":0.05})");
+  try {
+    (void)Analyze(recording, {});
+    FAIL() << "was analyzed";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(Contains(error.what(), "does not keep what it achieved for 2 s")) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace smile::analysis

@@ -1,0 +1,94 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "analysis/analysis.h"
+#include "analysis/analysis_json.h"
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/open_recording.h"
+#include "app/options.h"
+#include "app/progress.h"
+#include "base/files.h"
+#include "base/wording.h"
+#include "report/analysis_page.h"
+
+namespace smile::app {
+namespace {
+
+struct AnalyzeOptions {
+  std::string demo, out;
+  int jobs = 0;
+  bool json = false;
+};
+
+void Print(const analysis::Analysis& analysis) {
+  for (std::size_t i = 0; i < analysis.subtasks.size(); ++i) {
+    const analysis::SubtaskFinding& finding = analysis.subtasks[i];
+    std::printf("%zu. %s: %s\n", i + 1, Printable(finding.subtask.words).c_str(),
+                finding.harm ? "necessary" : "redundant");
+  }
+  if (analysis.sufficient.size() < analysis.subtasks.size()) {
+    std::printf("the same is achieved with fewer subtasks: %s\n",
+                analysis::NumbersOf(analysis.sufficient).c_str());
+  }
+  for (const analysis::Precedence& one : analysis.precedences) {
+    std::printf("%zu must come after %zu: otherwise %s\n", one.after + 1, one.before + 1,
+                Printable(one.harm).c_str());
+  }
+  std::printf("%s subtasks can be done in any order\n",
+              analysis.precedences.empty() ? "all" : "other");
+}
+
+void AnalyzeDemo(const AnalyzeOptions& options) {
+  const recording::Recording recording = OpenAndReport(options.demo);
+  if (!options.out.empty()) {
+    RequireOutsideOfRecordings(options.out);
+    std::filesystem::create_directories(options.out);
+  }
+  ProgressLine progress("simulating");
+  // hardware_concurrency() may return 0 where it does not know.
+  const unsigned threads = options.jobs > 0 ? static_cast<unsigned>(options.jobs)
+                                            : std::max(1u, std::thread::hardware_concurrency());
+  const analysis::Analysis analysis = analysis::Analyze(
+      recording,
+      {.num_threads = threads, .progress = [&progress](std::size_t done, std::size_t at_most) {
+         progress.Show(static_cast<double>(done), static_cast<double>(at_most),
+                       "simulations at most");
+         return !IsInterrupted();
+       }});
+  progress.Wipe();
+  const std::string json = ToText(ToJson(analysis), 2);
+  if (!options.out.empty()) {
+    const std::filesystem::path out = options.out;
+    const std::string name = std::filesystem::absolute(options.demo).lexically_normal().filename();
+    WriteFile(out / "analysis.json", json + "\n");
+    WriteFile(out / "report.html", report::PageOf(analysis, name));
+  }
+  if (options.json) {
+    std::printf("%s\n", json.c_str());
+  } else {
+    Print(analysis);
+    if (!options.out.empty()) std::printf("written to %s\n", options.out.c_str());
+  }
+}
+
+}  // namespace
+
+void AddAnalyze(CLI::App* program, ExitAnswer) {
+  auto options = std::make_shared<AnalyzeOptions>();
+  CLI::App* analyze = program->add_subcommand(
+      "analyze", "Find out which subtasks of a demonstration matter, and in which order");
+  analyze->add_option("DEMO", options->demo, "directory of a recording; it is not changed")
+      ->required();
+  analyze->add_option("--out", options->out, "directory for analysis.json and report.html")
+      ->check(NotEmpty());
+  analyze->add_option("--jobs", options->jobs, "simulations at the same time (default: cores)")
+      ->check(CLI::Range(1, 256));
+  analyze->add_flag("--json", options->json, "result as one JSON object on stdout");
+  analyze->callback([options] { AnalyzeDemo(*options); });
+}
+
+}  // namespace smile::app

@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from smile.errors import Diagnostic, Refused, SceneError
     from smile.experiment import (
-        Description, Deviation, Difference, Edit, Evaluation, Imitation, Replay, describe, edit,
-        evaluate, imitate, replay)
+        Description, Deviation, Difference, Edit, Evaluation, Imitation, Replay, analyze, describe,
+        edit, evaluate, imitate, replay)
     from smile.picture import Picture
     from smile.recording import Action, Moment, Recording, open
     from smile.simulation import Event, Model, Simulation, State, data_file, load
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 _HOMES = {
     "Diagnostic": "errors", "Refused": "errors", "SceneError": "errors",
     **dict.fromkeys(("Description", "Deviation", "Difference", "Edit", "Evaluation", "Imitation",
-                     "Replay", "describe", "edit", "evaluate", "imitate", "replay"), "experiment"),
+                     "Replay", "analyze", "describe", "edit", "evaluate", "imitate", "replay"), "experiment"),
     "Picture": "picture",
     "Action": "recording", "Moment": "recording", "Recording": "recording", "open": "recording",
     "Event": "simulation", "Model": "simulation", "Simulation": "simulation", "State": "simulation",
@@ -40,8 +40,8 @@ _HOMES = {
 
 __all__ = ["Action", "Comparison", "Description", "Deviation", "Diagnostic", "Difference", "Edit",
            "Evaluation", "Event", "Imitation", "Model", "Moment", "ObjectError", "Picture", "Recording",
-           "Refused", "Replay", "SceneError", "Simulation", "State", "Task", "data_file", "describe",
-           "edit", "evaluate", "imitate", "load", "open", "replay"]
+           "Refused", "Replay", "SceneError", "Simulation", "State", "Task", "analyze", "data_file",
+           "describe", "edit", "evaluate", "imitate", "load", "open", "replay"]
 
 
 def __getattr__(name: str) -> Any:

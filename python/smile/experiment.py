@@ -1,4 +1,4 @@
-"""What the program does with recordings, as functions of the same names: replay, describe, edit,
+"""What the program does with recordings, as functions of the same names: replay, describe, analyze, edit,
 imitate, evaluate."""
 
 from __future__ import annotations
@@ -157,6 +157,23 @@ def describe(demo: Recording | PathLike) -> Description:
     """Describes the result of a recording: placed objects in order, and other effects."""
     structure, words = _native.describe(_recording(demo)._native)
     return Description(words, json.loads(structure))
+
+
+def analyze(demo: Recording | PathLike, *, jobs: int | None = None, progress: Progress | None = None) -> Json:
+    """Finds out which subtasks of a demonstration matter, and in which order, by simulating it without them
+    and in other orders. Returns `analysis.json` (docs/analysis.md).
+
+    jobs      number of simulations at the same time; None: one for each core
+    progress  called with `simulating`, the number of finished simulations, and of all at most
+
+    Raises SceneError if it has no commands, achieves nothing, or what it achieves does not stand.
+    """
+    if jobs is None:
+        jobs = os.cpu_count() or 1
+    elif isinstance(jobs, bool) or not 1 <= jobs <= 256:
+        raise ValueError(f"jobs is {jobs!r}, expected 1 to 256")
+    analysis: Json = json.loads(_native.analyze(_recording(demo)._native, jobs, progress))
+    return analysis
 
 
 def edit(demo: Recording | PathLike, edits: Sequence[Mapping[str, Any]],

@@ -5,7 +5,7 @@ import numpy.typing
 import os
 import pathlib
 import typing
-__all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'VideoWriter', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'program_name', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
+__all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'VideoWriter', 'analyze', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'program_name', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
 class Model:
     def laid_out(self, seed: typing.SupportsInt | typing.SupportsIndex, level: str = 'scattered') -> Model:
         """
@@ -311,6 +311,8 @@ class TaskEpisode:
     @property
     def observation_names(self) -> list[str]:
         ...
+def analyze(recording: Recording, jobs: typing.SupportsInt | typing.SupportsIndex, on_progress: typing.Any) -> str:
+    ...
 def arm_names_of(arg0: Recording) -> list[str]:
     ...
 def channel_positions(arg0: Recording, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:

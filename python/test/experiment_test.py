@@ -192,6 +192,14 @@ class RecordingTest(ExperimentTest):
         self.assertTrue(any("RedBlock on BlueBlock" in line for line in description.words),
                         description.words)
 
+    def test_is_analyzed_as_by_the_program(self):
+        counts = []
+        analysis = smile.analyze(self.demo, jobs=2, progress=lambda *count: counts.append(count))
+        self.assertEqual(analysis, self.program("analyze", self.demo.directory, "--json"))
+        self.assertEqual(counts[0][0], "simulating")
+        with self.assertRaisesRegex(ValueError, "jobs is 0, expected 1 to 256"):
+            smile.analyze(self.demo, jobs=0)
+
     def test_is_edited_as_by_the_program(self):
         edits = [{"do": "speed", "factor": 2}]
         edited = smile.edit(self.demo, edits, self.folder / "faster", pictures=False)

@@ -1,5 +1,5 @@
-// What the commands of the program do with recordings: replay, describe, edit, imitate. Results are
-// texts in JSON, in the formats of the program.
+// What the commands of the program do with recordings: replay, describe, analyze, edit, imitate.
+// Results are texts in JSON, in the formats of the program.
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -9,6 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "analysis/analysis.h"
+#include "analysis/analysis_json.h"
 #include "bindings.h"
 #include "editing/edit_json.h"
 #include "experiment/imitation.h"
@@ -157,6 +159,23 @@ py::tuple Describe(const Recording& recording) {
   return py::make_tuple(ToText(task::ToJson(structure, unit)), task::WordsOf(structure, unit));
 }
 
+/// @param on_progress  called with the numbers of simulations.
+/// @returns `analysis.json`.
+std::string Analyze(const Recording& recording, std::size_t jobs, const py::object& on_progress) {
+  Reporter reporter(on_progress, py::none());
+  const recording::Progress progress = reporter.progress();
+  try {
+    const auto count = [&progress](std::size_t done, std::size_t at_most) {
+      return progress(static_cast<double>(done), static_cast<double>(at_most));
+    };
+    const py::gil_scoped_release released;
+    return ToText(ToJson(analysis::Analyze(recording, {.num_threads = jobs, .progress = count})));
+  } catch (const std::runtime_error&) {
+    reporter.ThrowFailure();  // the reason why it ended
+    throw;
+  }
+}
+
 /// @param out  new directory, or nullopt only to report.
 /// @returns the report as JSON.
 std::string Edit(const Recording& recording, const std::string& edits,
@@ -219,6 +238,7 @@ void BindExperiments(py::module_& m) {
         py::arg("out"), py::kw_only(), py::arg("seconds"), py::arg("timeout"), py::arg("pictures"),
         py::arg("eye"), py::arg("noise"), py::arg("on_progress"), py::arg("on_message"));
   m.def("describe", &Describe, py::arg("recording"));
+  m.def("analyze", &Analyze, py::arg("recording"), py::arg("jobs"), py::arg("on_progress"));
   m.def("edit", &Edit, py::arg("recording"), py::arg("edits"), py::arg("out"), py::arg("pictures"),
         py::arg("on_progress"));
   m.def("replay", &Replay, py::arg("recording"), py::arg("start"), py::arg("end"),

@@ -1,7 +1,6 @@
 // `smile evaluate`: runs brains on the same task from the same random starting layouts.
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -16,20 +15,14 @@
 namespace smile::app {
 namespace {
 
-/// Up to here all integers are exact in JSON numbers.
-constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 53;
-constexpr std::size_t kMaxScenes = 100'000, kMaxJobs = 1024;
+constexpr std::size_t kMaxScenes = 100'000;
 
-/// Returns the progress line. The remaining time is in minutes from 90 s on.
+/// Returns the progress line.
 std::string StatusText(const experiment::EvaluationStatus& status) {
   std::string text = std::to_string(status.done) + " of " + std::to_string(status.runs) +
                      " runs, " + std::to_string(status.successes) + " succeeded, " +
                      std::to_string(status.done - status.successes) + " failed";
-  if (status.seconds_left) {
-    const bool is_long = *status.seconds_left >= 90;
-    text += ", about " + NumberText(std::ceil(*status.seconds_left / (is_long ? 60 : 1))) +
-            (is_long ? " min" : " s") + " left";
-  }
+  if (status.seconds_left) text += TimeLeftText(*status.seconds_left);
   return text;
 }
 
@@ -102,20 +95,7 @@ void AddEvaluate(CLI::App* program, ExitAnswer answer) {
       ->check(CLI::Range(std::uint64_t{0}, kMaxSeed));
   evaluate->add_option("--level", options->level, "difficulty of the layouts (docs/experiments.md)")
       ->check(IsLayoutLevel());
-  evaluate
-      ->add_option("--jobs", options->jobs, "number of concurrent runs (default: number of cores)")
-      ->check(CLI::Range(std::size_t{1}, kMaxJobs));
-  evaluate
-      ->add_option("--seconds", options->max_seconds,
-                   "time limit per run in seconds of simulated time")
-      ->capture_default_str()
-      ->check(NumberBetween(0.0, 86400.0));
-  evaluate
-      ->add_option("--wall-seconds", options->wall_seconds,
-                   "time limit per run in seconds of wall-clock time; a longer run counts as hung")
-      ->capture_default_str()
-      ->check(NumberBetween(0.1, 1e6));
-  AddTimeoutOption(evaluate, /*brain=*/nullptr, &options->timeout);
+  AddPoolOptions(evaluate, &options->pool);
   evaluate->add_option("--out", options->out,
                        "directory for the results (default: out/evaluate/SCENE)");
   evaluate->add_option("--keep", options->keep, "recordings to keep: all, failures or none")
@@ -124,8 +104,7 @@ void AddEvaluate(CLI::App* program, ExitAnswer answer) {
   evaluate->add_flag("--json", options->json, "evaluation.json on stdout");
   AddEyeOptions(evaluate, &options->eye);
   AddNoiseOption(evaluate, &options->noise);
-  AddRobotOptions(evaluate, /*may_be_absent=*/false, &options->robot);
-  AddPathOption(evaluate, &options->path);
+  AddImitateSettings(evaluate, &options->settings);
   evaluate->callback([options, answer] { *answer = Evaluate(*options); });
 }
 

@@ -20,7 +20,8 @@ namespace {
 struct ImitateOptions {
   std::string demo, scene, out;
   double max_seconds = experiment::kMaxImitationSeconds;
-  bool no_pictures = false, json = false;
+  double hold = task::kRestSeconds;
+  bool no_pictures = false, json = false, verify = false;
   LayoutOptions layout;
   EyeOptions eye;
   std::string noise;
@@ -56,6 +57,8 @@ int ImitateDemo(const ImitateOptions& options) {
        .record = out / "imitation",
        .has_pictures = !options.no_pictures,
        .max_seconds = options.max_seconds,
+       .hold_seconds = options.hold,
+       .is_verified = options.verify,
        .eye = EyeSpecOf(options.eye),
        .noise = ParseNoise(options.noise),
        .robot = robot},
@@ -91,6 +94,13 @@ void AddImitate(CLI::App* program, ExitAnswer answer) {
   imitate->add_option("--seconds", options->max_seconds, "time limit in seconds of simulated time")
       ->capture_default_str()
       ->check(NumberBetween(0.0, 86400.0));
+  imitate
+      ->add_option("--hold", options->hold,
+                   "seconds that the result must stand after the end of the brain")
+      ->capture_default_str()
+      ->check(NumberBetween(0.0, 3600.0));
+  imitate->add_flag("--verify", options->verify,
+                    "replay the recording at the end: a success must replay to the last bit");
   AddLayoutOptions(imitate, &options->layout);
   imitate->add_flag("--no-pictures", options->no_pictures,
                     "recording without the robot's pictures");

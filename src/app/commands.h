@@ -27,6 +27,8 @@ void AddLayout(CLI::App* program, ExitAnswer answer);
 void AddRobots(CLI::App* program, ExitAnswer answer);
 void AddImitate(CLI::App* program, ExitAnswer answer);
 void AddEvaluate(CLI::App* program, ExitAnswer answer);
+void AddGenerate(CLI::App* program, ExitAnswer answer);
+void AddMerge(CLI::App* program, ExitAnswer answer);
 void AddTabulate(CLI::App* program, ExitAnswer answer);
 void AddExperiment(CLI::App* program, ExitAnswer answer);
 void AddCommands(CLI::App* program, ExitAnswer answer);

@@ -19,25 +19,9 @@ const std::map<std::string, experiment::Keep> kKeepWords{{"all", experiment::Kee
 
 /// Returns the options of `smile imitate` that are the same for every run.
 std::vector<std::string> OtherArguments(const EvaluateOptions& options) {
-  std::vector<std::string> arguments{"--seconds", NumberText(options.max_seconds)};
-  const auto add = [&arguments](const char* name, const std::string& value) {
-    if (!value.empty()) arguments.insert(arguments.end(), {name, value});
-  };
-  const auto add_flag = [&arguments](const char* name, bool is_set) {
-    if (is_set) arguments.emplace_back(name);
-  };
-  add("--timeout", NumberText(options.timeout));
-  if (options.eye.camera != EyeOptions().camera) add("--eye", options.eye.camera);
-  add("--size", options.eye.size);
-  add("--noise", options.noise);
-  add("--robot", options.robot.urdf);
-  add("--side-file", options.robot.side_file);
-  add("--gripper", options.robot.gripper);
-  add_flag("--classic", options.robot.classic);
-  add_flag("--kinematic", options.robot.body.is_kinematic);
-  add_flag("--friction-grasp", options.robot.body.grasps_by_friction);
-  for (const std::string& root : options.path.roots) add("--path", root);
-  return arguments;
+  ImitateSettings settings = options.settings;
+  settings.size = options.eye.size;
+  return ArgumentsOf(settings, options.eye.camera, options.noise);
 }
 
 /// Returns the arguments of `smile imitate` for a run.
@@ -93,16 +77,17 @@ experiment::EvaluationPlan PlanOf(const EvaluateOptions& options) {
   experiment::EvaluationPlan plan{
       .demonstration = options.demo,
       .scene_name = options.scene,
-      .scene = scene_xml::LoadScene(options.scene, options.path.reader()),
+      .scene = scene_xml::LoadScene(options.scene, options.settings.path.reader()),
       .level = options.level,
-      .robot = PlaceRobot(options.robot, options.path)->files,
+      .robot = PlaceRobot(options.settings.robot, options.settings.path)->files,
       .brains = options.brains,
       .demonstrators = options.demonstrators,
       .has_symbols = !options.no_symbols,
       .num_scenes = options.scenes,
       .first_seed = options.seed,
-      .jobs = options.jobs,
-      .wall_seconds = options.wall_seconds,
+      .shard = experiment::ParseShard(options.pool.shard),
+      .jobs = options.pool.jobs,
+      .wall_seconds = options.pool.wall_seconds,
       .keep = kKeepWords.at(options.keep),
       .out = out,
       .program = std::filesystem::read_symlink("/proc/self/exe"),
@@ -110,12 +95,13 @@ experiment::EvaluationPlan PlanOf(const EvaluateOptions& options) {
       .again = AgainText(options, out)};
   const layout::LayoutLevel level =
       layout::ParseLayoutLevel(options.level).value_or(layout::LayoutChoice().level);
-  plan.layout = [scene = plan.scene, level,
-                 robot = PlaceRobot(options.robot, options.path)](std::uint64_t seed) {
-    return layout::LaidOut(scene, {.seed = seed, .level = level}, [&](double height) {
-      return experiment::RegionOf(robot.value(), height);
-    });
-  };
+  plan.layout =
+      [scene = plan.scene, level,
+       robot = PlaceRobot(options.settings.robot, options.settings.path)](std::uint64_t seed) {
+        return layout::LaidOut(scene, {.seed = seed, .level = level}, [&](double height) {
+          return experiment::RegionOf(robot.value(), height);
+        });
+      };
   plan.arguments = [options](const experiment::ImitationJob& job) {
     std::vector<std::string> arguments =
         ImitateArguments(options, job.demonstration.string(), job.brain.string(),

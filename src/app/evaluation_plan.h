@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/options.h"
+#include "app/imitate_arguments.h"
 #include "experiment/evaluation.h"
 
 namespace smile::app {
@@ -15,13 +15,12 @@ struct EvaluateOptions {
   std::string demo, scene, level, out, keep = "failures";
   std::vector<std::string> brains, demonstrators;
   bool no_symbols = false;
-  std::size_t scenes = 10, jobs = 0;
+  std::size_t scenes = 10;
   std::uint64_t seed = 1;
-  double max_seconds = 600, wall_seconds = 3600, timeout = 60;
   EyeOptions eye;
   std::string noise;
-  RobotOptions robot;
-  PathOptions path;
+  ImitateSettings settings;
+  PoolOptions pool;
   bool json = false;
 };
 

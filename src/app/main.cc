@@ -60,6 +60,8 @@ int main(int argc, char** argv) {
   app::AddRobots(&program, &answer);
   app::AddImitate(&program, &answer);
   app::AddEvaluate(&program, &answer);
+  app::AddGenerate(&program, &answer);
+  app::AddMerge(&program, &answer);
   app::AddTabulate(&program, &answer);
   app::AddExperiment(&program, &answer);
   app::AddCommands(&program, &answer);

@@ -1,27 +1,22 @@
 // Runs all pairs of brain (with a version of the demonstration) and seed, each in a process of its
-// own: a crash, a leak or a hang costs one run. The disk is the only memory: a run is done when its
+// own, see imitation_runs.h. The disk is the only memory: a run is done when its
 // folder says so, hence an evaluation can be interrupted at any time and continued by the same
 // command.
 
 #include "experiment/evaluation.h"
 
-#include <algorithm>
-#include <chrono>
-#include <cstdlib>
 #include <map>
 #include <set>
 #include <stdexcept>
-#include <thread>
 #include <utility>
 
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/version.h"
-#include "base/wording.h"
 #include "brain/brain_process.h"
 #include "experiment/content_hash.h"
 #include "experiment/folder_lock.h"
-#include "experiment/program_pool.h"
+#include "experiment/imitation_runs.h"
 #include "experiment/rerender.h"
 #include "report/evaluation_page.h"
 #include "task/demonstrated_structure.h"
@@ -77,6 +72,22 @@ struct Seeds {
   std::vector<report::ImpossibleLayout> impossible;
 };
 
+/// Keeps the seeds of the plan's shard. All shards lay out all scenes, which is quick, so that they
+/// agree on what is left out and share the rest evenly.
+/// @throws InputError if none remains.
+void KeepShard(const EvaluationPlan& plan, std::vector<std::uint64_t>* seeds) {
+  std::vector<std::uint64_t> kept;
+  for (std::size_t i = 0; i < seeds->size(); ++i) {
+    if (plan.shard.Contains(i)) kept.push_back((*seeds)[i]);
+  }
+  if (kept.empty()) {
+    throw InputError({plan.scene_name, 0, "",
+                      "shard " + ToString(plan.shard) + " has nothing to do: there are only " +
+                          std::to_string(seeds->size()) + " layouts"});
+  }
+  *seeds = std::move(kept);
+}
+
 /// Lays out the scene for each seed. A layout that is not possible, or in which everything is done
 /// already, says nothing about a brain and would be a failure in every run.
 /// @throws InputError if none is possible.
@@ -104,6 +115,7 @@ Seeds SeedsOf(const EvaluationPlan& plan, const Callbacks& callbacks) {
                       "no layout is possible of " + std::to_string(plan.num_scenes) + ": " +
                           seeds.impossible.front().reason});
   }
+  KeepShard(plan, &seeds.possible);
   return seeds;
 }
 
@@ -147,51 +159,36 @@ struct OpenRun {
   std::uint64_t seed;
 };
 
-report::EvaluatedRun FailedRun(std::uint64_t seed, const PoolEnd& end, double wall_seconds) {
-  report::EvaluatedRun run{.seed = seed};
-  // `no_result` means that the program ended by itself but left no result, `crashed` that a signal
-  // ended it.
-  if (end.was_late) {
-    run.failure_reason = {"hung",
-                          "no end after " + NumberText(wall_seconds) + " s of wall-clock time"};
-  } else {
-    run.failure_reason = {end.exit_code ? "no_result" : "crashed", end.how};
-  }
-  if (!end.last_line.empty()) run.failure_reason->text += ": " + end.last_line;
-  return run;
-}
-
 /// Counts runs and estimates the time that is left.
 class StatusCounter {
  public:
   StatusCounter(std::size_t runs, const std::vector<Candidate>& candidates)
       : status_{.runs = runs} {
     for (const Candidate& candidate : candidates) {
-      for (const auto& [seed, run] : candidate.runs) Count(run);
+      for (const auto& [seed, run] : candidate.runs) Add(run);
     }
-    found_ = status_.done;
   }
 
   void Count(const report::EvaluatedRun& run) {
-    ++status_.done;
-    if (run.has_succeeded) ++status_.successes;
+    Add(run);
+    clock_.Count();
   }
 
   EvaluationStatus status() const {
     EvaluationStatus status = status_;
-    // Runs that were found on disk took no time now and must not make the estimate too good.
-    if (status.done > found_ && status.done < status.runs) {
-      const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-      status.seconds_left = passed.count() / static_cast<double>(status.done - found_) *
-                            static_cast<double>(status.runs - status.done);
-    }
+    const std::size_t left = status.runs - status.done;
+    if (left > 0) status.seconds_left = clock_.SecondsFor(static_cast<double>(left));
     return status;
   }
 
  private:
+  void Add(const report::EvaluatedRun& run) {
+    ++status_.done;
+    if (run.has_succeeded) ++status_.successes;
+  }
+
   EvaluationStatus status_;
-  std::size_t found_ = 0;  ///< done before
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  RunClock clock_;
 };
 
 /// Runs an evaluation: finds finished runs on disk, runs the others in parallel processes, and
@@ -217,21 +214,27 @@ class Evaluator {
   }
 
   void Run() {
-    // The pool refers to jobs by their index, which is that of `open`.
     const std::vector<OpenRun> open = FindOpenRuns();
-    std::vector<PoolJob> jobs;
-    for (const OpenRun& run : open) jobs.push_back(JobOf(run));
+    std::vector<ImitationRun> runs;
+    for (const OpenRun& run : open) runs.push_back(ImitationOf(run));
     StatusCounter counter(num_runs(), candidates_);
-    const auto end_run = [&](std::size_t job, const PoolEnd& end) {
-      const report::EvaluatedRun& run = Take(open[job], end);
-      counter.Count(run);
-      if (run.failure_reason && callbacks_.on_failed_run) {
-        callbacks_.on_failed_run(open[job].candidate->name, run);
+    const auto end_run = [&](std::size_t index, report::EvaluatedRun ended) {
+      Candidate* candidate = open[index].candidate;
+      candidate->folder.Tidy(plan_.keep, plan_.out, &ended);
+      counter.Count(ended);
+      if (ended.failure_reason && callbacks_.on_failed_run) {
+        callbacks_.on_failed_run(candidate->name, ended);
       }
+      candidate->runs.emplace(ended.seed, std::move(ended));
     };
-    const bool is_done = RunAll(
-        jobs, at_once(),
-        {.on_start = [&](std::size_t job) { open[job].candidate->folder.BeginRun(open[job].seed); },
+    const bool is_done = RunImitations(
+        runs, {.program = plan_.program, .jobs = plan_.jobs, .wall_seconds = plan_.wall_seconds},
+        {.on_start =
+             [&](std::size_t index) { open[index].candidate->folder.BeginRun(open[index].seed); },
+         .read =
+             [&](std::size_t index) {
+               return open[index].candidate->folder.CompleteRun(open[index].seed);
+             },
          .on_end = end_run,
          .on_wait =
              [&] {
@@ -270,10 +273,6 @@ class Evaluator {
 
  private:
   std::size_t num_runs() const { return candidates_.size() * seeds_.possible.size(); }
-  std::size_t at_once() const {
-    // hardware_concurrency() may return 0 where it does not know.
-    return plan_.jobs > 0 ? plan_.jobs : std::max(1u, std::thread::hardware_concurrency());
-  }
 
   void AddCandidate(std::string name, const std::string& brain, const Showing& showing,
                     Json depends_on) {
@@ -307,44 +306,15 @@ class Evaluator {
     return open;
   }
 
-  PoolJob JobOf(const OpenRun& run) const {
+  ImitationRun ImitationOf(const OpenRun& run) const {
     const Candidate& candidate = *run.candidate;
-    PoolJob job{.command = {.arguments = {plan_.program.string()},
-                            .environment = {},
-                            .working_directory = std::filesystem::current_path()},
-                .log = candidate.folder.LogOf(run.seed),
-                .max_seconds = plan_.wall_seconds};
-    const ImitationJob imitation{.demonstration = candidate.showing.demonstration,
-                                 .brain = candidate.brain,
-                                 .seed = run.seed,
-                                 .out = candidate.folder.FolderOf(run.seed)};
-    for (std::string& argument : plan_.arguments(imitation)) {
-      job.command.arguments.push_back(std::move(argument));
-    }
-    // Software rendering shares cores badly: parallel processes are faster with one thread each.
-    // The pictures are the same.
-    if (at_once() > 1 && std::getenv("LP_NUM_THREADS") == nullptr) {
-      job.command.environment.emplace_back("LP_NUM_THREADS", "0");
-    }
-    return job;
-  }
-
-  /// The result of a run. One without a result is a failure, too.
-  const report::EvaluatedRun& Take(const OpenRun& open, const PoolEnd& end) {
-    // Exit codes 0 and 1 mean that a result was written: success and failure of the imitation. A
-    // late run may have written a result just before it was ended, but wall-clock time must not
-    // decide whether it counts.
-    const bool may_have_result = !end.was_late && (end.exit_code == 0 || end.exit_code == 1);
-    report::EvaluatedRun run = FailedRun(open.seed, end, plan_.wall_seconds);
-    if (may_have_result) {
-      try {
-        run = open.candidate->folder.CompleteRun(open.seed);
-      } catch (const InputError&) {
-        // The last line of its output gives the reason.
-      }
-    }
-    open.candidate->folder.Tidy(plan_.keep, plan_.out, &run);
-    return open.candidate->runs.emplace(open.seed, std::move(run)).first->second;
+    const std::filesystem::path folder = candidate.folder.FolderOf(run.seed);
+    return {.seed = run.seed,
+            .folder = folder,
+            .arguments = plan_.arguments({.demonstration = candidate.showing.demonstration,
+                                          .brain = candidate.brain,
+                                          .seed = run.seed,
+                                          .out = folder})};
   }
 
   const EvaluationPlan& plan_;
@@ -356,13 +326,24 @@ class Evaluator {
 
 }  // namespace
 
+void WriteEvaluation(const report::Evaluation& evaluation, const std::filesystem::path& folder) {
+  WriteFile(folder / "evaluation.json", ToText(report::ToJson(evaluation), 2) + "\n");
+  WriteFile(folder / "report.html", report::PageOf(evaluation));
+}
+
 report::Evaluation Evaluate(const EvaluationPlan& plan, const EvaluationCallbacks& callbacks) {
   Evaluator evaluator(plan, callbacks);
   evaluator.Run();
   report::Evaluation evaluation = evaluator.Outcome();
-  // Both files are derived from the runs on disk and are written last.
-  WriteFile(plan.out / "evaluation.json", ToText(report::ToJson(evaluation), 2) + "\n");
-  WriteFile(plan.out / "report.html", report::PageOf(evaluation));
+  // These files are derived from the runs on disk and are written last.
+  WriteEvaluation(evaluation, plan.out);
+  WriteMark({.kind = "evaluation",
+             .shard = plan.shard,
+             .whole = {{"first_seed", plan.first_seed},
+                       {"scenes", plan.num_scenes},
+                       {"keep", static_cast<int>(plan.keep)},
+                       {"again", plan.again}}},
+            plan.out);
   return evaluation;
 }
 

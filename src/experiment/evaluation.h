@@ -10,6 +10,7 @@
 
 #include "experiment/callbacks.h"
 #include "experiment/evaluation_folder.h"
+#include "experiment/shard.h"
 #include "process/child_process.h"
 #include "report/evaluation.h"
 #include "robot/urdf_reader.h"
@@ -39,6 +40,7 @@ struct EvaluationPlan {
   bool has_symbols = true;                 ///< in the copies with demonstrators
   std::size_t num_scenes = 10;
   std::uint64_t first_seed = 1;
+  Shard shard = {};            ///< of the possible layouts
   std::size_t jobs = 0;        ///< runs at a time; 0: as many as processor cores
   double wall_seconds = 3600;  ///< limit of a run, wall clock; a later one counts as hung
   Keep keep = Keep::kFailures;
@@ -77,5 +79,8 @@ struct EvaluationCallbacks {
 /// @throws std::runtime_error if another evaluation uses the folder, a disk is full, or it is
 ///         cancelled: finished runs are kept, and the same plan continues with the others.
 report::Evaluation Evaluate(const EvaluationPlan& plan, const EvaluationCallbacks& callbacks = {});
+
+/// Writes `evaluation.json` and `report.html` into a folder.
+void WriteEvaluation(const report::Evaluation& evaluation, const std::filesystem::path& folder);
 
 }  // namespace smile::experiment

@@ -1,11 +1,11 @@
 #include "experiment/evaluation_folder.h"
 
-#include <cstdio>
 #include <stdexcept>
 #include <system_error>
 
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "experiment/attempts.h"
 #include "experiment/content_hash.h"
 #include "experiment/move_aside.h"
 
@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMaxFileBytes = 1 << 20;
 constexpr const char* kBrainFile = "brain.json";
 constexpr const char* kRunFile = "run.json";
+constexpr const char* kResultFile = "result.json";
 constexpr const char* kRecording = "imitation";
 
 /// Returns the content of a small file; null if it is missing or damaged.
@@ -61,26 +62,25 @@ EvaluationFolder::EvaluationFolder(const fs::path& directory, const Json& depend
 }
 
 fs::path EvaluationFolder::FolderOf(std::uint64_t seed) const {
-  char name[40];
-  // Four digits, so that lists of folders are in order for the usual seeds; larger seeds are
-  // longer.
-  std::snprintf(name, sizeof name, "seed-%04llu", static_cast<unsigned long long>(seed));
-  return directory_ / name;
+  return directory_ / FolderNameOf(seed);
 }
 
 fs::path EvaluationFolder::ResultOf(std::uint64_t seed) const {
-  return FolderOf(seed) / "result.json";
+  return FolderOf(seed) / kResultFile;
 }
 
 std::optional<report::EvaluatedRun> EvaluationFolder::FindRun(std::uint64_t seed) const {
+  return FindRunIn(FolderOf(seed), seed);
+}
+
+std::optional<report::EvaluatedRun> FindRunIn(const fs::path& folder, std::uint64_t seed) {
+  const fs::path result = folder / kResultFile;
   // The mark is written after the result, and holds its hash: a run that was killed between the
   // two, or whose result was edited, counts as not done.
-  const Json mark = ReadOwn(FolderOf(seed) / kRunFile);
-  if (mark.is_null() || !fs::exists(ResultOf(seed)) || mark != MarkOf(seed, ResultOf(seed))) {
-    return std::nullopt;
-  }
+  const Json mark = ReadOwn(folder / kRunFile);
+  if (mark.is_null() || !fs::exists(result) || mark != MarkOf(seed, result)) return std::nullopt;
   try {
-    return report::ReadRun(ResultOf(seed), seed);
+    return report::ReadRun(result, seed);
   } catch (const InputError&) {
     return std::nullopt;
   }

@@ -32,7 +32,6 @@ class EvaluationFolder {
                    const Callbacks& callbacks = {});
 
   std::filesystem::path FolderOf(std::uint64_t seed) const;
-  std::filesystem::path LogOf(std::uint64_t seed) const { return FolderOf(seed) / "log.txt"; }
 
   /// Returns a run that was finished before; nullopt if it was not, or is damaged.
   std::optional<report::EvaluatedRun> FindRun(std::uint64_t seed) const;
@@ -52,5 +51,9 @@ class EvaluationFolder {
 
   std::filesystem::path directory_;
 };
+
+/// Returns the finished run in a folder `seed-…`; nullopt if it is not finished, or damaged.
+std::optional<report::EvaluatedRun> FindRunIn(const std::filesystem::path& folder,
+                                              std::uint64_t seed);
 
 }  // namespace smile::experiment

@@ -12,16 +12,17 @@
 
 namespace smile::experiment {
 
-FolderLock::FolderLock(const std::filesystem::path& folder) {
+FolderLock::FolderLock(const std::filesystem::path& folder, std::string_view work) {
   MakeDirectories(folder);
   // The folder itself is locked: no lock file is needed, and the system releases the lock with the
-  // process. O_CLOEXEC keeps it from the runs, which would hold it beyond the evaluation's end.
+  // process. O_CLOEXEC keeps it from the runs, which would hold it beyond the work's end.
   folder_ = process::UniqueFd(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!folder_) {
     throw std::runtime_error(folder.string() + ": cannot be opened: " + std::strerror(errno));
   }
   if (flock(folder_.get(), LOCK_EX | LOCK_NB) != 0) {
-    throw std::runtime_error(folder.string() + ": another evaluation is writing its results there");
+    throw std::runtime_error(folder.string() + ": another " + std::string(work) +
+                             " is writing its results there");
   }
 }
 

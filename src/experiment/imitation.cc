@@ -2,10 +2,31 @@
 
 #include <utility>
 
+#include "base/hash_text.h"
 #include "experiment/run.h"
-#include "task/imitation_result.h"
+#include "replay/replay.h"
 
 namespace smile::experiment {
+namespace {
+
+/// Replays the recording of an imitation and adds `replay` to its result. One that differs is no
+/// success.
+void AddReplay(const std::filesystem::path& record, const Callbacks& callbacks, Json* result) {
+  const replay::ReplayReport report =
+      replay::Replay(recording::OpenRecording(record), {.stops_at_difference = true},
+                     callbacks.ProgressOf("verifying the recording"));
+  const auto& difference = report.first_difference;
+  (*result)["replay"] = {
+      {"identical", !difference}, {"ticks", report.ticks()}, {"hash", HashText(report.hash)}};
+  if (!difference) return;
+  (*result)["success"] = false;
+  (*result)["cause"] = {
+      {"word", "replay_differs"},
+      {"text", "the replay of the recording differs at tick " + std::to_string(difference->tick) +
+                   ": " + difference->object + ": " + difference->quantity}};
+}
+
+}  // namespace
 
 ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
   // Made before the run, so that an impossible task fails at once.
@@ -19,7 +40,7 @@ ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
                              .is_attached = plan.is_attached,
                              .demonstration = plan.demonstration,
                              .max_seconds = plan.max_seconds,
-                             .seconds_after_brain = task::kRestSeconds,
+                             .seconds_after_brain = plan.hold_seconds,
                              .record = plan.record,
                              .recording = {.title = plan.task + ", imitated"},
                              .has_pictures = plan.has_pictures,
@@ -39,6 +60,7 @@ ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
                       .watched_seconds = run.watched_seconds,
                       .realtime_factor = run.realtime_factor,
                       .brain = BrainJson(run)});
+  if (plan.is_verified && !callbacks.IsCancelled()) AddReplay(plan.record, callbacks, &result);
   const bool has_succeeded = result["success"].get<bool>();
   return {
       .json = std::move(result), .has_succeeded = has_succeeded, .brain_error = run.brain_error};

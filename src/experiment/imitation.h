@@ -13,6 +13,7 @@
 #include "scene/scene_spec.h"
 #include "sim/eye.h"
 #include "sim/simulation.h"
+#include "task/imitation_result.h"
 
 namespace smile::experiment {
 
@@ -28,6 +29,9 @@ struct ImitationPlan {
   std::filesystem::path record;               ///< new directory for the recording of the robot
   bool has_pictures = true;                   ///< in the recording; the brain gets them anyway
   double max_seconds = kMaxImitationSeconds;  ///< simulated, from the end of watching
+  /// From the end of the brain to the state that is scored [s]: what it built must still stand.
+  double hold_seconds = task::kRestSeconds;
+  bool is_verified = false;  ///< replayed at the end: a success must replay to the last bit
   sim::EyeSpec eye;
   brain::SensorNoise noise;  ///< in the sensor values of the brain
   std::optional<sim::RobotPlacement> robot;
@@ -39,8 +43,8 @@ struct ImitationResult {
   std::optional<brain::BrainError> brain_error;
 };
 
-/// Runs an imitation, and scores it against the demonstration task::kRestSeconds after the end of
-/// the brain. A cancelled run is scored up to that point.
+/// Runs an imitation, and scores it against the demonstration some seconds after the end of the
+/// brain. A cancelled run is scored up to that point.
 /// @throws InputError if demonstration, scene and brain do not fit together.
 ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks = {});
 

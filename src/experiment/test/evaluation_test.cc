@@ -5,6 +5,7 @@
 
 #include "base/diagnostic.h"
 #include "experiment/folder_lock.h"
+#include "experiment/merge.h"
 #include "experiment_fixture.h"
 
 namespace smile::experiment {
@@ -113,6 +114,41 @@ TEST_F(EvaluationTest, ResultsDoNotDependOnJobs) {
   EvaluationPlan one = PlanOf(4, 1), many = PlanOf(4, 8);
   many.out = root_ / "many";
   EXPECT_EQ(ToJson(Evaluate(one)), ToJson(Evaluate(many)));
+}
+
+TEST_F(EvaluationTest, ShardsMergeToTheSameBytes) {
+  Imitator("[ $seed = 4 ] && exit 3");
+  const auto possible = [this](std::uint64_t seed) {
+    if (seed == 2) throw std::invalid_argument("no room");
+    return Pair();
+  };
+  EvaluationPlan whole = PlanOf(5);
+  whole.layout = possible;
+  Evaluate(whole);
+  std::vector<fs::path> shards;
+  for (std::size_t index = 1; index <= 3; ++index) {
+    EvaluationPlan plan = PlanOf(5);
+    plan.layout = possible;
+    plan.shard = {.index = index, .count = 3};
+    plan.out = root_ / std::to_string(index);
+    Evaluate(plan);
+    shards.push_back(plan.out);
+  }
+  Merge(shards, root_ / "merged");
+  for (const char* name : {"evaluation.json", "report.html", "one/brain.json",
+                           "two/seed-0005/result.json", "two/seed-0005/run.json"}) {
+    EXPECT_EQ(Read(std::string("merged/") + name), Read(std::string("out/") + name)) << name;
+  }
+
+  Write("2/two/seed-0003/result.json", R"({"format":2,"success":true,"score":0.5,"seconds":3})");
+  try {
+    Merge(shards, root_ / "again");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("2/two/seed-0003: was changed"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_FALSE(Exists("again"));
 }
 
 TEST_F(EvaluationTest, ASecondOneInTheFolderIsRefused) {

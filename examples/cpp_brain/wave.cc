@@ -17,6 +17,7 @@ class Wave : public smile::brain_client::Brain {
     angles << 0, -0.5, 0, 1.0, 0, 0.5, 0,  //
         0, -0.5, 0, 1.0, 0, 0.5, 0;
     aux.init_joint_angles = angles;
+    aux.notes = {"plan: waves with both arms"};
   }
 
   void Step(const smile::brain_client::Sensor& sensor, smile::brain_client::Motor& motor,

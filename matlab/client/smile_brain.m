@@ -141,7 +141,7 @@ function answer_steps(link, message, sequence, sensor, callback, image_seconds, 
         answer = evalin('base', '{motor, aux}', '{motor, struct()}');  % aux may have been cleared
         motor = answer{1};
         if isfield(motor, 'arms'), motor = smile_pack_arms(motor, arms); end
-        has = isfield(answer{2}, {'exit', 'drawMarkers', 'imageSeconds', 'claim'});
+        has = isfield(answer{2}, {'exit', 'drawMarkers', 'imageSeconds', 'claim', 'notes'});
         if has(2) || had_markers
           [is_new, markers] = new_markers(answer{2});
           had_markers = has(2);
@@ -151,6 +151,7 @@ function answer_steps(link, message, sequence, sensor, callback, image_seconds, 
           image_seconds = answer{2}.imageSeconds;
           motor.imageSeconds = image_seconds;
         end
+        if has(5), motor = with_notes(motor, answer{2}); end
         type = message.motor;
         if has(1) && is_exit_requested(answer{2})
           type = message.final_motor;
@@ -267,9 +268,26 @@ function values = wishes(aux, values, arms)
   for name = {'channels', 'cameras'}
     if isfield(aux, name{1}), values.(name{1}) = in_one_line(aux.(name{1}), name{1}); end
   end
+  if isfield(aux, 'notes'), values = with_notes(values, aux); end
   if isfield(aux, 'arms') && isfield(aux.arms, 'initJoints')
     values = smile_arms('posture', values, {aux.arms.initJoints}, arms, 'initJoints');
   end
+end
+
+function values = with_notes(values, aux)
+  % Notes are told once: they are removed from the program's aux.
+  notes = aux.notes;
+  if iscell(notes)
+    if ~isempty(notes) && ~iscellstr(notes), error('aux.notes is not a cell array of texts'); end
+    notes = strjoin(notes(:).', "\n");
+  end
+  told = {'notes'};
+  if isfield(aux, 'noteTops'), told{2} = 'noteTops'; end
+  if ~isempty(notes)
+    values.notes = notes;
+    if numel(told) > 1, values.noteTops = aux.noteTops; end
+  end
+  assignin('base', 'aux', rmfield(aux, told));
 end
 
 function text = in_one_line(names, field)

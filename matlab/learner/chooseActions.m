@@ -12,6 +12,7 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
       state = giveUp(state, ['before it began: ', problem]);
       return
     end
+    state.notes = [state.notes, planNotes(state.steps)];
   end
 
   [state, used] = assessProgress(state);
@@ -42,11 +43,15 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
       if isempty(actions), continue; end
       state.numTemporary = state.numTemporary + is_temporary;
       state.attempts(k) = state.attempts(k) + ~is_temporary;
-      if is_temporary, state.left(end + 1) = state.known(move.block); end
+      from = state.known(move.block);
+      if is_temporary, state.left(end + 1) = from; end
       state.known(move.block) = [];
       state.known = [state.known, place];
       state.numBlocked = 0;
-      state.grasp = actions{find(cellfun(@(it) strcmp(it.kind, 'grasp'), actions), 1)}.grasp;
+      grasp = actions{find(cellfun(@(it) strcmp(it.kind, 'grasp'), actions), 1)};
+      state.grasp = grasp.grasp;
+      if isempty(move.goal), state.moved = nameOf(place, state.steps); else, state.moved = move.goal.name; end
+      state.notes(end + 1) = actionNote(state.moved, from, place, move.goal, is_temporary, grasp.arm);
       return
     end
   end
@@ -70,7 +75,25 @@ function state = observe(state, picture, heights, eye)
     state.unknownObjects = [state.unknownObjects, unknown];
     seen = detectBlocks(picture, eye, [like, unknown], container, heights);
   end
-  state.known = updateBeliefs(state.known, seen, picture, eye, heights);
+  state = compare(state, seen, picture, eye, heights);
+end
+
+function state = compare(state, seen, picture, eye, heights)
+% Compares what is expected, the known blocks, with those seen in a picture, and corrects it. If the block that
+% was just moved is not where it should be, its grasp failed.
+  tolerance = constants().blocks.position_tolerance;
+  % What is dropped into a container may lie anywhere inside.
+  if ~isempty(state.container), tolerance = constants().blocks.confined_tolerance; end
+  verdicts = verdictsOn(state.known, seen, picture, eye, heights, tolerance);
+  if isempty(state.known)
+    state.notes(end + 1) = asNote('saw', sprintf('%d objects', numel(seen)), noBlocks(), seen);
+  end
+  state.notes = [state.notes, verdictNotes(verdicts, seen, state.steps, state.moved)];
+  if ~isempty(state.moved) && strcmp(verdicts(end).word, 'contradicted')
+    state.failures(end + 1) = state.grasp;
+  end
+  state.moved = '';
+  state.known = corrected(seen, verdicts);
 end
 
 function count = numFailures(state, block)

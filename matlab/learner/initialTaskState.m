@@ -15,6 +15,8 @@ function state = initialTaskState(steps, container)
 %   grasp      of the current actions: position of the block's center [units], number of the arm, yaw from
 %              finger to finger [rad]; its block is the last of the known
 %   failures   grasps that failed, not to be repeated
+%   moved      name of the last of the known, if it was moved and not seen since then; empty if not
+%   notes      that were not told yet, see asNote
 %   claim      about the result, at the end: done, true if everything is built, and reason, one line; see
 %              giveUp
   n = numel(steps);
@@ -22,5 +24,6 @@ function state = initialTaskState(steps, container)
                  'unknownObjects', noBlocks(), 'done', false(1, n), 'attempts', zeros(1, n), ...
                  'numTemporary', 0, 'placementErrors', NaN(n, 2), 'numBlocked', 0, ...
                  'firstFailure', '', 'left', noBlocks(), 'grasp', [], ...
-                 'failures', {struct('position', {}, 'arm', {}, 'yaw', {})}, 'claim', []);
+                 'failures', {struct('position', {}, 'arm', {}, 'yaw', {})}, 'moved', '', ...
+                 'notes', asNote({}, {}), 'claim', []);
 end

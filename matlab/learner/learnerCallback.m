@@ -11,7 +11,7 @@ if strcmp(status, 'done')
     [actions, state] = chooseActions(state, sensor, eye, hands);
   end
 elseif ~strcmp(status, 'busy')
-  fprintf('%5.1f s: %s\n', sensor.simTime, status);
+  state.notes(end + 1) = asNote('contradicted', status);
   if num_retreats == 0, state = rememberFailure(state, actions); end
   num_retreats = num_retreats + 1;
   if num_retreats <= constants().task_planning.max_retreats
@@ -20,6 +20,14 @@ elseif ~strcmp(status, 'busy')
   else
     state = giveUp(state, 'because the arm is stuck');
   end
+end
+if ~isempty(state.notes)
+  % Tells the notes that were not told yet: those about actions also in the log.
+  aux.notes = strcat({state.notes.word}, {': '}, {state.notes.text});
+  aux.noteTops = topsOf(state.notes);
+  is_logged = ~ismember({state.notes.word}, {'plan', 'saw'});
+  for note = aux.notes(is_logged), fprintf('%5.1f s: %s\n', sensor.simTime, note{1}); end
+  state.notes(:) = [];
 end
 if ~isempty(state.claim)
   if state.claim.done, word = 'done'; else, word = 'gave up'; end

@@ -10,7 +10,7 @@ end
 [steps, container, appearances] = inferTask(demo, aux.attention);
 if isfield(demo, 'events')
   [keyframes, goal] = explain(demo, appearances, container);
-  printPage(keyframes, goal);
+  aux.notes = strcat({'understood: '}, strtrim(printPage(keyframes, goal)));
 end
 printSteps(steps);
 

@@ -1,19 +1,17 @@
-function printPage(keyframes, goal)
-% Says in sentences what an explanation (see explain) contains: a page for people.
-  fprintf('At the start:\n');
-  printFacts(keyframes(1).facts);
+function page = printPage(keyframes, goal)
+% Says in sentences what an explanation (see explain) contains: a page for people. Returns its lines, 1xN cell.
+  page = [{'At the start:'}, sentencesOn(keyframes(1).facts)];
   for k = 2:numel(keyframes)
     means = '';
     if keyframes(k).isMeans, means = ' (only a means: nothing of it is kept)'; end
-    fprintf('%d. %s%s. New:\n', k - 1, keyframes(k).deed, means);
-    printFacts(keyframes(k).made);
+    page = [page, {sprintf('%d. %s%s. New:', k - 1, keyframes(k).deed, means)}, sentencesOn(keyframes(k).made)];
   end
-  fprintf('The goal, made and kept:\n');
-  printFacts(goal);
+  page = [page, {'The goal, made and kept:'}, sentencesOn(goal)];
+  fprintf('%s\n', page{:});
 end
 
-function printFacts(facts)
-% Prints a sentence for each object that facts are about.
+function sentences = sentencesOn(facts)
+% Returns a sentence for each object that facts are about.
   names = {};
   phrases = {};
   for k = 1:numel(facts)
@@ -27,8 +25,8 @@ function printFacts(facts)
       phrases{which} = [phrases{which}, ', ', phraseOf(words)];
     end
   end
-  for k = 1:numel(names), fprintf('  %s is %s.\n', names{k}, phrases{k}); end
-  if isempty(names), fprintf('  Nothing known.\n'); end
+  sentences = strcat({'  '}, names, {' is '}, phrases, {'.'});
+  if isempty(names), sentences = {'  Nothing known.'}; end
 end
 
 function phrase = phraseOf(words)

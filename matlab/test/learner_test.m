@@ -151,6 +151,17 @@ function check_depth()
   [picture, heights] = pictureOf(tower);
   known = updateBeliefs([tower(1), missing], tower(2), picture, eye, heights);
   check(isequal(known, tower([2, 1])), 'a hidden block is remembered, missing ones are not');
+
+  shifted = [block(red, cube, 3, -1, 0, 0.5), block(red, cube, -3, -1.1, 0, 0)];
+  there = [shifted(1), block(red, cube, -3, -1, 0, 0)];
+  [picture, heights] = pictureOf([tower, there]);
+  verdicts = verdictsOn([tower, missing(1), shifted], [tower(2), there], picture, eye, heights, 0.07);
+  words = {'hidden', 'as expected', 'contradicted', 'as expected', 'contradicted'};
+  check(isequal({verdicts.word}, words), 'each expectation has its verdict');
+  notes = verdictNotes(verdicts, [tower(2), there], noBlocks(), 'Red1');
+  check(strcmp(notes(1).text, 'Red1: off by 0.10 units and 0.0 degrees'), 'how far off the moved block is');
+  check(isequal({notes.word}, {'contradicted', 'as expected', 'hidden', 'contradicted'}), 'and the others');
+  check(isequal(topsOf(notes(1)), [1, 0, -3, -1.1, 1, 1, 1, 0, 0; 1, 1, -3, -1, 1, 1, 1, 0, 0]), 'with their tops');
 end
 
 function estimates = estimatesWhile(truths, told, noise)

@@ -15,6 +15,7 @@ from explain import explain
 from eye import Eye
 from joint_estimates import JointEstimates
 from motion_planning import retreat
+from notes import Note, tops_of
 from sentences import page_of
 from task_model import infer_task
 from task_planning import choose_actions
@@ -28,8 +29,10 @@ def init(aux):
                          "smile imitate DEMO SCENE --brain python/learner/learner.py")
     demo = read_demonstration(aux.demonstration)
     steps, container = infer_task(demo, aux.attention)
-    for line in page_of(explain(demo, container)):
+    page = page_of(explain(demo, container))
+    for line in page:
         print(line)
+    aux.notes = [f"understood: {line.strip()}" for line in page]
     for k, step in enumerate(steps):
         place = ", ".join(steps[lower].name for lower in step.on) or "the table"
         print(f"shown: {k + 1}. {step} on {place}")
@@ -64,7 +67,7 @@ def step(sensor, motor, aux):
             aux.num_retreats = 0
             aux.actions = choose_actions(aux.state, sensor, aux.eye, aux.hands)
     elif status != "busy":
-        print(f"{sensor.simTime:5.1f} s: {status}")
+        aux.state.notes.append(Note("contradicted", status))
         if aux.num_retreats == 0:
             remember_failure(aux.state, aux.actions)
         arm = aux.actions[0].arm
@@ -74,7 +77,20 @@ def step(sensor, motor, aux):
             aux.actions = retreat(arm, q, can_rise=aux.num_retreats == 1)
         else:
             give_up(aux.state, "because the arm is stuck")
+    tell(aux, sensor.simTime)
     if aux.state.claim:
         aux.claim = f"{'done' if aux.state.claim.done else 'gave up'}: {aux.state.claim.reason}"
         print(f"{sensor.simTime:5.1f} s: {aux.claim}")
         aux.exit = True
+
+
+def tell(aux, seconds):
+    """Tells the notes that were not told yet: those about actions also in the log."""
+    notes, aux.state.notes = aux.state.notes, []
+    if not notes:
+        return
+    for note in notes:
+        if note.word not in ("plan", "saw"):
+            print(f"{seconds:5.1f} s: {note}")
+    aux.notes = [str(note) for note in notes]
+    aux.noteTops = tops_of(notes)

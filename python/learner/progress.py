@@ -2,23 +2,24 @@
 
 import numpy as np
 
-from beliefs import update_beliefs
+from beliefs import corrected
 from blocks import is_in_place, yaw_difference
 from clearance import with_held_parts
-from constants import PERCEPTION as C
+from constants import BLOCKS, PERCEPTION as C
 from detection import detect_blocks
 from eye import height_map
 from knobs import add_knobs, find_knobs
+from notes import Note, verdict_notes
 from unexplained import unexplained_points
 from unknown_objects import detect_unknown_objects
+from verdicts import verdicts_on
 
 
 def observe(state, sensor, picture, eye):
     """Updates the known blocks from a picture."""
     heights = None if "depth" in state.without else height_map(sensor.depthVision, eye)
     if state.see:
-        seen = state.see(sensor, eye, state.steps)
-        state.known = update_beliefs(state.known, seen, picture, eye, heights)
+        compare(state, state.see(sensor, eye, state.steps), picture, eye, heights)
         return
     # The place of the container is not known before a site is chosen.
     container = state.container if state.has_site else None
@@ -30,9 +31,24 @@ def observe(state, sensor, picture, eye):
         state.unknown_objects += detect_unknown_objects(picture, eye, whole, heights)
         seen = detect_blocks(picture, eye, state.steps + state.unknown_objects, container, heights)
         add_knobs(state.steps, seen)
-    state.known = update_beliefs(state.known, seen, picture, eye, heights)
+    compare(state, seen, picture, eye, heights)
     if heights is not None:
         state.unexplained = unexplained_points(with_held_parts(state.known), heights, eye)
+
+
+def compare(state, seen, picture, eye, heights):
+    """Compares what is expected, the known blocks, with those seen in a picture, and corrects it. If the
+    block that was just moved is not where it should be, its grasp failed."""
+    # What is dropped into a container may lie anywhere inside.
+    tolerance = BLOCKS.confined_tolerance if state.container else BLOCKS.position_tolerance
+    verdicts = verdicts_on(state.known, seen, picture, eye, heights, tolerance)
+    if not state.known:
+        state.notes.append(Note("saw", f"{len(seen)} objects", found=seen))
+    state.notes += verdict_notes(verdicts, seen, state.steps, state.moved)
+    if state.moved and verdicts[-1].word == "contradicted":
+        state.failures.append(state.grasp)
+    state.moved = ""
+    state.known = corrected(seen, verdicts)
 
 
 def open_steps(state):

@@ -12,6 +12,7 @@ from clearance import container_walls, grasp_yaws, is_inside, with_held_parts
 from constants import TASK_PLANNING as C
 from execution import Action
 from motion_planning import plan_pick_and_place
+from notes import action_note, name_of, plan_notes
 from progress import assess_progress, observe, open_steps
 from proposals import clearing_moves, is_obstructing, propose_moves, uncovering_moves
 from task_state import Claim, give_up, num_failures
@@ -29,6 +30,7 @@ def choose_actions(state, sensor, eye, arms):
         if problem:
             give_up(state, f"before it began: {problem}")
             return []
+        state.notes += plan_notes(state.steps)
 
     used = assess_progress(state)
     steps = open_steps(state)
@@ -64,7 +66,11 @@ def choose_actions(state, sensor, eye, arms):
             state.known.remove(move.block)
             state.known.append(place)
             state.num_blocked = 0
-            state.grasp = next(action.grasp for action in actions if action.kind == "grasp")
+            grasp = next(action for action in actions if action.kind == "grasp")
+            state.grasp = grasp.grasp
+            state.moved = move.goal.name if move.goal else name_of(move.block, state.steps)
+            state.notes.append(action_note(state.moved, move.block, place, move.goal,
+                                           is_temporary, grasp.arm))
             return actions
     if state.num_blocked == 0:
         state.first_failure = f"{step}: {reason}"

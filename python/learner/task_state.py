@@ -39,6 +39,8 @@ class TaskState:
     left: list = field(default_factory=list)  # Blocks at the places from which they were put aside
     grasp: Optional[Grasp] = None  # of the current actions; its block is the last of the known
     failures: list = field(default_factory=list)  # Grasps that failed, not to be repeated
+    moved: str = ""  # name of the last of the known, if it was moved and not seen since then
+    notes: list = field(default_factory=list)  # Notes that were not told yet
     claim: Optional[Claim] = None  # about the result, at the end
     without: tuple = ()  # "depth", "second look": abilities that it does not use
     see: Optional[Callable] = None  # told what is seen: from sensor, eye and steps to Blocks
@@ -58,6 +60,7 @@ def remember_failure(state, actions):
     the block was released already, it is not where it was to go."""
     if any(action.kind == "open" for action in actions[1:]):
         state.known.pop()
+    state.moved = ""
     state.failures.append(state.grasp)
 
 

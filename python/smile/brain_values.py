@@ -401,6 +401,12 @@ def text_of(name: str, text: object) -> str:
     return text
 
 
+def lines_from(name: str, texts: object) -> str:
+    if not isinstance(texts, (list, tuple)):
+        raise TypeError(f"{name} is {texts!r:.80}, expected a list of texts")
+    return "\n".join(text_of(name, text) for text in texts)
+
+
 def in_one_line(name: str, words: object) -> str:
     words = [words] if isinstance(words, str) else words
     if not isinstance(words, (list, tuple)) or not all(isinstance(word, str) for word in words):

@@ -8,7 +8,7 @@ from typing import Protocol
 import numpy as np
 
 from smile.brain_values import (
-    Fields, Motor, Sensor, Values, aux_of, sensor_of, text_of, wish_of, wishes_of)
+    Fields, Motor, Sensor, Values, aux_of, lines_from, sensor_of, text_of, wish_of, wishes_of)
 from smile.messages import FINAL_MOTOR, INIT, INIT_DONE, MOTOR
 
 Step = Callable[[Sensor, Motor, Fields], object]
@@ -44,13 +44,15 @@ class Exchange:
         wishes = wishes_of(self.aux)
         self.markers = np.array(wishes.get("drawMarkers", _NO_MARKERS))
         self.image_seconds = self.aux.__dict__.get("imageSeconds")
-        return INIT_DONE, wishes
+        return INIT_DONE, wishes | self._new_notes()
 
     def step(self, values: Values) -> tuple[int, Values]:
         """STEP -> MOTOR or FINAL_MOTOR"""
         self._step(sensor_of(values, self.arms), self.motor, self.aux)
         is_last = "exit" in self.aux and bool(np.any(self.aux.exit))
         values = self.motor.values() | self._new_markers() | self._new_image_seconds()
+        if "notes" in self.aux:
+            values |= self._new_notes()
         if is_last and "claim" in self.aux:
             values["claim"] = text_of("aux.claim", self.aux.claim)
         return FINAL_MOTOR if is_last else MOTOR, values
@@ -64,6 +66,16 @@ class Exchange:
             return {}
         self.markers = np.array(markers)
         return {"drawMarkers": self.markers}
+
+    def _new_notes(self) -> Values:
+        """Returns aux.notes and aux.noteTops, which are told once, and removes them."""
+        notes = self.aux.__dict__.pop("notes", None)
+        tops = wish_of(self.aux, "noteTops") if "noteTops" in self.aux else None
+        self.aux.__dict__.pop("noteTops", None)
+        if not notes:
+            return {}
+        text = notes if isinstance(notes, str) else lines_from("aux.notes", notes)
+        return {"notes": text} | ({} if tops is None else {"noteTops": tops})
 
     def _new_image_seconds(self) -> Values:
         """Returns aux.imageSeconds if it differs from the one sent last."""

@@ -29,8 +29,9 @@ from joint_estimates import JointEstimates
 from knobs import find_knobs
 from landmarks import place_by_what_stays
 from motion_planning import grip_depth, has_failed, plan_pick_and_place
+from notes import tops_of, verdict_notes
 from pictures import num_pictures
-from progress import assess_progress, open_steps
+from progress import assess_progress, compare, open_steps
 from proposals import Move, clearing_moves, propose_moves, uncovering_moves
 from regions import is_cut, label_regions
 from sentences import page_of
@@ -42,6 +43,7 @@ from task_state import TaskState, num_failures, remember_failure
 from temporary_places import blocks_grasps
 from unexplained import is_unexplained, unexplained_points
 from unknown_objects import detect_unknown_objects
+from verdicts import verdicts_on
 
 RED, GREEN, BLUE = np.eye(3)
 CUBE = np.array([1.0, 1, 1])
@@ -671,6 +673,32 @@ class TaskPlanningTest(unittest.TestCase):
             picture, heights = view_of([lower, half_covered[1]])
             known = update_beliefs([lower], [half_covered[1]], picture, EYE, heights)
             self.assertEqual(known, [half_covered[1], lower])
+
+    def test_each_expectation_has_a_verdict(self):
+        tower = [block(RED, CUBE, 0, -4), block(GREEN, CUBE, 0, -4, bottom=1)]
+        missing = block(BLUE, CUBE, 3, -2)
+        shifted = [block(RED, CUBE, 3, -1, yaw=0.5), block(RED, CUBE, -3, -1.1)]
+        there = [shifted[0], block(RED, CUBE, -3, -1)]
+        picture, heights = view_of([*tower, *there])
+        verdicts = verdicts_on([*tower, missing, *shifted], [tower[1], *there], picture, EYE, heights)
+        self.assertEqual([it.word for it in verdicts], [
+            "hidden", "as expected", "contradicted", "as expected", "contradicted"])
+        notes = verdict_notes(verdicts, [tower[1], *there], [], "Red1")
+        self.assertEqual(notes[0].text, "Red1: off by 0.10 units and 0.0 degrees")
+        self.assertEqual([it.word for it in notes], [
+            "contradicted", "as expected", "hidden", "contradicted"])
+        np.testing.assert_allclose(tops_of(notes[:1]), [[1, 0, -3, -1.1, 1, 1, 1, 0, 0],
+                                                        [1, 1, -3, -1, 1, 1, 1, 0, 0]])
+
+    def test_a_contradicted_move_is_remembered_as_failed(self):
+        state = TaskState(self.steps)
+        there, goal = block(RED, CUBE, 3, -2), block(RED, CUBE, 0, -2)
+        state.known, state.moved, state.grasp = [goal], "Red1", Grasp(there.position, 0, 0.5)
+        picture, heights = view_of([there])
+        compare(state, [there], picture, EYE, heights)
+        self.assertEqual(state.known, [there])
+        self.assertEqual(num_failures(state, there), 1)
+        self.assertEqual(str(state.notes[0]), "contradicted: Red1: it is not there")
 
     def test_a_half_hidden_block_is_where_it_was_known_to_be(self):
         post = block(BLUE, np.array([1, 1, 3]), 0.3, -2.2)

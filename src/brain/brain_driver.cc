@@ -374,6 +374,7 @@ void BrainDriver::Begin(const InitReply& reply, sim::Simulation* simulation) {
   if (!angles.arms.empty()) simulation->Apply(angles);
   wishes_ = reply.pictures;
   ShowMarkers(reply.draw_markers, simulation);
+  PassOn(reply.notes);
   begin_tick_ = simulation->tick();
   if (reply.watch) TakeNextFrame(simulation);
 }
@@ -390,9 +391,15 @@ void BrainDriver::ShowMarkers(const Points& markers, sim::Simulation* simulation
   simulation->Apply(shown);
 }
 
+void BrainDriver::PassOn(const std::vector<sim::Note>& notes) const {
+  if (!options_.on_note) return;
+  for (const sim::Note& note : notes) options_.on_note(note);
+}
+
 void BrainDriver::MakeStep(const StepReply& reply, sim::Simulation* simulation) {
   if (reply.draw_markers) ShowMarkers(*reply.draw_markers, simulation);
   if (reply.image_seconds) ChangeImagePeriod(*reply.image_seconds, *simulation);
+  PassOn(reply.notes);
   const bool is_watching = frame_.has_value();
   if (!is_watching) {
     Send(reply.motors.front(), simulation);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "brain/brain_process.h"
 #include "brain/sensor_noise.h"
 #include "sim/eye.h"
+#include "sim/note.h"
 #include "sim/simulation.h"
 
 namespace smile::brain {
@@ -35,6 +37,8 @@ struct BrainDriverOptions {
   DemonstrationFrames frames;           ///< of that recording; called if a brain requests to watch
   Attention attention;                  ///< of it
   SensorNoise noise;                    ///< in all sensor values
+  /// Called for each note of the brain, at the tick of the step with which it came.
+  std::function<void(const sim::Note& note)> on_note;
 };
 
 enum class BrainStatus { kStarting, kRunning, kExited, kFailed };
@@ -100,6 +104,7 @@ class BrainDriver {
   void Begin(const InitReply& reply, sim::Simulation* simulation);
   void MakeStep(const StepReply& reply, sim::Simulation* simulation);
   void ShowMarkers(const Points& markers, sim::Simulation* simulation);
+  void PassOn(const std::vector<sim::Note>& notes) const;
   void Send(const Motor& motor, sim::Simulation* simulation);
   void Fail(BrainError error, sim::Simulation* simulation);
   void StopRobot(sim::Simulation* simulation);

@@ -5,8 +5,8 @@
 
 namespace smile::brain {
 
-BrainLog::BrainLog(const std::filesystem::path& directory) {
-  if (!directory.empty()) path_ = directory / "brain.log";
+BrainLog::BrainLog(const std::filesystem::path& directory, const char* file) {
+  if (!directory.empty()) path_ = directory / file;
 }
 
 // A continued recording appends to its log; the limit counts what is there already.

@@ -14,6 +14,7 @@
 #include "image/image.h"
 #include "robot/urdf_reader.h"
 #include "sim/eye.h"
+#include "sim/note.h"
 
 /// Values sent to a brain and its answers, exactly as its scripts see them: lengths are in
 /// file units (1 unit = 0.1 m) in the world frame of the scene file, angles in radians. This is the
@@ -149,7 +150,8 @@ struct InitReply {
   std::vector<std::optional<std::vector<double>>> init_joints;
   Points draw_markers = Points(0, 3);  ///< points to show to people [units]
   PictureWishes pictures;
-  bool watch = false;  ///< request to watch the demonstration first
+  bool watch = false;            ///< request to watch the demonstration first
+  std::vector<sim::Note> notes;  ///< about what it knows so far
 };
 
 /// Claim of a brain about its own run. Results compare it with what is true.
@@ -169,6 +171,7 @@ struct StepReply {
   std::optional<double> image_seconds;  ///< another time between pictures from now on
   bool exit = false;                    ///< the program set aux.exit: this was its last step
   std::optional<Claim> claim;           ///< with the last step only
+  std::vector<sim::Note> notes;         ///< since the step before
 };
 
 /// Reason for which a program was stopped.

@@ -106,6 +106,7 @@ class ProtocolSession {
     AddNewImageSeconds(&writer);
     if (aux_.watch) writer.AddLogical("watch", true);
     AddNewMarkers(&writer);
+    AddNotes(&writer);
     return writer.Finish();
   }
 
@@ -131,6 +132,7 @@ class ProtocolSession {
     if (aux_.exit && aux_.claim) writer.AddText("claim", *aux_.claim);
     AddNewImageSeconds(&writer);
     AddNewMarkers(&writer);
+    AddNotes(&writer);
     return writer.Finish();
   }
 
@@ -148,6 +150,16 @@ class ProtocolSession {
     if (markers.rows() == sent_markers_.rows() && markers == sent_markers_) return;
     AddMatrix(*writer, "drawMarkers", markers);
     sent_markers_ = markers;
+  }
+
+  void AddNotes(MessageWriter* writer) {
+    if (aux_.notes.empty()) return;
+    std::string text;
+    for (const std::string& note : aux_.notes) text += note + "\n";
+    writer->AddText("notes", text);
+    if (aux_.note_tops.rows() > 0) AddMatrix(*writer, "noteTops", aux_.note_tops);
+    aux_.notes.clear();
+    aux_.note_tops.resize(0, 9);
   }
 
   Brain* brain_;

@@ -37,6 +37,14 @@ struct Aux : Fields {
   /// With `exit`: what it claims about its run, `done` or `gave up`, optionally followed by a colon
   /// and a reason.
   std::optional<std::string> claim;
+
+  /// At any time: notes about its work for people, sent once and then cleared; each is `word: text`
+  /// (docs/brains.md).
+  std::vector<std::string> notes;
+  /// Tops of objects that they are about, one in each row: the number of the note, from 1; 0 for
+  /// an expected one, 1 for one that was found; x, y, z of its middle [units]; its sides [units];
+  /// its yaw [rad]; 1 if it is round.
+  Eigen::Matrix<double, Eigen::Dynamic, 9> note_tops;
 };
 
 /// State of an arm.

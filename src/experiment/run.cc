@@ -18,6 +18,7 @@
 #include "experiment/refusal_reporter.h"
 #include "experiment/world_description.h"
 #include "picture/rendered_eye.h"
+#include "recording/notes.h"
 #include "task/comparison.h"
 
 namespace smile::experiment {
@@ -39,7 +40,8 @@ class LiveRun {
         callbacks_(callbacks),
         simulation_(plan.scene, plan.robot),
         refusals_(&callbacks),
-        brain_log_(RecordingOf(plan)) {
+        brain_log_(RecordingOf(plan)),
+        notes_(RecordingOf(plan), recording::kNotesFile) {
     simulation_.AddListener(&refusals_);
     // Found first, so that a missing brain does not leave an empty recording behind.
     if (HasBrain()) FindBrain();
@@ -140,6 +142,9 @@ class LiveRun {
     brain::BrainDriverOptions options = DriverOptionsFor(plan_.brain, plan_.demonstration, &*eye_);
     options.image_seconds = plan_.image_seconds;
     options.noise = plan_.noise;
+    options.on_note = [this](const sim::Note& note) {
+      notes_.Write(recording::LineOf({.tick = simulation_.tick(), .note = note}));
+    };
     // The brain starts here and not with its first step: its init may set the posture of the robot,
     // which must precede the first tick.
     driver_.emplace(std::move(options));
@@ -272,6 +277,7 @@ class LiveRun {
   double worst_delay_ = 0;
   std::optional<sim::ScriptPlayer> player_;
   brain::BrainLog brain_log_;  ///< written to by the process's thread
+  brain::BrainLog notes_;
   std::optional<brain::FunctionBrain> function_;
   std::optional<brain::BrainProcess> process_;
   std::optional<brain::BrainDriver> driver_;

@@ -11,6 +11,7 @@
 #include "picture/recording_renderer.h"
 #include "recording/recording_history.h"
 #include "recording/time_range.h"
+#include "report/internal_account.h"
 #include "report/internal_activity.h"
 #include "report/internal_placements.h"
 #include "report/internal_table.h"
@@ -265,6 +266,7 @@ std::string PageOf(const ExperimentOutcome& outcome) {
   body += Numbers(outcome.result);
   body += Section("The demonstration", PicturesOf(outcome.demonstration, "The demonstration"));
   body += Section("The imitation", PicturesOf(outcome.imitation, "The imitation"));
+  body += AccountOf(outcome.imitation, ClaimText(outcome.result));
   body += Places(outcome);
   body += EffectsOf(outcome.result);
   body += Work(outcome);

@@ -90,6 +90,23 @@ svg .end { text-anchor: end; } svg .middle { text-anchor: middle; }
 .subtask { fill: var(--accent-soft); stroke: var(--accent); } .redundant { stroke-dasharray: 4 3; }
 .edge { fill: none; stroke: var(--muted); stroke-width: 1.4; }
 .legend { white-space: pre-wrap; margin-top: 4px; }
+.told { columns: 2 380px; column-gap: 34px; font-size: 14px; }
+.told h3 { margin: 0 0 2px; break-after: avoid; } .told ul { margin: 0 0 10px; padding-left: 18px; }
+.deeds { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 320px), 1fr));
+  gap: 22px 18px; }
+.deeds.plan { grid-template-columns: minmax(0, 1fr) minmax(0, 2fr); }
+.plan ol { margin: 0; font-size: 14px; columns: 2 200px; }
+.deeds h3 { margin: 10px 0 4px; } .deeds p { margin: 4px 0; font-size: 13px; }
+.seen { position: relative; }
+.seen svg { position: absolute; inset: 0; width: 100%; height: 100%; max-width: none; }
+.seen polygon { fill: none; stroke-linejoin: round; vector-effect: non-scaling-stroke; }
+.expected { stroke: #8a2be2; stroke-width: 2.5; } .found { stroke: #111111; stroke-width: 1.4; }
+.expected.moved { stroke-width: 5; } .expected.unseen { stroke-dasharray: 3 3; }
+.expected.bad { stroke: #ff2bd6; stroke-width: 5; }
+.line { display: inline-block; width: 22px; height: 0; margin-right: 7px; vertical-align: middle;
+  border-top: 2.5px solid #8a2be2; }
+.line.found { border-top: 1.4px solid var(--text); } .line.bad { border-top: 5px solid #ff2bd6; }
+.line.unseen { border-top-style: dashed; }
 .cross { stroke: var(--card); stroke-width: 1.6; }
 footer { color: var(--muted); font-size: 13px; margin: 22px 4px 0; }
 @media (max-width: 560px) { main { padding: 18px 10px 40px; } section { padding: 16px 14px; }

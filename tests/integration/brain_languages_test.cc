@@ -113,10 +113,14 @@ TEST_F(BrainLanguages, ScriptsOfTheOriginalRunAsTheyAre) {
         "save([aux.path 'result.mat'], 'elbow', 'total', 'points');\n"
         "close all\n"
         "aux.claim = 'done: as shown';\n"
+        "aux.notes = {'saw: a block', 'plan: none'};\n"
+        "aux.noteTops = [1, 1, 0, 2, 1, 4, 1, 0.5, 0];\n"
         "aux.exit = 1;\n");
-  const Answer answer = Smile("run pair.xml --brain matlab --size 64x48 --json");
+  const Answer answer = Smile("run pair.xml --brain matlab --size 64x48 --record noted --json");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   EXPECT_EQ(answer.json()["brain"]["status"], "exited");
+  EXPECT_NE(Read("noted/notes.jsonl").find("\"saw\",\"text\":\"a block\",\"found\""),
+            std::string::npos);
   EXPECT_EQ(answer.json()["brain"]["claim"], Json({{"done", true}, {"reason", "as shown"}}));
   EXPECT_GE(answer.json()["ticks"], 35);
   for (const char* file : {"matlab/frames/0.png", "matlab/frames/2.png", "matlab/result.mat"}) {

@@ -60,6 +60,7 @@ function decideOn(folder, aux)
   for step = state.steps
     show('site', [step.position, step.yaw]);
   end
+  for it = state.notes, printf('note %s: %s\n', it.word, it.text); end
   if ~isempty(state.claim), printf('claim %s\n', state.claim.reason); end
   for k = 1:numel(actions)
     showAction(actions{k});

@@ -136,6 +136,7 @@ def decisions(case, aux):
                    key=lambda row: [round(number, 4) for number in row[:3]])
     lines += [fact("known", *row) for row in known]
     lines += [fact("site", *step.position, step.yaw) for step in building.steps]
+    lines += [f"note {it}" for it in building.notes]
     if building.claim:
         lines.append(fact("claim", building.claim.reason))
     for action in actions:

@@ -40,6 +40,11 @@ class MotorMessage {
     writer_.AddText(name, text);
     return *this;
   }
+  MotorMessage& Numbers(std::string_view name, std::span<const std::uint32_t> dims,
+                        std::span<const double> values) {
+    writer_.AddDoubles(name, dims, values);
+    return *this;
+  }
   MotorMessage& Scalar(std::string_view name, double value) {
     writer_.AddScalar(name, value);
     return *this;
@@ -200,6 +205,30 @@ TEST(DecodeStepReply, ReadsAClaimOfTheLastStepOnly) {
             "aux.claim is \"finished\", expected done or gave up, optionally followed by a "
             "colon and a reason");
   EXPECT_NE(claimed("done", MessageType::kMotor).Error(), "");
+}
+
+TEST(DecodeStepReply, ReadsNotesAndTheTopsThatTheyAreAbout) {
+  const auto noted = [](const std::string& text, const std::vector<double>& tops = {}) {
+    MotorMessage message;
+    message.Velocities().Grippers().Text("notes", text);
+    if (!tops.empty()) message.Numbers("noteTops", std::array{1u, 9u}, tops);
+    return message;
+  };
+  const sim::NotedTop top{
+      .middle = Vector3(1, -2, 3), .length = 4, .width = 0.5, .yaw = 0.1, .is_round = true};
+  const StepReply reply =
+      noted("action: to the left\nas expected: Red1: there", {2, 1, 1, -2, 3, 4, 0.5, 0.1, 1})
+          .Reply();
+  EXPECT_EQ(reply.notes, (std::vector<sim::Note>{
+                             {.word = "action", .text = "to the left"},
+                             {.word = "as expected", .text = "Red1: there", .found = {top}}}));
+  EXPECT_EQ(noted("seen: a block").Error(),
+            "aux.notes contains \"seen: a block\", expected understood, plan, saw, action, as "
+            "expected, hidden or contradicted, a colon and a sentence");
+  EXPECT_EQ(noted("saw: it", {2, 0, 0, 0, 0, 1, 1, 0, 0}).Error(),
+            "aux.noteTops(1,1) is 2, expected the number of a note, 1 to 1");
+  EXPECT_EQ(MotorMessage().Velocities().Grippers().Scalar("noteTops", 1).Error(),
+            "aux.noteTops is given without notes");
 }
 
 TEST(DecodeStepReply, RefusesUnknownAndMissingFields) {

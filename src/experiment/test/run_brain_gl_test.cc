@@ -3,6 +3,7 @@
 #include "base/diagnostic.h"
 #include "experiment/imitation.h"
 #include "experiment_fixture.h"
+#include "recording/notes.h"
 #include "recording/recording.h"
 #include "recording/time_range.h"
 #include "replay/replay.h"
@@ -34,6 +35,7 @@ TEST_F(RunBrain, TheExampleInCppMovesTheRobot) {
   EXPECT_NEAR(arms["left"]["joints"][0].get<double>(), -arms["right"]["joints"][0].get<double>(),
               0.05);
   EXPECT_GT(std::abs(arms["left"]["joints"][0].get<double>()), 0.05);
+  EXPECT_NE(Read("run/notes.jsonl").find("waves with both arms"), std::string::npos);
 }
 
 TEST_F(RunBrain, AFailureIsReportedAndTheRecordingKept) {
@@ -52,6 +54,22 @@ TEST_F(RunBrain, ABrainThatEndsEndsTheRun) {
   EXPECT_EQ(result.brain_status, brain::BrainStatus::kExited);
   EXPECT_FALSE(result.brain_error);
   EXPECT_LT(result.seconds, 0.7);
+}
+
+TEST_F(RunBrain, NotesAreRecordedOnceWithTheirTick) {
+  (void)experiment::Run(
+      PlanWith(Python("  if 'said' not in aux:\n"
+                      "    aux.said, aux.notes = True, ['saw: a block', 'plan: to leave it']\n"
+                      "    aux.noteTops = [[1, 1, 0, 2, 1, 4, 1, 0.5, 0]]\n"
+                      "  if sensor.simTime > 0.2: aux.exit, aux.notes = True, 'action: ends'\n")));
+  const auto notes = recording::NotesOf(recording::OpenRecording(root_ / "run"));
+  const sim::NotedTop top{.middle = Vector3(0, 2, 1), .length = 4, .width = 1, .yaw = 0.5};
+  ASSERT_EQ(notes.size(), 3u);
+  EXPECT_EQ(notes[0].note, (sim::Note{.word = "saw", .text = "a block", .found = {top}}));
+  EXPECT_EQ(notes[1].note, (sim::Note{.word = "plan", .text = "to leave it"}));
+  EXPECT_EQ(notes[2].note.text, "ends");
+  EXPECT_EQ(notes[0].tick, 0u);
+  EXPECT_GE(notes[2].tick, 12u);
 }
 
 TEST_F(RunBrain, AMissingOneLeavesNoRecording) {

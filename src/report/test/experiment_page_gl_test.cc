@@ -95,6 +95,27 @@ TEST_F(ExperimentPage, QuotesWhatTheBrainPrinted) {
   EXPECT_NE(page.find("line 999"), std::string::npos);
 }
 
+TEST_F(ExperimentPage, ShowsWhatTheBrainUnderstoodPlannedAndSaw) {
+  const std::string top = R"([{"middle":[0,0,1],"sides":[1,1],"yaw":0}])";
+  WriteFile(directory_ / "notes.jsonl",
+            R"({"tick":0,"note":"understood","text":"The goal:"})"
+            "\n"
+            R"({"tick":0,"note":"understood","text":"b1 is on <b>"})"
+            "\nno note\n"
+            R"({"tick":0,"note":"action","text":"carries b1"})"
+            "\n"
+            R"({"tick":2,"note":"contradicted","text":"b1: it is not there","expected":)" +
+                top + ",\"found\":" + top + "}\n");
+  const std::string page = PageWith(ResultOf({{kBlock, Pose(0)}}));
+  EXPECT_NE(page.find("<h3>The goal:</h3><ul><li>b1 is on &lt;b&gt;</li></ul>"), std::string::npos);
+  EXPECT_NE(page.find("0.0 s: carries b1"), std::string::npos);
+  EXPECT_NE(page.find("<span class=\"badge bad\">contradicted</span> b1: it is not there"),
+            std::string::npos);
+  EXPECT_NE(page.find("class=\"expected bad moved\""), std::string::npos);
+  EXPECT_NE(page.find("class=\"found\""), std::string::npos);
+  EXPECT_NE(page.find("What it claims"), std::string::npos);
+}
+
 TEST_F(ExperimentPage, ReportsMissingObjects) {
   const std::string page = PageWith(ResultOf(Json::object()));
   EXPECT_NE(page.find("missing"), std::string::npos);

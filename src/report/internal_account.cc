@@ -33,7 +33,7 @@ bool IsVerdict(const RecordedNote& note) {
 }
 
 /// Notes with one picture: an action or the first look, and what came of it.
-using Scene = std::vector<const RecordedNote*>;
+using NoteGroup = std::vector<const RecordedNote*>;
 
 /// Draws what a program knew over what its eye saw.
 class AccountPictures {
@@ -50,7 +50,7 @@ class AccountPictures {
 
   /// Returns the picture at a tick with the tops that notes name; empty if the tick was not
   /// recorded.
-  Markup At(std::uint64_t tick, const Scene& notes, const std::string& words) {
+  Markup At(std::uint64_t tick, const NoteGroup& notes, const std::string& words) {
     const auto moment = trace_.At(tick);
     if (!moment) return {};
     const CameraView view = recording::ViewSampleAt(*moment, *recording_.model, spec_).view;
@@ -138,7 +138,7 @@ Markup LegendOf() {
 
 /// Returns the plan, with a picture of the first look in which its places are drawn.
 Markup PlanOf(const std::vector<RecordedNote>& notes, AccountPictures* pictures) {
-  Scene plan;
+  NoteGroup plan;
   Markup list;
   for (const RecordedNote& it : notes) {
     if (it.note.word != "plan") continue;
@@ -146,7 +146,7 @@ Markup PlanOf(const std::vector<RecordedNote>& notes, AccountPictures* pictures)
     list += Element("li", {}, it.note.text);
   }
   if (plan.empty()) return {};
-  Scene drawn = plan;
+  NoteGroup drawn = plan;
   for (const RecordedNote& it : notes) {
     if (it.note.word == "saw" && it.tick == plan.front()->tick) drawn.push_back(&it);
   }
@@ -155,15 +155,15 @@ Markup PlanOf(const std::vector<RecordedNote>& notes, AccountPictures* pictures)
   figure += Element("figcaption", {}, words);
   Markup pair = Element("figure", {}, figure);
   pair += Element("ol", {}, list);
-  return Section("What it planned", Element("div", {{"class", "deeds plan"}}, pair));
+  return Section("What it planned", Element("div", {{"class", "actions plan"}}, pair));
 }
 
 /// Returns an action with its verdicts.
-Markup DeedOf(const Scene& scene, const recording::Recording& recording,
-              AccountPictures* pictures) {
+Markup ActionOf(const NoteGroup& group, const recording::Recording& recording,
+                AccountPictures* pictures) {
   Markup words;
   const RecordedNote* last_verdict = nullptr;
-  for (const RecordedNote* it : scene) {
+  for (const RecordedNote* it : group) {
     if (!IsVerdict(*it)) {
       const double seconds = SecondsInto(recording, it->tick);
       words += Element("h3", {}, Fixed(seconds, 1) + " s: " + it->note.text);
@@ -174,41 +174,41 @@ Markup DeedOf(const Scene& scene, const recording::Recording& recording,
     line += Text(" " + it->note.text);
     words += Element("p", {}, line);
   }
-  Markup deed;
+  Markup action;
   if (last_verdict != nullptr) {
-    deed = pictures->At(last_verdict->tick, scene, "What the robot's eye saw afterwards");
+    action = pictures->At(last_verdict->tick, group, "What the robot's eye saw afterwards");
   }
-  deed += words;
-  return Element("div", {}, deed);
+  action += words;
+  return Element("div", {}, action);
 }
 
 /// Returns the actions, and pictures that were compared with what was expected, in their order.
-std::vector<Scene> ScenesOf(const std::vector<RecordedNote>& notes) {
-  std::vector<Scene> scenes;
+std::vector<NoteGroup> GroupsOf(const std::vector<RecordedNote>& notes) {
+  std::vector<NoteGroup> groups;
   for (const RecordedNote& it : notes) {
     const bool is_action = it.note.word == "action";
     if (!is_action && !IsVerdict(it)) continue;
     // A picture belongs to the action before it; another one, to none.
     const bool is_next =
-        scenes.empty() || is_action ||
-        (IsVerdict(*scenes.back().back()) && scenes.back().back()->tick != it.tick);
-    if (is_next) scenes.emplace_back();
-    scenes.back().push_back(&it);
+        groups.empty() || is_action ||
+        (IsVerdict(*groups.back().back()) && groups.back().back()->tick != it.tick);
+    if (is_next) groups.emplace_back();
+    groups.back().push_back(&it);
   }
-  return scenes;
+  return groups;
 }
 
-Markup DeedsOf(const std::vector<RecordedNote>& notes, const recording::Recording& recording,
-               AccountPictures* pictures) {
-  Markup deeds;
-  for (const Scene& scene : ScenesOf(notes)) deeds += DeedOf(scene, recording, pictures);
-  if (deeds.is_empty()) return {};
+Markup ActionsOf(const std::vector<RecordedNote>& notes, const recording::Recording& recording,
+                 AccountPictures* pictures) {
+  Markup actions;
+  for (const NoteGroup& group : GroupsOf(notes)) actions += ActionOf(group, recording, pictures);
+  if (actions.is_empty()) return {};
   Markup content = Element(
       "p", {{"class", "note"}},
       "After each action the robot's program compares a picture with what it expected to see. "
       "Outlines are where it expected and where it saw the tops of objects.");
   content += LegendOf();
-  content += Element("div", {{"class", "deeds"}}, deeds);
+  content += Element("div", {{"class", "actions"}}, actions);
   return Section("What it did, expected and saw", content);
 }
 
@@ -223,7 +223,7 @@ Markup AccountOf(const recording::Recording& imitation, const std::optional<std:
     account += Section("What it understood of the demonstration", understood);
   AccountPictures pictures(imitation);
   account += PlanOf(notes, &pictures);
-  account += DeedsOf(notes, imitation, &pictures);
+  account += ActionsOf(notes, imitation, &pictures);
   if (claim) account += Section("What it claims", Element("p", {{"class", "lead"}}, *claim));
   return account;
 }

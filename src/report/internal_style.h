@@ -92,11 +92,11 @@ svg .end { text-anchor: end; } svg .middle { text-anchor: middle; }
 .legend { white-space: pre-wrap; margin-top: 4px; }
 .told { columns: 2 380px; column-gap: 34px; font-size: 14px; }
 .told h3 { margin: 0 0 2px; break-after: avoid; } .told ul { margin: 0 0 10px; padding-left: 18px; }
-.deeds { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 320px), 1fr));
+.actions { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 320px), 1fr));
   gap: 22px 18px; }
-.deeds.plan { grid-template-columns: minmax(0, 1fr) minmax(0, 2fr); }
+.actions.plan { grid-template-columns: minmax(0, 1fr) minmax(0, 2fr); }
 .plan ol { margin: 0; font-size: 14px; columns: 2 200px; }
-.deeds h3 { margin: 10px 0 4px; } .deeds p { margin: 4px 0; font-size: 13px; }
+.actions h3 { margin: 10px 0 4px; } .actions p { margin: 4px 0; font-size: 13px; }
 .seen { position: relative; }
 .seen svg { position: absolute; inset: 0; width: 100%; height: 100%; max-width: none; }
 .seen polygon { fill: none; stroke-linejoin: round; vector-effect: non-scaling-stroke; }

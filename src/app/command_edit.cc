@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -11,6 +12,7 @@
 #include "app/options.h"
 #include "app/progress.h"
 #include "editing/edit_json.h"
+#include "editing/overlay.h"
 #include "editing/re_simulation.h"
 #include "picture/rendered_eye.h"
 #include "recording/view_sample.h"
@@ -27,6 +29,8 @@ struct TypedEdit {
 struct EditOptions {
   std::string demo, out;
   std::vector<TypedEdit> edits;  ///< in the order of the command line
+  std::string overlay, overlay_hand;
+  double overlay_at = 0;  ///< [s]
   bool dry_run = false, no_pictures = false, json = false;
 };
 
@@ -34,7 +38,8 @@ void Print(const editing::EditReport& report) {
   std::printf("lasts %.2f s, was %.2f s\n", sim::SecondsOf(report.ticks_after),
               sim::SecondsOf(report.ticks_before));
   for (const editing::SkippedCommand& command : report.skipped) {
-    std::printf("line %zu of the log is skipped: %s\n", command.line, command.reason.c_str());
+    std::printf("line %zu of the %s is skipped: %s\n", command.line,
+                command.is_of_overlay ? "overlay's log" : "log", command.reason.c_str());
   }
   for (const editing::Displaced& object : report.displaced) {
     std::printf("%s ends %.1f mm and %.1f degrees from its previous pose\n", object.id.c_str(),
@@ -73,6 +78,23 @@ recording::Demonstration Perform(const std::vector<TypedEdit>& edits,
   return demonstration;
 }
 
+/// Adds the hands of the other recording, if there is one.
+recording::Demonstration WithOverlay(const EditOptions& options,
+                                     const recording::Recording& recording,
+                                     recording::Demonstration edited) {
+  if (options.overlay.empty()) return edited;
+  const recording::Recording other = OpenAndReport(options.overlay);
+  editing::Overlay overlay{
+      .demonstration = DemonstrationOf(other),
+      .begin = static_cast<std::uint64_t>(std::llround(options.overlay_at * sim::kTicksPerSecond)),
+      .hand = demonstrator::ParseHandName(options.overlay_hand)};
+  try {
+    return Overlaid(edited, overlay, recording.log.lines().size());
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("--overlay " + options.overlay + ": " + error.what());
+  }
+}
+
 /// Simulates the edited demonstration from its start. Records it unless this is a dry run.
 editing::EditReport Simulate(const recording::Recording& recording,
                              const recording::Demonstration& edited, const EditOptions& options) {
@@ -100,7 +122,8 @@ void EditDemo(const EditOptions& options) {
     throw std::invalid_argument("the result has no destination: give --out or --dry-run");
   }
   const recording::Recording recording = OpenAndReport(options.demo);
-  const auto edited = Perform(options.edits, DemonstrationOf(recording));
+  const auto edited =
+      WithOverlay(options, recording, Perform(options.edits, DemonstrationOf(recording)));
   const editing::EditReport report = Simulate(recording, edited, options);
   if (options.json) {
     std::printf("%s\n", ToText(ToJson(report), 2).c_str());
@@ -139,6 +162,17 @@ void AddEdit(CLI::App* program, ExitAnswer) {
       ->required();
   edit->add_option("--out", options->out, "new directory for the result")->check(NotEmpty());
   AddEditOptions(edit, options);
+  edit->add_option("--overlay", options->overlay,
+                   "recording whose hands act at the same time, after all other edits")
+      ->type_name("DEMO2");
+  edit->add_option("--overlay-at", options->overlay_at, "when DEMO2 starts [s] (default: 0)")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.0, editing::kMaxSeconds))
+      ->needs("--overlay");
+  edit->add_option("--overlay-hand", options->overlay_hand, "hand that does all of DEMO2")
+      ->type_name("HAND")
+      ->check(CLI::IsMember({"left", "right"}))
+      ->needs("--overlay");
   edit->add_flag("--dry-run", options->dry_run, "report the effect only; write nothing");
   edit->add_flag("--no-pictures", options->no_pictures, "text only");
   edit->add_flag("--json", options->json, "result as one JSON object on stdout");

@@ -166,6 +166,7 @@ Json ToJson(const EditReport& report) {
   Json skipped = Json::array(), displaced = Json::array();
   for (const SkippedCommand& command : report.skipped) {
     skipped.push_back({{"line", command.line}, {"reason", command.reason}});
+    if (command.is_of_overlay) skipped.back()["overlay"] = true;
   }
   for (const Displaced& object : report.displaced) {
     displaced.push_back({{"id", object.id},

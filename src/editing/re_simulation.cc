@@ -158,6 +158,11 @@ EditReport ReSimulate(const recording::Recording& recording, const recording::De
   }
   EditReport report{.ticks_before = edited.recorded_duration(), .ticks_after = edited.duration()};
   report.skipped = RunFor(report.ticks_after, &player, &simulation, progress);
+  for (SkippedCommand& command : report.skipped) {
+    const std::size_t num_lines = recording.log.lines().size();
+    command.is_of_overlay = command.line > num_lines;
+    if (command.is_of_overlay) command.line -= num_lines;
+  }
   if (recorder) recorder->Flush();
   const model::Model& model = *recording.model;
   // Both ends are compared in terms of the recording's model.

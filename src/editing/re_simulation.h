@@ -15,8 +15,9 @@ namespace smile::editing {
 
 /// Command that is refused in the edited demonstration and therefore skipped.
 struct SkippedCommand {
-  std::size_t line = 0;  ///< of the recorded log
+  std::size_t line = 0;  ///< of the recorded log, or of the other one's
   sim::Refusal reason;
+  bool is_of_overlay = false;  ///< of the other demonstration, see Overlaid()
 
   bool operator==(const SkippedCommand&) const = default;
 };

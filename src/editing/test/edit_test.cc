@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "base/diagnostic.h"
+#include "editing/overlay.h"
 #include "editing/re_simulation.h"
 #include "recorder/test/painted_eye.h"
 #include "recorder/test/recording_fixture.h"
@@ -273,6 +274,41 @@ TEST_F(EditTest, NamesTheLineThatIsBehindTheEnd) {
               std::string::npos)
         << error.what();
   }
+}
+
+TEST_F(EditTest, AnotherDemonstrationActsAtTheSameTime) {
+  const auto turn = DemonstrationOf(recording::OpenRecording(Record(
+      R"({"do":"face","mood":"done"}
+{"hand":"left","do":"grasp","object":"b"}
+{"hand":"left","do":"rotate","angles":[0,0,40]}
+{"do":"wait","seconds":0.5}
+{"hand":"left","do":"release"}
+{"do":"wait","seconds":0.5})",
+      true)));
+  std::filesystem::rename(root_ / "demo", root_ / "turn");
+  const recording::Recording stack = recording::OpenRecording(Record());
+  const std::size_t num_lines = stack.log.lines().size();
+  const recording::Demonstration first = DemonstrationOf(stack);
+
+  const auto both =
+      Overlaid(first, {.demonstration = turn, .begin = 20, .hand = HandName::kRight}, num_lines);
+  EXPECT_EQ(both.duration(), first.duration());
+  EXPECT_EQ(both.segments.size(), 5u);  // the start and two actions of each hand
+  const EditReport report = ReSimulate(stack, both, EditOutput{root_ / "both"});
+  EXPECT_EQ(report.skipped.size(), 0u);
+  // The left hand stacks a on b, which the right one has turned meanwhile.
+  ASSERT_EQ(report.displaced.size(), 1u);
+  EXPECT_EQ(report.displaced[0].id, "b");
+  EXPECT_NEAR(report.displaced[0].gap.degrees(), 40, 1);
+  EXPECT_EQ(replay::Replay(recording::OpenRecording(root_ / "both")).first_difference,
+            std::nullopt);
+
+  // One hand cannot hold both; the refused line is one of the other log.
+  const auto one_hand = Overlaid(first, {.demonstration = turn, .begin = 20}, num_lines);
+  const EditReport refused = ReSimulate(stack, one_hand, std::nullopt);
+  ASSERT_FALSE(refused.skipped.empty());
+  EXPECT_EQ(refused.skipped[0].line, 2u);
+  EXPECT_TRUE(refused.skipped[0].is_of_overlay);
 }
 
 }  // namespace

@@ -178,6 +178,46 @@ class TaskTest(unittest.TestCase):
             with self.assertRaisesRegex(smile.SceneError, "Red|red"):
                 smile.Task(demo, smile.Simulation(smile.load(PROJECT / "scenes/ball.xml", None)))
 
+    def test_a_restored_state_takes_back_what_a_task_observed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            sim = tower()
+            sim.record(Path(folder) / "demo", pictures=False)
+            put_on(sim, "RedBlock", "BlueBlock")
+            demo = sim.finish()
+            model = smile.load(TOWER, robot=None).laid_out(3, "scattered")
+            sim = smile.Simulation(model)
+            early, task = sim.save(), smile.Task(demo, sim)
+            start = sim.save()
+            put_on(sim, "RedBlock", "BlueBlock")
+            sim.hand("left").grasp("RedBlock")
+            held, is_held = sim.save(), task.compare()
+            self.assertLess(is_held.score, 1)
+            sim.hand("left").release()
+            sim.run_until("still")
+            done = sim.save()
+            self.assertTrue(task.compare().is_achieved)
+            # In the same simulation, and as bytes in another one that has the same task.
+            other = smile.Simulation(model)
+            for one, its in ((sim, task), (other, smile.Task(demo, other))):
+                for state, achieved in ((start, False), (bytes(done), True), (held, False), (done, True),
+                                        (pickle.loads(pickle.dumps(held)), False)):
+                    one.restore(state)
+                    self.assertEqual(its.compare().is_achieved, achieved)
+                self.assertEqual(its.compare(), is_held)
+            # A state without the task does not say what happened in it.
+            for state in (early, bytes(early)):
+                sim.restore(state)
+                with self.assertRaisesRegex(RuntimeError, "before this task began"):
+                    task.compare()
+            self.assertLess(smile.Task(demo, sim).compare().score, 1)
+            sim.restore(done)
+            self.assertTrue(task.compare().is_achieved)
+            damaged = bytearray(bytes(held))
+            damaged[20] ^= 1
+            with self.assertRaisesRegex(ValueError, "truncated or damaged"):
+                sim.restore(bytes(damaged))
+            self.assertTrue(task.compare().is_achieved)
+
 
 class PicturesTest(unittest.TestCase):
     def test_an_object_is_seen_where_the_camera_projects_it(self):

@@ -282,11 +282,9 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
         build, continues from it with the same bits. A limit of the episode's steps, which is in
         wrappers, is not in it.
         """
-        contacts = self._episode.contacts()
         header = json.dumps({"layout": self._layout,
                              "np_random": self.np_random.bit_generator.state}).encode()
-        return b"".join((_MAGIC, struct.pack("<II", len(header), len(contacts)), header, contacts,
-                         bytes(self._simulation.save())))
+        return b"".join((_MAGIC, struct.pack("<I", len(header)), header, bytes(self._simulation.save())))
 
     def set_state(self, state: bytes) -> tuple[Observation, dict[str, Any]]:
         """Continues from a state that get_state() returned.
@@ -294,19 +292,12 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
         Returns the observation and the info of that moment. Raises ValueError if the state is
         damaged or belongs to another environment; this one has then not changed.
         """
-        layout, generator, contacts, saved = _parts_of(state)
+        layout, generator, saved = _parts_of(state)
         before = self._simulation, self._episode, self._layout
         try:
             if layout != self._layout:
                 self._begin(self._laid_out(*layout))
-            previous = self._simulation.save(), self._episode.contacts()
-            try:
-                self._simulation.restore(State(saved))
-                self._episode.continue_from(contacts)
-            except ValueError:
-                self._simulation.restore(previous[0])
-                self._episode.continue_from(previous[1])
-                raise
+            self._simulation.restore(State(saved))
         except ValueError:
             self._simulation, self._episode, self._layout = before
             raise
@@ -329,12 +320,12 @@ def _box(shape: tuple[int, ...]) -> spaces.Box:
     return spaces.Box(-np.inf, np.inf, shape, np.float64)
 
 
-def _parts_of(state: bytes) -> tuple[tuple[int | None, str], np.random.Generator, bytes, bytes]:
-    """Returns layout, generator, contacts and simulation of a state."""
-    start = len(_MAGIC) + 8
+def _parts_of(state: bytes) -> tuple[tuple[int | None, str], np.random.Generator, bytes]:
+    """Returns layout, generator and simulation of a state."""
+    start = len(_MAGIC) + 4
     if not isinstance(state, bytes) or state[:len(_MAGIC)] != _MAGIC or len(state) < start:
         raise ValueError("state is not one of an environment, expected what get_state() returns")
-    header_size, contacts_size = struct.unpack("<II", state[len(_MAGIC):start])
+    (header_size,) = struct.unpack("<I", state[len(_MAGIC):start])
     middle = start + header_size
     try:
         header = json.loads(state[start:middle])
@@ -345,5 +336,4 @@ def _parts_of(state: bytes) -> tuple[tuple[int | None, str], np.random.Generator
         bits.state = header["np_random"]
     except (ValueError, KeyError, TypeError):
         raise ValueError("state is damaged, expected what get_state() returns") from None
-    return ((seed, level), np.random.Generator(bits), state[middle:middle + contacts_size],
-            state[middle + contacts_size:])
+    return (seed, level), np.random.Generator(bits), state[middle:]

@@ -5,7 +5,7 @@ import numpy.typing
 import os
 import pathlib
 import typing
-__all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'VideoWriter', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'program_name', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
+__all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'VideoWriter', 'Viewer', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'program_name', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
 class Model:
     def laid_out(self, seed: typing.SupportsInt | typing.SupportsIndex, level: str = 'scattered') -> Model:
         """
@@ -306,6 +306,19 @@ class TaskEpisode:
         ...
     @property
     def observation_names(self) -> list[str]:
+        ...
+class Viewer:
+    def __init__(self, simulation: Simulation, page: os.PathLike | str | bytes, port: typing.SupportsInt | typing.SupportsIndex, speed: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    def close(self) -> None:
+        ...
+    def show(self, simulation: Simulation) -> None:
+        ...
+    @property
+    def is_closed(self) -> bool:
+        ...
+    @property
+    def link(self) -> str:
         ...
 def arm_names_of(arg0: Recording) -> list[str]:
     ...

@@ -4,13 +4,16 @@ Usage: simulator_test.py SMILE_PROGRAM PROJECT_FOLDER
 """
 
 import importlib
+import json
 import pickle
 import random
 import subprocess
 import sys
 import tempfile
 import threading
+import time
 import unittest
+import urllib.request
 from pathlib import Path
 
 import numpy as np
@@ -217,6 +220,46 @@ class TaskTest(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "truncated or damaged"):
                 sim.restore(bytes(damaged))
             self.assertTrue(task.compare().is_achieved)
+
+
+class ViewerTest(unittest.TestCase):
+    """The page itself is tested in a browser: web/test/viewer.test.mjs."""
+
+    def test_a_simulation_is_shown_at_a_link_and_computes_the_same_bits(self):
+        sim, alone = tower(), tower()
+        with smile.studio(sim) as studio:
+            self.assertIs(smile.studio(sim), studio)
+            self.assertIn(f'<iframe src="{studio.url}"', studio._repr_html_())
+            with urllib.request.urlopen(studio.url + "scenes") as answer:
+                self.assertEqual(json.load(answer), {"scenes": [], "presets": []})
+            for one in (sim, alone):
+                put_on(one, "RedBlock", "BlueBlock")
+            self.assertEqual(sim.hash, alone.hash)
+            sim.close()
+            studio.show(alone)
+            alone.step(1)
+        self.assertEqual(repr(studio), "<Studio: closed>")
+        with self.assertRaisesRegex(RuntimeError, "the studio is closed"):
+            studio.show(alone)
+        with self.assertRaisesRegex(RuntimeError, "the simulation is closed"):
+            smile.studio(sim)
+        alone.step(1)
+
+    def test_time_passes_no_faster_than_it_should(self):
+        sim = tower()
+        with smile.studio(sim, speed=4):
+            begin = time.monotonic()
+            sim.step(60)
+            self.assertGreater(time.monotonic() - begin, 0.2)
+
+    def test_mistakes_are_named(self):
+        sim = tower()
+        for arguments, words in (({"port": 70000}, "0 to 65535"), ({"speed": float("nan")}, "speed is nan"),
+                                 ({"speed": -1}, "speed is -1")):
+            with self.assertRaisesRegex(ValueError, words):
+                smile.studio(sim, **arguments)
+        with self.assertRaisesRegex(TypeError, "expected a smile.Simulation"):
+            smile.studio(sim.model)
 
 
 class PicturesTest(unittest.TestCase):

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -15,6 +16,7 @@
 #include "sim/command_json.h"
 #include "sim/per_action.h"
 #include "sim/simulation.h"
+#include "studio/watched_simulation.h"
 #include "task/episode.h"
 #include "values.h"
 
@@ -70,8 +72,12 @@ class Handle {
         handle_.is_in_use_ = false;
         throw std::runtime_error("the simulation is closed, expected an open one");
       }
+      if (handle_.watched_) watched_ = handle_.watched_->Lock();
     }
-    ~Use() { handle_.is_in_use_ = false; }
+    ~Use() {
+      if (watched_) watched_.unlock();
+      handle_.is_in_use_ = false;
+    }
     Use(const Use&) = delete;
     Use& operator=(const Use&) = delete;
 
@@ -80,6 +86,7 @@ class Handle {
 
    private:
     Handle& handle_;
+    std::unique_lock<std::mutex> watched_;
   };
 
   /// Ends a recording, then the simulation. Does nothing if it is closed.
@@ -141,6 +148,13 @@ class Handle {
     return observations_[number].observer->episode();
   }
 
+  /// Returns the connection by which viewers watch the simulation, up to its end.
+  std::shared_ptr<studio::WatchedSimulation> Watch() {
+    const Use use(this);
+    if (!watched_) watched_ = std::make_shared<studio::WatchedSimulation>(&*use);
+    return watched_;
+  }
+
   /// Starts a recording in a new directory.
   /// @param eye  nullopt for a recording without pictures.
   void Record(const std::filesystem::path& directory, const recorder::RecorderOptions& options,
@@ -195,6 +209,8 @@ class Handle {
   void Destroy() {
     EndRecording();
     observations_.clear();
+    if (watched_) watched_->Detach();
+    watched_.reset();
     simulation_.reset();
   }
 
@@ -202,6 +218,7 @@ class Handle {
   EventList events_;
   std::unique_ptr<sim::Simulation> simulation_;  ///< null once it is closed
   std::vector<Observation> observations_;
+  std::shared_ptr<studio::WatchedSimulation> watched_;  ///< null unless it is watched
   std::optional<picture::RenderedEye> eye_;             ///< of the recording
   std::optional<recorder::RecordingController> recording_;
 };

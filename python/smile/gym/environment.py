@@ -18,6 +18,7 @@ from smile.native import load
 from smile.picture import Picture
 from smile.simulation import (
     CHANNELS, TICKS_PER_SECOND, Floats, Model, Simulation, State, channel_flags, picture_size)
+from smile.viewer import Studio
 
 if TYPE_CHECKING:
     from smile import smile_simulator_native as _native
@@ -65,12 +66,14 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
     cameras, channels, camera_size  pictures in the observation: names of cameras, some of `rgb` and
                `depth`, width and height [px]
     search     folders in which files of scene and robot are searched, too
-    render_mode, render_camera, render_size  of render()
+    render_mode  `human`: the studio's page shows the episodes in real time, and opens in the browser
+               if there is a screen; `rgb_array`: render() returns pictures
+    render_camera, render_size  of these pictures
 
     Not thread-safe; several environments may be used by several threads.
     """
 
-    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 10}
+    metadata: dict[str, Any] = {"render_modes": ["human", "rgb_array"], "render_fps": 10}
 
     def __init__(self, task: str | None = "tower", *,
                  demo: str | os.PathLike[str] | None = None,
@@ -86,9 +89,8 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
                  render_camera: str = "close", render_size: tuple[int, int] = (480, 360)) -> None:
         if rate not in range(1, TICKS_PER_SECOND + 1) or TICKS_PER_SECOND % rate != 0:
             raise ValueError(f"rate is {rate!r}, expected a divisor of {TICKS_PER_SECOND}")
-        if render_mode not in (None, "rgb_array"):
-            raise ValueError(f"render_mode is {render_mode!r}, expected 'rgb_array' or None: this "
-                             "environment opens no window (gymnasium.make() shows its pictures)")
+        if render_mode not in (None, "human", "rgb_array"):
+            raise ValueError(f"render_mode is {render_mode!r}, expected 'human', 'rgb_array' or None")
         if isinstance(arms, str) or isinstance(cameras, str):
             raise ValueError("arms and cameras are lists of names")
         self.render_mode = render_mode
@@ -110,6 +112,7 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
         self._channels = channel_flags(channels)
         self._render = (render_camera, picture_size(render_size))
         self._layout: tuple[int | None, str] = (None, "scene")
+        self._studio: Studio | None = None
         self._begin(self._base)
         self._make_spaces()
 
@@ -120,6 +123,8 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
         options = (*self._control, self._base.object_ids)
         self._episode = _native.TaskEpisode(simulation._native, self._goals, *options)
         self._simulation = simulation
+        if self._studio is not None:
+            self._studio.show(simulation)
 
     def _make_spaces(self) -> None:
         observation, achieved, _, _ = self._episode.now()
@@ -159,6 +164,11 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
         return self._simulation
 
     @property
+    def studio(self) -> Studio | None:
+        """The page of `render_mode="human"`, with its `url`; None before the first reset()."""
+        return self._studio
+
+    @property
     def action_names(self) -> list[str]:
         """Names of the numbers of an action."""
         return self._episode.action_names
@@ -194,6 +204,9 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
                 if layout is None or attempt + 1 == _MOST_LAYOUTS:
                     raise
         self._layout = (layout, level)
+        if self.render_mode == "human" and self._studio is None:
+            self._studio = Studio(self._simulation, speed=1)
+            self._studio.open()
         return self._told(self._episode.now())
 
     def _laid_out(self, seed: int | None, level: str) -> Model:
@@ -300,20 +313,27 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
             self._simulation.restore(State(saved))
         except ValueError:
             self._simulation, self._episode, self._layout = before
+            if self._studio is not None:
+                self._studio.show(self._simulation)
             raise
         self._layout = layout
         self.np_random = generator
         return self._told(self._episode.now())
 
     def render(self) -> npt.NDArray[np.uint8] | None:
-        """Returns a picture (height, width, 3), or None without a render_mode."""
-        if self.render_mode is None:
+        """Returns a picture (height, width, 3) in the mode `rgb_array`.
+
+        None otherwise; in the mode `human`, the page shows each moment by itself.
+        """
+        if self.render_mode != "rgb_array":
             return None
         return self._simulation.render(*self._render).rgb
 
     def close(self) -> None:
-        """Ends the simulation; a recording is written to its end."""
+        """Ends the simulation, a recording to its end, and the page of `render_mode="human"`."""
         self._simulation.close()
+        if self._studio is not None:
+            self._studio.close()
 
 
 def _box(shape: tuple[int, ...]) -> spaces.Box:

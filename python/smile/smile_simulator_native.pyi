@@ -5,7 +5,7 @@ import numpy.typing
 import os
 import pathlib
 import typing
-__all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'VideoWriter', 'Viewer', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'program_name', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
+__all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'VideoWriter', 'Viewer', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'film', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'program_name', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
 class Model:
     def laid_out(self, seed: typing.SupportsInt | typing.SupportsIndex, level: str = 'scattered') -> Model:
         """
@@ -335,6 +335,8 @@ def data_file(arg0: str) -> pathlib.Path:
 def describe(recording: Recording) -> tuple:
     ...
 def edit(recording: Recording, edits: str, out: os.PathLike | str | bytes | None, pictures: bool, on_progress: typing.Any) -> str:
+    ...
+def film(arg0: Recording, arg1: os.PathLike | str | bytes, arg2: str, arg3: typing.SupportsInt | typing.SupportsIndex, arg4: typing.SupportsInt | typing.SupportsIndex, arg5: typing.SupportsFloat | typing.SupportsIndex, arg6: typing.SupportsFloat | typing.SupportsIndex) -> None:
     ...
 def gripper_rates(arg0: Recording, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.uint64]) -> numpy.typing.NDArray[numpy.float64]:
     ...

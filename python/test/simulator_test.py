@@ -3,6 +3,7 @@
 Usage: simulator_test.py SMILE_PROGRAM PROJECT_FOLDER
 """
 
+import base64
 import importlib
 import json
 import pickle
@@ -181,6 +182,7 @@ class TaskTest(unittest.TestCase):
             with self.assertRaisesRegex(smile.SceneError, "Red|red"):
                 smile.Task(demo, smile.Simulation(smile.load(PROJECT / "scenes/ball.xml", None)))
 
+
     def test_a_restored_state_takes_back_what_a_task_observed(self):
         with tempfile.TemporaryDirectory() as folder:
             sim = tower()
@@ -282,6 +284,25 @@ class PicturesTest(unittest.TestCase):
         self.assertGreater(sim.render("close", size=(40, 30)).rgb.max(), 100)
         with self.assertRaisesRegex(ValueError, "expected .*eye"):
             sim.render("nowhere")
+
+
+    def test_a_recording_is_shown_as_its_film(self):
+        with tempfile.TemporaryDirectory() as folder:
+            sim = tower()
+            sim.record(Path(folder) / "demo", pictures=False, title="<red> & blue")
+            put_on(sim, "RedBlock", "BlueBlock")
+            demo = sim.finish()
+            demo.film(Path(folder) / "film.mp4", size=(64, 48), rate=5)
+            self.assertEqual((Path(folder) / "film.mp4").read_bytes()[4:8], b"ftyp")
+            html = demo._repr_html_()
+            self.assertIn("&lt;red&gt; &amp; blue", html)
+            film = base64.b64decode(html.partition("base64,")[2].partition('"')[0])
+            self.assertEqual(film[4:8], b"ftyp")
+            self.assertLess(len(html), 1_000_000)
+            with self.assertRaisesRegex(ValueError, "speed is 0"):
+                demo.film(Path(folder) / "film.mp4", speed=0)
+            with self.assertRaisesRegex(ValueError, "expected .*eye"):
+                demo.film(Path(folder) / "film.mp4", camera="nowhere")
 
 
 class RobotTest(unittest.TestCase):

@@ -81,14 +81,17 @@ class Recording:
 
     @property
     def directory(self) -> Path:
+        """Its folder."""
         return self._native.directory
 
     @property
     def title(self) -> str:
+        """Title, by which people find it."""
         return self._native.title
 
     @property
     def notes(self) -> str:
+        """Notes of people."""
         return self._native.notes
 
     @property
@@ -103,6 +106,7 @@ class Recording:
 
     @property
     def object_ids(self) -> list[str]:
+        """Ids of the objects, in the order of the scene."""
         return self.model.object_ids
 
     @cached_property

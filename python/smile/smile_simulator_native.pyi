@@ -7,34 +7,53 @@ import pathlib
 import typing
 __all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'VideoWriter', 'Viewer', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'film', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'program_name', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
 class Model:
+    """
+    A scene with a robot, compiled once. It never changes; threads and simulations share it.
+    """
     def laid_out(self, seed: typing.SupportsInt | typing.SupportsIndex, level: str = 'scattered') -> Model:
         """
         Returns the model with random starting positions of its loose objects, the same for the same seed; see `smile layout --help` for the levels.
         """
     @property
     def arm_names(self) -> list[str]:
-        ...
+        """
+        names of the robot's arms; empty without a robot
+        """
     @property
     def camera_names(self) -> list[str]:
-        ...
+        """
+        names of the robot's and the scene's cameras
+        """
     @property
     def has_robot(self) -> bool:
-        ...
+        """
+        False for a table without a robot
+        """
     @property
     def hash(self) -> int:
-        ...
+        """
+        64-bit hash of scene, robot and their options
+        """
     @property
     def name(self) -> str:
-        ...
+        """
+        of the scene
+        """
     @property
     def object_ids(self) -> list[str]:
-        ...
+        """
+        ids of the objects, in the order of the scene
+        """
     @property
     def unit(self) -> float:
-        ...
+        """
+        length of a unit of the scene [m]
+        """
     @property
     def xml(self) -> str:
-        ...
+        """
+        the scene in its written form (docs/scene-format.md)
+        """
 class State:
     """
     A saved state of a simulation; bytes(state) writes it.

@@ -161,14 +161,14 @@ the last point after the end.)");
 void BindAnswers(py::module_& m) {
   py::class_<LineFault>(m, "LineFault", "Reason why the tool cannot follow a line.")
       .def_readonly("fraction", &LineFault::fraction, "completed fraction, from 0 to 1")
-      .def_readonly("reason", &LineFault::reason)
+      .def_readonly("reason", &LineFault::reason, "in words")
       .def("__repr__", [](const LineFault& fault) {
         return "<LineFault at " + std::to_string(fault.fraction) + ": " + fault.reason + ">";
       });
   py::class_<InvalidMoment>(m, "InvalidMoment",
                             "Time and reason at which a motion becomes invalid.")
       .def_readonly("seconds", &InvalidMoment::seconds, "since the start")
-      .def_readonly("reason", &InvalidMoment::reason)
+      .def_readonly("reason", &InvalidMoment::reason, "in words")
       .def("__repr__", [](const InvalidMoment& moment) {
         return "<InvalidMoment at " + std::to_string(moment.seconds) + " s: " + moment.reason + ">";
       });

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from smile.recording import Action, Moment, Recording, open
     from smile.simulation import Event, Model, Simulation, State, data_file, load
     from smile.task import Comparison, ObjectError, Task
+    from smile.viewer import Studio, studio
 
     __version__: str
 
@@ -36,12 +37,13 @@ _HOMES = {
     "Event": "simulation", "Model": "simulation", "Simulation": "simulation", "State": "simulation",
     "data_file": "simulation", "load": "simulation",
     "Comparison": "task", "ObjectError": "task", "Task": "task",
+    "Studio": "viewer", "studio": "viewer",
 }
 
 __all__ = ["Action", "Comparison", "Description", "Deviation", "Diagnostic", "Difference", "Edit",
            "Evaluation", "Event", "Imitation", "Model", "Moment", "ObjectError", "Picture", "Recording",
-           "Refused", "Replay", "SceneError", "Simulation", "State", "Task", "analyze", "data_file",
-           "describe", "edit", "evaluate", "imitate", "load", "open", "replay"]
+           "Refused", "Replay", "SceneError", "Simulation", "State", "Studio", "Task", "analyze", "data_file",
+           "describe", "edit", "evaluate", "imitate", "load", "open", "replay", "studio"]
 
 
 def __getattr__(name: str) -> Any:

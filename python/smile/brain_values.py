@@ -9,6 +9,8 @@ from typing import Any, cast
 import numpy as np
 import numpy.typing as npt
 
+__all__ = ["Arm", "ArmMotor", "ArmSensor", "Motor", "Sensor"]
+
 Floats = npt.NDArray[np.float64]
 Shape = tuple[int, ...]
 Values = dict[str, Any]
@@ -229,6 +231,7 @@ class ArmMotor(Commands):
                          {"velocities": (count,), "gripperVelocity": (), "joints": (count,)})
 
     def is_set(self) -> bool:
+        """Returns True if a command differs from doing nothing."""
         return (self.joints is not None or self.velocities.ndim > 1 or self.velocities.any()
                 or self.gripperVelocity.ndim > 0 or self.gripperVelocity.any())
 

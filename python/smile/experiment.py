@@ -71,6 +71,7 @@ class Replay(NamedTuple):
 
     @property
     def is_identical(self) -> bool:
+        """True if each tick has the recorded bits."""
         return self.first_difference is None
 
 
@@ -104,6 +105,7 @@ class Imitation(NamedTuple):
 
     @property
     def is_success(self) -> bool:
+        """True if all that was shown is in its place, and stands."""
         return bool(self.result["success"])
 
     @property
@@ -113,6 +115,7 @@ class Imitation(NamedTuple):
 
     @property
     def recording(self) -> Recording:
+        """The recording of the imitation."""
         return open(self.directory / "imitation")
 
 

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import base64
+import html
 import math
 import os
+import tempfile
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -19,6 +22,10 @@ if TYPE_CHECKING:
     from smile import smile_simulator_native as _native
 else:
     _native = load("smile_simulator_native")
+
+# Bounds of a film in a notebook: its length, and its size in the file of the notebook.
+_NOTEBOOK_SECONDS = 20
+_NOTEBOOK_BYTES = 2_000_000
 
 
 class Action(NamedTuple):
@@ -74,14 +81,17 @@ class Recording:
 
     @property
     def directory(self) -> Path:
+        """Its folder."""
         return self._native.directory
 
     @property
     def title(self) -> str:
+        """Title, by which people find it."""
         return self._native.title
 
     @property
     def notes(self) -> str:
+        """Notes of people."""
         return self._native.notes
 
     @property
@@ -96,6 +106,7 @@ class Recording:
 
     @property
     def object_ids(self) -> list[str]:
+        """Ids of the objects, in the order of the scene."""
         return self.model.object_ids
 
     @cached_property
@@ -160,6 +171,32 @@ class Recording:
         if not -len(self) <= index < len(self):
             raise IndexError(f"index is {index}, expected less than {len(self)} ticks")
         return Moment(self, index % len(self))
+
+    def film(self, path: str | os.PathLike[str], camera: str = "close",
+             size: tuple[int, int] = (640, 480), rate: float = 30, speed: float = 1) -> None:
+        """Writes a film (mp4, H.264) of what a camera sees, as Simulation.render() does.
+
+        rate   pictures per second of the film, at most 1000
+        speed  2 shows two seconds of the recording in one
+        """
+        if not (math.isfinite(speed) and speed > 0):
+            raise ValueError(f"speed is {speed!r}, expected a number above 0")
+        _native.film(self._native, os.fspath(path), camera, *picture_size(size), float(rate), float(speed))
+
+    def _repr_html_(self) -> str:
+        """The film; of a long recording in quick motion, so that a notebook stays small."""
+        words = html.escape(f"{self.title or self.directory.name}: {self.times[-1]:.1f} s")
+        speed = max(1.0, float(self.times[-1]) / _NOTEBOOK_SECONDS)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "film.mp4"
+            self.film(path, size=(400, 300), rate=10, speed=speed)
+            data = path.read_bytes()
+        if len(data) > _NOTEBOOK_BYTES:
+            return f"<p>{words}. The film is {len(data)} bytes, too large to show here: film() writes it.</p>"
+        if speed > 1:
+            words += f", shown {speed:.1f} times as fast"
+        return (f'<video controls muted width="400" height="300" src="data:video/mp4;base64,'
+                f'{base64.b64encode(data).decode()}"></video><p>{words}</p>')
 
     def verify(self) -> None:
         """Runs the recording again, and compares each tick. Raises AssertionError with the first

@@ -19,7 +19,9 @@ class LineFault:
         """
     @property
     def reason(self) -> str:
-        ...
+        """
+        in words
+        """
 class InvalidMoment:
     """
     Time and reason at which a motion becomes invalid.
@@ -28,7 +30,9 @@ class InvalidMoment:
         ...
     @property
     def reason(self) -> str:
-        ...
+        """
+        in words
+        """
     @property
     def seconds(self) -> float:
         """

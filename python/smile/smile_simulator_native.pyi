@@ -5,36 +5,55 @@ import numpy.typing
 import os
 import pathlib
 import typing
-__all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'VideoWriter', 'analyze', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'program_name', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
+__all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'VideoWriter', 'Viewer', 'analyze', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'film', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'program_name', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
 class Model:
+    """
+    A scene with a robot, compiled once. It never changes; threads and simulations share it.
+    """
     def laid_out(self, seed: typing.SupportsInt | typing.SupportsIndex, level: str = 'scattered') -> Model:
         """
         Returns the model with random starting positions of its loose objects, the same for the same seed; see `smile layout --help` for the levels.
         """
     @property
     def arm_names(self) -> list[str]:
-        ...
+        """
+        names of the robot's arms; empty without a robot
+        """
     @property
     def camera_names(self) -> list[str]:
-        ...
+        """
+        names of the robot's and the scene's cameras
+        """
     @property
     def has_robot(self) -> bool:
-        ...
+        """
+        False for a table without a robot
+        """
     @property
     def hash(self) -> int:
-        ...
+        """
+        64-bit hash of scene, robot and their options
+        """
     @property
     def name(self) -> str:
-        ...
+        """
+        of the scene
+        """
     @property
     def object_ids(self) -> list[str]:
-        ...
+        """
+        ids of the objects, in the order of the scene
+        """
     @property
     def unit(self) -> float:
-        ...
+        """
+        length of a unit of the scene [m]
+        """
     @property
     def xml(self) -> str:
-        ...
+        """
+        the scene in its written form (docs/scene-format.md)
+        """
 class State:
     """
     A saved state of a simulation; bytes(state) writes it.
@@ -293,10 +312,6 @@ class ControlKind:
 class TaskEpisode:
     def __init__(self, arg0: Simulation, arg1: GoalSpace, arg2: ControlKind, arg3: collections.abc.Sequence[str], arg4: typing.SupportsInt | typing.SupportsIndex, arg5: typing.SupportsFloat | typing.SupportsIndex, arg6: typing.SupportsFloat | typing.SupportsIndex, arg7: typing.SupportsFloat | typing.SupportsIndex, arg8: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], arg9: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], arg10: collections.abc.Sequence[str]) -> None:
         ...
-    def contacts(self) -> bytes:
-        ...
-    def continue_from(self, arg0: bytes) -> None:
-        ...
     def now(self) -> tuple:
         ...
     @property
@@ -310,6 +325,19 @@ class TaskEpisode:
         ...
     @property
     def observation_names(self) -> list[str]:
+        ...
+class Viewer:
+    def __init__(self, simulation: Simulation, page: os.PathLike | str | bytes, port: typing.SupportsInt | typing.SupportsIndex, speed: typing.SupportsFloat | typing.SupportsIndex) -> None:
+        ...
+    def close(self) -> None:
+        ...
+    def show(self, simulation: Simulation) -> None:
+        ...
+    @property
+    def is_closed(self) -> bool:
+        ...
+    @property
+    def link(self) -> str:
         ...
 def analyze(recording: Recording, jobs: typing.SupportsInt | typing.SupportsIndex, on_progress: typing.Any) -> str:
     ...
@@ -328,6 +356,8 @@ def data_file(arg0: str) -> pathlib.Path:
 def describe(recording: Recording) -> tuple:
     ...
 def edit(recording: Recording, edits: str, out: os.PathLike | str | bytes | None, pictures: bool, on_progress: typing.Any) -> str:
+    ...
+def film(arg0: Recording, arg1: os.PathLike | str | bytes, arg2: str, arg3: typing.SupportsInt | typing.SupportsIndex, arg4: typing.SupportsInt | typing.SupportsIndex, arg5: typing.SupportsFloat | typing.SupportsIndex, arg6: typing.SupportsFloat | typing.SupportsIndex) -> None:
     ...
 def gripper_rates(arg0: Recording, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.uint64]) -> numpy.typing.NDArray[numpy.float64]:
     ...

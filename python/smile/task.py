@@ -39,6 +39,7 @@ class Comparison(NamedTuple):
 
     @property
     def is_achieved(self) -> bool:
+        """True if everything is in its place."""
         return self.score == 1
 
 

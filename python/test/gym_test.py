@@ -9,9 +9,11 @@ import json
 import re
 import sys
 import tempfile
+import time
 import unittest
 import warnings
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 from hands import put_on
@@ -303,11 +305,29 @@ class ControlTest(Environments):
         far.reset(seed=1)
         self.assertIn("out of reach", far.step([0, 0, 0, 0, 0])[4]["refused"])
 
+    def test_people_watch_all_episodes_at_one_link_in_real_time(self):
+        env, alone = self.make(robot="tern", render_mode="human"), self.make(robot="tern")
+        opened = []
+        with mock.patch("smile.viewer.Studio.open", lambda studio: opened.append(studio.url)):
+            self.assertIsNone(env.unwrapped.studio)
+            self.assertTrue(equal(env.reset(seed=1), alone.reset(seed=1)))
+            begin, action = time.monotonic(), env.action_space.sample()
+            for _ in range(3):
+                self.assertTrue(equal(env.step(action), alone.step(action)))
+            self.assertGreater(time.monotonic() - begin, 0.25)
+            self.assertIsNone(env.render())
+            env.reset(seed=2)
+        self.assertEqual(opened, [env.unwrapped.studio.url])
+        env.close()
+        self.assertTrue(env.unwrapped.studio.is_closed)
+        with self.assertRaisesRegex(ValueError, "expected 'rgb_array'"):
+            smile.gym.VectorEnv(2, robot="tern", render_mode="human")
+
     def test_mistakes_are_named(self):
         for arguments, words in (({"control": "mind"}, "expected one of joint_velocities"),
                                  ({"rate": 7}, "divisor of 60"), ({"arms": ["third"]}, "third"),
                                  ({"task": "chess"}, "chess"), ({"cameras": ["nowhere"]}, "nowhere"),
-                                 ({"render_mode": "human"}, "no window"), ({"speed": 0}, "speed"),
+                                 ({"render_mode": "ansi"}, "expected 'human'"), ({"speed": 0}, "speed"),
                                  ({"task": None}, "recording")):
             with self.assertRaisesRegex(ValueError, words):
                 smile.gym.Environment(**{"robot": "tern", **arguments})

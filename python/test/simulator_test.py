@@ -3,14 +3,18 @@
 Usage: simulator_test.py SMILE_PROGRAM PROJECT_FOLDER
 """
 
+import base64
 import importlib
+import json
 import pickle
 import random
 import subprocess
 import sys
 import tempfile
 import threading
+import time
 import unittest
+import urllib.request
 from pathlib import Path
 
 import numpy as np
@@ -179,6 +183,87 @@ class TaskTest(unittest.TestCase):
                 smile.Task(demo, smile.Simulation(smile.load(PROJECT / "scenes/ball.xml", None)))
 
 
+    def test_a_restored_state_takes_back_what_a_task_observed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            sim = tower()
+            sim.record(Path(folder) / "demo", pictures=False)
+            put_on(sim, "RedBlock", "BlueBlock")
+            demo = sim.finish()
+            model = smile.load(TOWER, robot=None).laid_out(3, "scattered")
+            sim = smile.Simulation(model)
+            early, task = sim.save(), smile.Task(demo, sim)
+            start = sim.save()
+            put_on(sim, "RedBlock", "BlueBlock")
+            sim.hand("left").grasp("RedBlock")
+            held, is_held = sim.save(), task.compare()
+            self.assertLess(is_held.score, 1)
+            sim.hand("left").release()
+            sim.run_until("still")
+            done = sim.save()
+            self.assertTrue(task.compare().is_achieved)
+            # In the same simulation, and as bytes in another one that has the same task.
+            other = smile.Simulation(model)
+            for one, its in ((sim, task), (other, smile.Task(demo, other))):
+                for state, achieved in ((start, False), (bytes(done), True), (held, False), (done, True),
+                                        (pickle.loads(pickle.dumps(held)), False)):
+                    one.restore(state)
+                    self.assertEqual(its.compare().is_achieved, achieved)
+                self.assertEqual(its.compare(), is_held)
+            # A state without the task does not say what happened in it.
+            for state in (early, bytes(early)):
+                sim.restore(state)
+                with self.assertRaisesRegex(RuntimeError, "before this task began"):
+                    task.compare()
+            self.assertLess(smile.Task(demo, sim).compare().score, 1)
+            sim.restore(done)
+            self.assertTrue(task.compare().is_achieved)
+            damaged = bytearray(bytes(held))
+            damaged[20] ^= 1
+            with self.assertRaisesRegex(ValueError, "truncated or damaged"):
+                sim.restore(bytes(damaged))
+            self.assertTrue(task.compare().is_achieved)
+
+
+class ViewerTest(unittest.TestCase):
+    """The page itself is tested in a browser: web/test/viewer.test.mjs."""
+
+    def test_a_simulation_is_shown_at_a_link_and_computes_the_same_bits(self):
+        sim, alone = tower(), tower()
+        with smile.studio(sim) as studio:
+            self.assertIs(smile.studio(sim), studio)
+            self.assertIn(f'<iframe src="{studio.url}"', studio._repr_html_())
+            with urllib.request.urlopen(studio.url + "scenes") as answer:
+                self.assertEqual(json.load(answer), {"scenes": [], "presets": []})
+            for one in (sim, alone):
+                put_on(one, "RedBlock", "BlueBlock")
+            self.assertEqual(sim.hash, alone.hash)
+            sim.close()
+            studio.show(alone)
+            alone.step(1)
+        self.assertEqual(repr(studio), "<Studio: closed>")
+        with self.assertRaisesRegex(RuntimeError, "the studio is closed"):
+            studio.show(alone)
+        with self.assertRaisesRegex(RuntimeError, "the simulation is closed"):
+            smile.studio(sim)
+        alone.step(1)
+
+    def test_time_passes_no_faster_than_it_should(self):
+        sim = tower()
+        with smile.studio(sim, speed=4):
+            begin = time.monotonic()
+            sim.step(60)
+            self.assertGreater(time.monotonic() - begin, 0.2)
+
+    def test_mistakes_are_named(self):
+        sim = tower()
+        for arguments, words in (({"port": 70000}, "0 to 65535"), ({"speed": float("nan")}, "speed is nan"),
+                                 ({"speed": -1}, "speed is -1")):
+            with self.assertRaisesRegex(ValueError, words):
+                smile.studio(sim, **arguments)
+        with self.assertRaisesRegex(TypeError, "expected a smile.Simulation"):
+            smile.studio(sim.model)
+
+
 class PicturesTest(unittest.TestCase):
     def test_an_object_is_seen_where_the_camera_projects_it(self):
         sim = tower()
@@ -199,6 +284,25 @@ class PicturesTest(unittest.TestCase):
         self.assertGreater(sim.render("close", size=(40, 30)).rgb.max(), 100)
         with self.assertRaisesRegex(ValueError, "expected .*eye"):
             sim.render("nowhere")
+
+
+    def test_a_recording_is_shown_as_its_film(self):
+        with tempfile.TemporaryDirectory() as folder:
+            sim = tower()
+            sim.record(Path(folder) / "demo", pictures=False, title="<red> & blue")
+            put_on(sim, "RedBlock", "BlueBlock")
+            demo = sim.finish()
+            demo.film(Path(folder) / "film.mp4", size=(64, 48), rate=5)
+            self.assertEqual((Path(folder) / "film.mp4").read_bytes()[4:8], b"ftyp")
+            html = demo._repr_html_()
+            self.assertIn("&lt;red&gt; &amp; blue", html)
+            film = base64.b64decode(html.partition("base64,")[2].partition('"')[0])
+            self.assertEqual(film[4:8], b"ftyp")
+            self.assertLess(len(html), 1_000_000)
+            with self.assertRaisesRegex(ValueError, "speed is 0"):
+                demo.film(Path(folder) / "film.mp4", speed=0)
+            with self.assertRaisesRegex(ValueError, "expected .*eye"):
+                demo.film(Path(folder) / "film.mp4", camera="nowhere")
 
 
 class RobotTest(unittest.TestCase):

@@ -79,7 +79,7 @@ JsonShape StateUpdateShape() {
   return ObjectShape(
              {KindMember("state"),
               {"tick", NumberShape()},
-              {"mode", JsonShape::Word({"live", "playback", "rage"})},
+              {"mode", JsonShape::Word({"live", "playback", "rage", "watched"})},
               {"allowed", allowed, true,
                "true, or the reason why not, for each request and command"},
               {"paused", FlagShape()},

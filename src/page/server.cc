@@ -24,6 +24,7 @@ web_server::WebServerOptions WebOptions(ServerOptions options) {
           .cookie = "smile_studio",
           .files = options.page,
           .get = std::move(options.get),
+          .may_be_framed = options.may_be_framed,
           .tls = options.tls,
           .limits = {.message_bytes = options.limits.message_bytes,
                      .messages_per_second = options.limits.requests_per_second,

@@ -32,6 +32,9 @@ struct ServerOptions {
   int port = 0;                       ///< 0: the first free one from 8470 on
   std::filesystem::path page;
   web_server::HttpHandler get;  ///< for all other paths; may be empty
+  /// Pages of other origins may show this one in a frame. Only for pages that can change nothing:
+  /// otherwise a foreign page could make people click in it.
+  bool may_be_framed = false;
   ServerLimits limits;
   std::optional<web_server::TlsFiles> tls;  ///< the page is at https:// and wss://
 };

@@ -1,7 +1,5 @@
 #include "studio/studio.h"
 
-#include <charconv>
-#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -10,6 +8,7 @@
 #include "library/content_routes.h"
 #include "page/control_requests.h"
 #include "studio/background_jobs.h"
+#include "studio/internal_mesh_route.h"
 #include "studio/internal_studio_loop.h"
 #include "studio/library_requests.h"
 #include "studio/pose_stream.h"
@@ -46,26 +45,6 @@ class SessionAdapter : public SessionInterface {
 };
 
 namespace {
-
-/// Name of a mesh in a path. Each scene numbers its meshes from 0.
-struct MeshName {
-  std::uint32_t scene = 0;
-  std::size_t mesh = 0;
-};
-
-/// Parses a path such as `/meshes/3/0`.
-std::optional<MeshName> ParseMeshPath(std::string_view path) {
-  // std::from_chars accepts neither signs nor blanks, and refuses numbers that do not fit the type.
-  constexpr std::string_view kFolder = "/meshes/";
-  if (!path.starts_with(kFolder)) return std::nullopt;
-  const char* end = path.data() + path.size();
-  MeshName name;
-  const auto scene = std::from_chars(path.data() + kFolder.size(), end, name.scene);
-  if (scene.ec != std::errc() || scene.ptr == end || *scene.ptr != '/') return std::nullopt;
-  const auto mesh = std::from_chars(scene.ptr + 1, end, name.mesh);
-  if (mesh.ec != std::errc() || mesh.ptr != end) return std::nullopt;
-  return name;
-}
 
 SessionOptions WithJobs(SessionOptions options, BackgroundJobs* jobs) {
   options.jobs = jobs;
@@ -117,16 +96,11 @@ class Studio::Impl {
     // Called by the web server's workers. It uses only parts that any thread may read: the meshes
     // and the content routes, both constructed before the server.
     options.get = [this](const std::string& path) {
-      const std::optional<MeshName> mesh = ParseMeshPath(path);
-      return mesh ? GetMesh(*mesh) : content_routes_.Get(path);
+      const auto mesh = ParseMeshPath(path);
+      if (!mesh) return content_routes_.Get(path);
+      return MeshResponse(session_.MeshBytes(mesh->scene, mesh->mesh));
     };
     return options;
-  }
-
-  std::optional<web_server::HttpResponse> GetMesh(MeshName name) const {
-    const std::optional<std::string> bytes = session_.MeshBytes(name.scene, name.mesh);
-    if (!bytes) return std::nullopt;
-    return web_server::HttpResponse{.type = "application/octet-stream", .body = *bytes};
   }
 
   // Destroyed from the last to the first: the loop and the server's threads end before the session

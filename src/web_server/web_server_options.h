@@ -36,6 +36,7 @@ struct WebServerOptions {
   std::filesystem::path files;   ///< folder that is served, from memory; `/` is its index.html
   HttpHandler get;               ///< answers paths that name no file; may be empty
   std::string web_socket_path = "/ws";
+  bool may_be_framed = false;  ///< pages of other origins may show the files in a frame
   std::optional<TlsFiles> tls;
   Limits limits;
 };

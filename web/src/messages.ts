@@ -170,7 +170,7 @@ export interface LooksMessage {
 export interface StateMessage {
   t: "state";
   tick: number;
-  mode: "live" | "playback" | "rage";
+  mode: "live" | "playback" | "rage" | "watched";
   /** true, or the reason why not, for each request and command */
   allowed: { requests: Record<string, Allowed>; commands: Record<string, Allowed> };
   paused: boolean;

@@ -14,5 +14,6 @@ void BindExperiments(pybind11::module_& m);
 void BindFilms(pybind11::module_& m);
 void BindRobotMotion(pybind11::module_& m);
 void BindEpisode(pybind11::module_& m);
+void BindViewer(pybind11::module_& m);
 
 }  // namespace smile::python

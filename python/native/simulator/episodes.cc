@@ -12,7 +12,6 @@
 #include "base/files.h"
 #include "bindings.h"
 #include "catalog/placed_robot.h"
-#include "contacts.h"
 #include "experiment/task_experiment.h"
 #include "recording/recording.h"
 #include "task/demonstrated_structure.h"
@@ -186,16 +185,7 @@ void BindEpisode(py::module_& m) {
                              [](const TaskEpisode& episode) { return episode.control().names(); })
       .def_property_readonly("desired",
                              [](const TaskEpisode& episode) { return ArrayOf(episode.desired()); })
-      .def("now", [](TaskEpisode& episode) { return TupleOf(episode.Now()); })
-      .def("contacts",
-           [](TaskEpisode& episode) {
-             const std::vector<std::byte> bytes = SerializeContacts(episode.Contacts());
-             return py::bytes(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-           })
-      .def("continue_from", [](TaskEpisode& episode, const py::bytes& bytes) {
-        const std::string_view view = bytes;
-        episode.Continue(ParseContacts(std::as_bytes(std::span(view.data(), view.size()))));
-      });
+      .def("now", [](TaskEpisode& episode) { return TupleOf(episode.Now()); });
   m.def("step_episodes", &StepEpisodes);
 }
 

@@ -8,6 +8,7 @@
 
 #include "arrays.h"
 #include "bindings.h"
+#include "picture/film.h"
 #include "recording/trace_reader.h"
 #include "recording/view_sample.h"
 #include "values.h"
@@ -57,9 +58,19 @@ void Add(video::VideoWriter& film, const Pixels& rgb) {
   film.Add(image);
 }
 
+void FilmRecording(const recording::Recording& recording, const std::filesystem::path& mp4,
+                   const std::string& camera, int width, int height, double rate, double speed) {
+  const py::gil_scoped_release release;
+  picture::Film(recording, mp4,
+                {.request = {.camera = camera, .width_px = width, .height_px = height},
+                 .frames_per_second = rate,
+                 .speed = speed});
+}
+
 }  // namespace
 
 void BindFilms(py::module_& m) {
+  m.def("film", &FilmRecording);
   py::class_<FrameReader>(m, "FrameReader")
       .def(py::init<const recording::Recording&>(), py::keep_alive<1, 2>())
       .def("render", [](FrameReader& frames, std::uint64_t tick, const std::string& camera,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -15,6 +16,7 @@
 #include "sim/command_json.h"
 #include "sim/per_action.h"
 #include "sim/simulation.h"
+#include "studio/watched_simulation.h"
 #include "task/episode.h"
 #include "values.h"
 
@@ -41,6 +43,13 @@ class EventList : public sim::Listener {
   sim::PerAction<std::vector<DatedEvent>> events_;
 };
 
+/// State of a simulation and of the episodes that are observed in it.
+struct SavedState {
+  sim::SimulationState simulation;
+  /// Contacts of each episode so far, by its number; nullopt if it cannot be continued.
+  std::vector<std::optional<std::vector<task::ContactEvent>>> episodes;
+};
+
 /// A simulation as Python holds it: it can be closed, and refuses to be used by two threads at a
 /// time, since the interpreter's lock is released while it works.
 class Handle {
@@ -59,11 +68,16 @@ class Handle {
         throw std::runtime_error(
             "the simulation is in use by another thread, expected one thread at a time");
       }
-      if (handle_.simulation_ != nullptr) return;
-      handle_.is_in_use_ = false;
-      throw std::runtime_error("the simulation is closed, expected an open one");
+      if (handle_.simulation_ == nullptr) {
+        handle_.is_in_use_ = false;
+        throw std::runtime_error("the simulation is closed, expected an open one");
+      }
+      if (handle_.watched_) watched_ = handle_.watched_->Lock();
     }
-    ~Use() { handle_.is_in_use_ = false; }
+    ~Use() {
+      if (watched_) watched_.unlock();
+      handle_.is_in_use_ = false;
+    }
     Use(const Use&) = delete;
     Use& operator=(const Use&) = delete;
 
@@ -72,6 +86,7 @@ class Handle {
 
    private:
     Handle& handle_;
+    std::unique_lock<std::mutex> watched_;
   };
 
   /// Ends a recording, then the simulation. Does nothing if it is closed.
@@ -89,24 +104,56 @@ class Handle {
     const Use use(this);
     return events_.EventsOf(*use);
   }
-  void Restore(const sim::SimulationState& state) {
+  SavedState Save() {
+    const Use use(this);
+    SavedState saved{.simulation = use->Save(), .episodes = {}};
+    for (const Observation& one : observations_) {
+      auto& contacts = saved.episodes.emplace_back();
+      if (!one.is_broken) contacts = one.observer->episode().contacts;
+    }
+    return saved;
+  }
+  /// Continues from a state, with the episodes that were observed then. Those that began later
+  /// cannot be continued.
+  void Restore(const SavedState& saved) {
     const Use use(this);
     if (recording_ && recording_->is_recording()) {
       throw std::runtime_error(
           "a recording is in progress: a state cannot be restored, expected finish() first");
     }
-    use->Restore(state);
+    use->Restore(saved.simulation);
     events_.Clear();
+    for (std::size_t i = 0; i < observations_.size(); ++i) {
+      Observation& one = observations_[i];
+      one.is_broken = i >= saved.episodes.size() || !saved.episodes[i];
+      if (!one.is_broken) one.observer->Continue(*saved.episodes[i]);
+    }
   }
 
   /// Begins to observe an episode, up to the end of the simulation.
-  /// @returns its number, for observer().
+  /// @returns its number, for EpisodeOf().
   std::size_t Observe() {
     const Use use(this);
-    observers_.push_back(std::make_unique<task::EpisodeObserver>(&*use));
-    return observers_.size() - 1;
+    observations_.push_back({.observer = std::make_unique<task::EpisodeObserver>(&*use)});
+    return observations_.size() - 1;
   }
-  task::EpisodeObserver& observer(std::size_t number) { return *observers_[number]; }
+  /// Returns an episode up to now. Requires the use of the simulation.
+  /// @throws std::runtime_error if a state from before its begin was restored.
+  task::Episode EpisodeOf(std::size_t number) const {
+    if (observations_[number].is_broken) {
+      throw std::runtime_error(
+          "the restored state was saved before this task began, or in a simulation without it; "
+          "expected a task that is made after restore()");
+    }
+    return observations_[number].observer->episode();
+  }
+
+  /// Returns the connection by which viewers watch the simulation, up to its end.
+  std::shared_ptr<studio::WatchedSimulation> Watch() {
+    const Use use(this);
+    if (!watched_) watched_ = std::make_shared<studio::WatchedSimulation>(&*use);
+    return watched_;
+  }
 
   /// Starts a recording in a new directory.
   /// @param eye  nullopt for a recording without pictures.
@@ -146,6 +193,11 @@ class Handle {
   }
 
  private:
+  struct Observation {
+    std::unique_ptr<task::EpisodeObserver> observer;
+    bool is_broken = false;  ///< a state from before its begin was restored
+  };
+
   void EndRecording() {
     if (simulation_ != nullptr && recording_) {
       simulation_->RemoveListener(&*recording_);
@@ -156,15 +208,18 @@ class Handle {
   }
   void Destroy() {
     EndRecording();
-    observers_.clear();
+    observations_.clear();
+    if (watched_) watched_->Detach();
+    watched_.reset();
     simulation_.reset();
   }
 
   std::atomic<bool> is_in_use_ = false;
   EventList events_;
   std::unique_ptr<sim::Simulation> simulation_;  ///< null once it is closed
-  std::vector<std::unique_ptr<task::EpisodeObserver>> observers_;
-  std::optional<picture::RenderedEye> eye_;  ///< of the recording
+  std::vector<Observation> observations_;
+  std::shared_ptr<studio::WatchedSimulation> watched_;  ///< null unless it is watched
+  std::optional<picture::RenderedEye> eye_;             ///< of the recording
   std::optional<recorder::RecordingController> recording_;
 };
 

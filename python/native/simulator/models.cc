@@ -55,25 +55,35 @@ std::vector<std::string> ObjectIds(const model::Model& model) {
 }  // namespace
 
 void BindModel(py::module_& m) {
-  py::class_<model::Model, std::shared_ptr<model::Model>>(m, "Model")
-      .def_property_readonly("name", [](const model::Model& model) { return model.scene().name; })
-      .def_property_readonly("object_ids", &ObjectIds)
+  py::class_<model::Model, std::shared_ptr<model::Model>>(
+      m, "Model",
+      "A scene with a robot, compiled once. It never changes; threads and simulations share it.")
       .def_property_readonly(
-          "xml", [](const model::Model& model) { return scene_xml::WriteScene(model.scene()); })
+          "name", [](const model::Model& model) { return model.scene().name; }, "of the scene")
+      .def_property_readonly("object_ids", &ObjectIds,
+                             "ids of the objects, in the order of the scene")
       .def_property_readonly(
-          "unit", [](const model::Model& model) { return model.scene().meters_per_unit; })
-      .def_property_readonly("arm_names",
-                             [](const model::Model& model) {
-                               std::vector<std::string> names;
-                               if (model.robot() == nullptr) return names;
-                               for (const auto& arm : model.robot()->arms)
-                                 names.push_back(arm.name);
-                               return names;
-                             })
-      .def_property_readonly("has_robot",
-                             [](const model::Model& model) { return model.robot() != nullptr; })
-      .def_property_readonly("camera_names", &model::CameraNames)
-      .def_property_readonly("hash", &checkpoint::ModelHash)
+          "xml", [](const model::Model& model) { return scene_xml::WriteScene(model.scene()); },
+          "the scene in its written form (docs/scene-format.md)")
+      .def_property_readonly(
+          "unit", [](const model::Model& model) { return model.scene().meters_per_unit; },
+          "length of a unit of the scene [m]")
+      .def_property_readonly(
+          "arm_names",
+          [](const model::Model& model) {
+            std::vector<std::string> names;
+            if (model.robot() == nullptr) return names;
+            for (const auto& arm : model.robot()->arms) names.push_back(arm.name);
+            return names;
+          },
+          "names of the robot's arms; empty without a robot")
+      .def_property_readonly(
+          "has_robot", [](const model::Model& model) { return model.robot() != nullptr; },
+          "False for a table without a robot")
+      .def_property_readonly("camera_names", &model::CameraNames,
+                             "names of the robot's and the scene's cameras")
+      .def_property_readonly("hash", &checkpoint::ModelHash,
+                             "64-bit hash of scene, robot and their options")
       .def(
           "laid_out",
           [](const model::Model& model, std::uint64_t seed, const std::string& level) {

@@ -51,4 +51,5 @@ PYBIND11_MODULE(smile_simulator_native, m) {
   smile::python::BindFilms(m);
   smile::python::BindRobotMotion(m);
   smile::python::BindEpisode(m);
+  smile::python::BindViewer(m);
 }

@@ -12,6 +12,7 @@
 #include "checkpoint/checkpoint.h"
 #include "experiment/world_description.h"
 #include "handle.h"
+#include "saved_state.h"
 #include "values.h"
 
 namespace smile::python {
@@ -21,13 +22,12 @@ using ModelPointer = std::shared_ptr<const model::Model>;
 
 /// A saved state, or the bytes of one that belongs to a model not yet known.
 struct State {
-  std::optional<sim::SimulationState> state;
+  std::optional<SavedState> state;
   std::vector<std::byte> bytes;
 };
 
 py::bytes BytesOf(const State& state) {
-  const std::vector<std::byte> bytes =
-      state.state ? checkpoint::Serialize(*state.state) : state.bytes;
+  const std::vector<std::byte> bytes = state.state ? Serialize(*state.state) : state.bytes;
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -50,11 +50,11 @@ void Restore(Handle& handle, const State& state) {
     return use->start_model();
   }();
   if (!state.state) {
-    handle.Restore(checkpoint::ParseState(state.bytes, start));
+    handle.Restore(ParseSavedState(state.bytes, start));
     return;
   }
   // Usually the same model; otherwise an equal one.
-  const ModelPointer& its_start = state.state->start_model;
+  const ModelPointer& its_start = state.state->simulation.start_model;
   if (its_start != start && checkpoint::ModelHash(*its_start) != checkpoint::ModelHash(*start)) {
     throw std::invalid_argument("saved state: it belongs to another scene or robot");
   }
@@ -329,11 +329,7 @@ void BindSimulation(py::module_& m) {
              const Handle::Use use(&handle);
              return use->is_still();
            })
-      .def("save",
-           [](Handle& handle) {
-             const Handle::Use use(&handle);
-             return State{.state = use->Save(), .bytes = {}};
-           })
+      .def("save", [](Handle& handle) { return State{.state = handle.Save(), .bytes = {}}; })
       .def("restore", &Restore)
       .def("events",
            [](Handle& handle) {

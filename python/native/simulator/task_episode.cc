@@ -38,7 +38,7 @@ TaskEpisode::TaskEpisode(Handle* handle, std::shared_ptr<const task::GoalSpace> 
   }
   observer_ = handle_.Observe();
   const Handle::Use use(&handle_);
-  desired_ = space_->Desired(handle_.observer(observer_).episode());
+  desired_ = space_->Desired(handle_.EpisodeOf(observer_));
 }
 
 std::size_t TaskEpisode::num_robot_numbers() const {
@@ -91,22 +91,12 @@ StepResult TaskEpisode::Step(std::span<const double> action) {
   return result;
 }
 
-std::vector<task::ContactEvent> TaskEpisode::Contacts() {
-  const Handle::Use use(&handle_);
-  return handle_.observer(observer_).episode().contacts;
-}
-
-void TaskEpisode::Continue(std::vector<task::ContactEvent> contacts) {
-  const Handle::Use use(&handle_);
-  handle_.observer(observer_).Continue(std::move(contacts));
-}
-
 StepResult TaskEpisode::Measure(const sim::Simulation& simulation) {
   StepResult result;
   AppendRobot(simulation, &result.observation);
   AppendObjects(simulation, &result.observation);
   AppendMechanisms(simulation, &result.observation);
-  result.achieved = space_->Achieved(handle_.observer(observer_).episode());
+  result.achieved = space_->Achieved(handle_.EpisodeOf(observer_));
   result.score = comparer_.Compare(result.achieved, desired_);
   return result;
 }

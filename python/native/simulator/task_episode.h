@@ -40,11 +40,6 @@ class TaskEpisode {
   StepResult Now();
   StepResult Step(std::span<const double> action);
 
-  /// Returns the contacts so far; with the state of the simulation, the episode continues from
-  /// them.
-  std::vector<task::ContactEvent> Contacts();
-  void Continue(std::vector<task::ContactEvent> contacts);
-
  private:
   StepResult Measure(const sim::Simulation& simulation);
   void AppendRobot(const sim::Simulation& simulation, std::vector<double>* out) const;

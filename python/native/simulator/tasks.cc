@@ -29,7 +29,7 @@ class Task {
 
   task::StructureComparison Compare() {
     const Handle::Use use(&handle_);
-    const task::Episode episode = handle_.observer(observer_).episode();
+    const task::Episode episode = handle_.EpisodeOf(observer_);
     const py::gil_scoped_release release;
     return task::CompareWith(task_.structure, episode);
   }

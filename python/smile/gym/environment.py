@@ -18,6 +18,7 @@ from smile.native import load
 from smile.picture import Picture
 from smile.simulation import (
     CHANNELS, TICKS_PER_SECOND, Floats, Model, Simulation, State, channel_flags, picture_size)
+from smile.viewer import Studio
 
 if TYPE_CHECKING:
     from smile import smile_simulator_native as _native
@@ -65,12 +66,14 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
     cameras, channels, camera_size  pictures in the observation: names of cameras, some of `rgb` and
                `depth`, width and height [px]
     search     folders in which files of scene and robot are searched, too
-    render_mode, render_camera, render_size  of render()
+    render_mode  `human`: the studio's page shows the episodes in real time, and opens in the browser
+               if there is a screen; `rgb_array`: render() returns pictures
+    render_camera, render_size  of these pictures
 
     Not thread-safe; several environments may be used by several threads.
     """
 
-    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 10}
+    metadata: dict[str, Any] = {"render_modes": ["human", "rgb_array"], "render_fps": 10}
 
     def __init__(self, task: str | None = "tower", *,
                  demo: str | os.PathLike[str] | None = None,
@@ -86,9 +89,8 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
                  render_camera: str = "close", render_size: tuple[int, int] = (480, 360)) -> None:
         if rate not in range(1, TICKS_PER_SECOND + 1) or TICKS_PER_SECOND % rate != 0:
             raise ValueError(f"rate is {rate!r}, expected a divisor of {TICKS_PER_SECOND}")
-        if render_mode not in (None, "rgb_array"):
-            raise ValueError(f"render_mode is {render_mode!r}, expected 'rgb_array' or None: this "
-                             "environment opens no window (gymnasium.make() shows its pictures)")
+        if render_mode not in (None, "human", "rgb_array"):
+            raise ValueError(f"render_mode is {render_mode!r}, expected 'human', 'rgb_array' or None")
         if isinstance(arms, str) or isinstance(cameras, str):
             raise ValueError("arms and cameras are lists of names")
         self.render_mode = render_mode
@@ -110,6 +112,7 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
         self._channels = channel_flags(channels)
         self._render = (render_camera, picture_size(render_size))
         self._layout: tuple[int | None, str] = (None, "scene")
+        self._studio: Studio | None = None
         self._begin(self._base)
         self._make_spaces()
 
@@ -120,6 +123,8 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
         options = (*self._control, self._base.object_ids)
         self._episode = _native.TaskEpisode(simulation._native, self._goals, *options)
         self._simulation = simulation
+        if self._studio is not None:
+            self._studio.show(simulation)
 
     def _make_spaces(self) -> None:
         observation, achieved, _, _ = self._episode.now()
@@ -159,6 +164,11 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
         return self._simulation
 
     @property
+    def studio(self) -> Studio | None:
+        """The page of `render_mode="human"`, with its `url`; None before the first reset()."""
+        return self._studio
+
+    @property
     def action_names(self) -> list[str]:
         """Names of the numbers of an action."""
         return self._episode.action_names
@@ -194,6 +204,9 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
                 if layout is None or attempt + 1 == _MOST_LAYOUTS:
                     raise
         self._layout = (layout, level)
+        if self.render_mode == "human" and self._studio is None:
+            self._studio = Studio(self._simulation, speed=1)
+            self._studio.open()
         return self._told(self._episode.now())
 
     def _laid_out(self, seed: int | None, level: str) -> Model:
@@ -282,11 +295,9 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
         build, continues from it with the same bits. A limit of the episode's steps, which is in
         wrappers, is not in it.
         """
-        contacts = self._episode.contacts()
         header = json.dumps({"layout": self._layout,
                              "np_random": self.np_random.bit_generator.state}).encode()
-        return b"".join((_MAGIC, struct.pack("<II", len(header), len(contacts)), header, contacts,
-                         bytes(self._simulation.save())))
+        return b"".join((_MAGIC, struct.pack("<I", len(header)), header, bytes(self._simulation.save())))
 
     def set_state(self, state: bytes) -> tuple[Observation, dict[str, Any]]:
         """Continues from a state that get_state() returned.
@@ -294,47 +305,47 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
         Returns the observation and the info of that moment. Raises ValueError if the state is
         damaged or belongs to another environment; this one has then not changed.
         """
-        layout, generator, contacts, saved = _parts_of(state)
+        layout, generator, saved = _parts_of(state)
         before = self._simulation, self._episode, self._layout
         try:
             if layout != self._layout:
                 self._begin(self._laid_out(*layout))
-            previous = self._simulation.save(), self._episode.contacts()
-            try:
-                self._simulation.restore(State(saved))
-                self._episode.continue_from(contacts)
-            except ValueError:
-                self._simulation.restore(previous[0])
-                self._episode.continue_from(previous[1])
-                raise
+            self._simulation.restore(State(saved))
         except ValueError:
             self._simulation, self._episode, self._layout = before
+            if self._studio is not None:
+                self._studio.show(self._simulation)
             raise
         self._layout = layout
         self.np_random = generator
         return self._told(self._episode.now())
 
     def render(self) -> npt.NDArray[np.uint8] | None:
-        """Returns a picture (height, width, 3), or None without a render_mode."""
-        if self.render_mode is None:
+        """Returns a picture (height, width, 3) in the mode `rgb_array`.
+
+        None otherwise; in the mode `human`, the page shows each moment by itself.
+        """
+        if self.render_mode != "rgb_array":
             return None
         return self._simulation.render(*self._render).rgb
 
     def close(self) -> None:
-        """Ends the simulation; a recording is written to its end."""
+        """Ends the simulation, a recording to its end, and the page of `render_mode="human"`."""
         self._simulation.close()
+        if self._studio is not None:
+            self._studio.close()
 
 
 def _box(shape: tuple[int, ...]) -> spaces.Box:
     return spaces.Box(-np.inf, np.inf, shape, np.float64)
 
 
-def _parts_of(state: bytes) -> tuple[tuple[int | None, str], np.random.Generator, bytes, bytes]:
-    """Returns layout, generator, contacts and simulation of a state."""
-    start = len(_MAGIC) + 8
+def _parts_of(state: bytes) -> tuple[tuple[int | None, str], np.random.Generator, bytes]:
+    """Returns layout, generator and simulation of a state."""
+    start = len(_MAGIC) + 4
     if not isinstance(state, bytes) or state[:len(_MAGIC)] != _MAGIC or len(state) < start:
         raise ValueError("state is not one of an environment, expected what get_state() returns")
-    header_size, contacts_size = struct.unpack("<II", state[len(_MAGIC):start])
+    (header_size,) = struct.unpack("<I", state[len(_MAGIC):start])
     middle = start + header_size
     try:
         header = json.loads(state[start:middle])
@@ -345,5 +356,4 @@ def _parts_of(state: bytes) -> tuple[tuple[int | None, str], np.random.Generator
         bits.state = header["np_random"]
     except (ValueError, KeyError, TypeError):
         raise ValueError("state is damaged, expected what get_state() returns") from None
-    return ((seed, level), np.random.Generator(bits), state[middle:middle + contacts_size],
-            state[middle + contacts_size:])
+    return (seed, level), np.random.Generator(bits), state[middle:]

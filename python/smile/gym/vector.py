@@ -44,6 +44,8 @@ class VectorEnv(gymnasium.vector.VectorEnv[dict[str, Any], npt.NDArray[np.float3
                             ("max_episode_steps", max_episode_steps)):
             if value is not None and (not isinstance(value, int) or value < 1):
                 raise ValueError(f"{name} is {value!r}, expected a whole number above 0")
+        if kwargs.get("render_mode") == "human":
+            raise ValueError("render_mode is 'human', expected 'rgb_array' or None for several worlds")
         self.num_envs = num_envs
         self._threads = min(threads or os.cpu_count() or 1, num_envs)
         self._max_episode_steps = max_episode_steps

@@ -7,7 +7,7 @@ import { Button } from "../ui/buttons";
 import { openDialogs } from "../ui/dialog";
 import { Notices } from "../ui/notices";
 import { ControlWanted, takeControl } from "./control";
-import { failedRecording, isPaused, isPlayback, isClearingTable, isRestoring } from "./derived_signals";
+import { failedRecording, isPaused, isPlayback, isClearingTable, isRestoring, isWatched } from "./derived_signals";
 
 /** Time before the page reports that connecting takes long, and time before it reports that it may fail. */
 const PATIENCE_MS = 800;
@@ -72,7 +72,7 @@ function Present() {
       <Busy />
       <Failure />
       <ControlWanted />
-      {clients.value !== null && !isController.value && (
+      {clients.value !== null && !isController.value && !isWatched.value && (
         <div class="banner">
           <span>{texts.people.watchingBanner}</span>
           <Button label={texts.people.take} kind="accent" onClick={() => void takeControl(false)} />

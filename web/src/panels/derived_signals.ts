@@ -7,6 +7,8 @@ import { scene, state } from "../studio";
 export const isPaused = computed(() => state.value?.paused ?? false);
 export const isClearingTable = computed(() => state.value?.mode === "rage");
 export const isPlayback = computed(() => state.value?.mode === "playback");
+/** A program controls the simulation, and the page shows it. */
+export const isWatched = computed(() => state.value?.mode === "watched");
 /** The world goes back to a moment of a recording. */
 export const isRestoring = computed(() => (state.value?.restoring ?? null) !== null);
 export const isRecording = computed(() => (state.value?.recording ?? null) !== null);

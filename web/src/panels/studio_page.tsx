@@ -11,7 +11,7 @@ import { refreshSceneCatalog } from "./scene_catalog";
 import { HandsPanel } from "./hands_panel";
 import { Help } from "./help";
 import { LibraryPanel } from "./library_panel";
-import { isRecording, recordingId, shownRecording } from "./derived_signals";
+import { isRecording, isWatched, recordingId, shownRecording } from "./derived_signals";
 import { ObjectsPanel } from "./objects_panel";
 import { editedScene, isHelpOpen, isLeftOpen, isRightOpen, leftTab, LEFT_TABS, renamed, rightTab, RIGHT_TABS, sheet } from "./page";
 import { onRecordingFinished, onRecordingShown, refreshRecordings } from "./recordings";
@@ -70,35 +70,41 @@ function useTitle(): void {
 export function StudioPage() {
   useRefresh();
   useTitle();
+  // What a watched simulation has no use for is left out; the world stays where it is in the tree.
+  const isWhole = !isWatched.value;
   return (
     <div
-      class={`studio ${isSmall.value ? "is-small" : ""} ${isLeftOpen.value ? "" : "left-folded"} ${isRightOpen.value ? "" : "right-folded"}`}
+      class={`studio ${isWhole ? "" : "is-watched"} ${isSmall.value ? "is-small" : ""} ${isLeftOpen.value ? "" : "left-folded"} ${isRightOpen.value ? "" : "right-folded"}`}
       data-sheet={isSmall.value ? (sheet.value ?? "none") : undefined}
     >
       <TopBar />
-      <Sidebar
-        side="left"
-        label={texts.panels.left}
-        tabs={LEFT_TABS}
-        chosen={leftTab}
-        isOpen={isLeftOpen}
-        panels={{ objects: ObjectsPanel, library: LibraryPanel }}
-      />
+      {isWhole && (
+        <Sidebar
+          side="left"
+          label={texts.panels.left}
+          tabs={LEFT_TABS}
+          chosen={leftTab}
+          isOpen={isLeftOpen}
+          panels={{ objects: ObjectsPanel, library: LibraryPanel }}
+        />
+      )}
       <Stage>
         <Banners />
-        <EyeView />
-        <Tour />
+        {isWhole && <EyeView />}
+        {isWhole && <Tour />}
       </Stage>
-      <Sidebar
-        side="right"
-        label={texts.panels.right}
-        tabs={RIGHT_TABS}
-        chosen={rightTab}
-        isOpen={isRightOpen}
-        panels={{ hands: HandsPanel, robot: RobotPanel, brain: BrainPanel }}
-      />
-      <TimelinePanel />
-      <TabBar />
+      {isWhole && (
+        <Sidebar
+          side="right"
+          label={texts.panels.right}
+          tabs={RIGHT_TABS}
+          chosen={rightTab}
+          isOpen={isRightOpen}
+          panels={{ hands: HandsPanel, robot: RobotPanel, brain: BrainPanel }}
+        />
+      )}
+      {isWhole && <TimelinePanel />}
+      {isWhole && <TabBar />}
       <ContextMenu />
       {isHelpOpen.value && <Help />}
       {editedScene.value && <SceneEditor key={editedScene.value.name} />}

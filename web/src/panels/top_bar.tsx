@@ -8,7 +8,7 @@ import { Menu } from "../ui/menu";
 import { fps } from "../world/signals";
 import { Control } from "./control";
 import { keyFor } from "./key_names";
-import { isPaused, isRecording, mayControl } from "./derived_signals";
+import { isPaused, isRecording, isWatched, mayControl } from "./derived_signals";
 import { DETAILS, detail, isHelpOpen, theme, THEMES } from "./page";
 import { finishRecording } from "./recordings";
 
@@ -152,19 +152,29 @@ export function TopBar() {
           {scene.value?.name ?? texts.title}
         </h1>
       </div>
-      <RecordButtons />
-      <Time />
-      <Control />
+      {isWatched.value ? (
+        <div class="time" role="group" aria-label={texts.time.group}>
+          <Figures />
+        </div>
+      ) : (
+        <>
+          <RecordButtons />
+          <Time />
+          <Control />
+        </>
+      )}
       <div class="page-buttons">
         <ThemeButton />
-        <Button
-          label={texts.help.open}
-          icon="help"
-          kind="quiet"
-          isIconOnly
-          keys={keyFor("help")}
-          onClick={() => (isHelpOpen.value = true)}
-        />
+        {!isWatched.value && (
+          <Button
+            label={texts.help.open}
+            icon="help"
+            kind="quiet"
+            isIconOnly
+            keys={keyFor("help")}
+            onClick={() => (isHelpOpen.value = true)}
+          />
+        )}
       </div>
     </header>
   );

@@ -1,0 +1,121 @@
+"""Viewer: the studio's page on a simulation."""
+
+from __future__ import annotations
+
+import html
+import math
+import os
+import subprocess
+import sys
+from types import TracebackType
+from typing import TYPE_CHECKING
+from weakref import WeakKeyDictionary
+
+from smile.native import load
+from smile.simulation import Simulation, data_file
+
+if TYPE_CHECKING:
+    from smile import smile_simulator_native as _native
+else:
+    _native = load("smile_simulator_native")
+
+
+class Studio:
+    """The studio's page, which shows a simulation while the program goes on.
+
+    Any number of browsers may watch it, at any frame rate: the simulation computes the same bits as
+    without. Nothing on the page changes the simulation. A notebook shows the page in the cell.
+    """
+
+    def __init__(self, simulation: Simulation, *, port: int = 0, speed: float = 0,
+                 height: int = 480) -> None:
+        """Starts to serve the page at 127.0.0.1, to this machine only.
+
+        port    of the page; 0 for the first free one from 8470 on
+        speed   greatest ratio of simulated to real time: 1 shows motion as it is; 0 for no limit
+        height  of the page in a notebook [px]
+
+        Raises RuntimeError if the page is not built, or the port is taken.
+        """
+        if isinstance(port, bool) or not isinstance(port, int) or not 0 <= port <= 65535:
+            raise ValueError(f"port is {port!r}, expected a whole number from 0 to 65535")
+        if not (math.isfinite(speed) and 0 <= speed <= 1000):
+            raise ValueError(f"speed is {speed!r}, expected a number from 0 to 1000")
+        self.height = int(height)
+        self._native = _native.Viewer(_native_of(simulation), _page(), port, float(speed))
+
+    @property
+    def url(self) -> str:
+        """Link of the page."""
+        return self._native.link
+
+    @property
+    def is_closed(self) -> bool:
+        """True after close()."""
+        return self._native.is_closed
+
+    def show(self, simulation: Simulation) -> None:
+        """Shows another simulation, at the same link."""
+        self._native.show(_native_of(simulation))
+
+    def open(self) -> None:
+        """Opens the page in the browser, if there is a screen."""
+        if sys.platform == "darwin" or os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"):
+            program = "open" if sys.platform == "darwin" else "xdg-open"
+            subprocess.Popen([program, self.url], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                             stderr=subprocess.DEVNULL)
+
+    def close(self) -> None:
+        """Ends the page; the simulation goes on."""
+        self._native.close()
+
+    def __enter__(self) -> Studio:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        return "<Studio: closed>" if self.is_closed else f"<Studio at {self.url}>"
+
+    def _repr_html_(self) -> str:
+        if self.is_closed:
+            return html.escape(repr(self))
+        return (f'<iframe src="{html.escape(self.url)}" title="SMILE studio" width="100%" '
+                f'height="{self.height}" style="border: 0"></iframe>')
+
+
+# The page of a simulation is the same each time that a cell asks for it.
+_studios: WeakKeyDictionary[Simulation, Studio] = WeakKeyDictionary()
+
+
+def studio(simulation: Simulation, *, port: int = 0, speed: float = 0, height: int = 480,
+           open: bool = False) -> Studio:
+    """Shows a simulation in the studio's page, see Studio; in a notebook, in the cell.
+
+    The page of a simulation remains until `close()` or the end of the simulation; a second call
+    returns the same one.
+
+    open    opens the page in the browser, if there is a screen
+    """
+    known = _studios.get(simulation)
+    if known is None or known.is_closed:
+        known = _studios[simulation] = Studio(simulation, port=port, speed=speed, height=height)
+    if open:
+        known.open()
+    return known
+
+
+def _native_of(simulation: Simulation) -> _native.Simulation:
+    if not isinstance(simulation, Simulation):
+        raise TypeError(f"simulation is {type(simulation).__name__}, expected a smile.Simulation")
+    return simulation._native
+
+
+def _page() -> str:
+    try:
+        return os.fspath(data_file("build/page"))
+    except RuntimeError:
+        raise RuntimeError("the studio's page is not built; run ./run studio in SMILE's folder to "
+                           "build it") from None

@@ -51,10 +51,16 @@ inline Vector3 Vector3From(const char* name, const Array& array) {
   return {v[0], v[1], v[2]};
 }
 
-inline Array ArrayOf(std::span<const double> values) {
-  return Array(static_cast<py::ssize_t>(values.size()), values.data());
+/// Returns the shape of a vector. Arrays are always made of a shape: for a bare number of elements,
+/// pybind11 before 2.12 asks numpy for the strides, and misreads the answer of numpy 2.
+inline std::vector<py::ssize_t> VectorShape(std::size_t size) {
+  return {static_cast<py::ssize_t>(size)};
 }
-inline Array ArrayOf(const Vector3& v) { return Array(3, v.data()); }
+
+inline Array ArrayOf(std::span<const double> values) {
+  return Array(VectorShape(values.size()), values.data());
+}
+inline Array ArrayOf(const Vector3& v) { return Array(VectorShape(3), v.data()); }
 inline Array ArrayOf(const std::vector<double>& values) {
   return ArrayOf(std::span<const double>(values));
 }
@@ -67,7 +73,7 @@ inline void WritePose(const RigidTransform& X, double* out) {
   std::copy(values, values + 7, out);
 }
 inline Array PoseArray(const RigidTransform& X) {
-  Array array(7);
+  Array array(VectorShape(7));
   WritePose(X, array.mutable_data());
   return array;
 }

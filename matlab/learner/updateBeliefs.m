@@ -7,7 +7,11 @@ function now = updateBeliefs(known, seen, picture, eye, heights)
   table = tableColor(picture);
   now = seen;
   for block = known
-    [distance, nearest] = min(arrayfun(@(other) norm(other.position - block.position), seen));
+    % What is entirely below or above it is another block.
+    distances = arrayfun(@(other) norm(other.position - block.position), seen);
+    apart = arrayfun(@(other) abs(other.position(3) - block.position(3)) >= other.size(3) / 2, seen);
+    distances(apart) = Inf;
+    [distance, nearest] = min(distances);
     if ~isempty(distance) && distance < c.same_block_distance
       if isSameKind(seen(nearest), block) && distance < c.half_hidden_distance && ...
          isTopHidden(seen(nearest), seen, eye)

@@ -1,6 +1,6 @@
-function places = freePlacements(arms, block, taken, goal, unexplained)
-% Returns free places for a block on the table, the best first, up to max_places: with room for its
-% fingers and for those of its neighbors, and away from the feet of the arms.
+function places = freePlacements(arms, eye, block, taken, goal, unexplained)
+% Returns free places for a block on the table, within the eye's view, the best first, up to max_places: with
+% room for its fingers and for those of its neighbors, and away from the feet of the arms.
 %   taken        blocks to keep clear of
 %   goal         to which it goes on from there, or []
 %   unexplained  as from unexplainedPoints
@@ -21,6 +21,7 @@ function places = freePlacements(arms, block, taken, goal, unexplained)
     free = free & sqrt((x - arm.foot(1)) .^ 2 + (y - arm.foot(2)) .^ 2) > c.foot_distance;
   end
   free(free) = ~isUnexplained(covered(free, :), unexplained);
+  free(free) = isInView(covered(free, :) - [0, 0, c.place_margin, c.place_margin, 0], block.size(3), eye);
 
   if isempty(goal)
     % The middle, where both arms reach, is for handovers.
@@ -35,5 +36,22 @@ function places = freePlacements(arms, block, taken, goal, unexplained)
   for i = 1:numel(places)
     places(i).position = [covered(order(i), 1:2), block.size(3) / 2];
     places(i).yaw = covered(order(i), 5);
+  end
+end
+
+function yes = isInView(places, top, eye)
+% Returns which of N places are entirely in the eye's picture: Nx1 logical.
+%   places  Nx5 as from footprint
+%   top     height of the top of a block there [units]
+  yes = true(rows(places), 1);
+  margin = constants().task_planning.picture_margin_pixels;
+  turn_cos = cos(places(:, 5));
+  turn_sin = sin(places(:, 5));
+  for corner = [1, 1, -1, -1; 1, -1, -1, 1] / 2
+    along = corner(1) * places(:, 3);
+    across = corner(2) * places(:, 4);
+    points = places(:, 1:2) + [along .* turn_cos - across .* turn_sin, along .* turn_sin + across .* turn_cos];
+    pixels = toPixel([points, repmat(top, rows(points), 1)], eye);
+    yes = yes & all(pixels > margin & pixels < 2 * eye.intrinsics(1:2, 3)' - margin, 2);
   end
 end

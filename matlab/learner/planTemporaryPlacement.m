@@ -18,10 +18,9 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
   end
   for site = sites
     tried = noBlocks();
-    for place = freePlacements(arms, block, [others, site{1}], goal, unexplained)
+    for place = freePlacements(arms, eye, block, [others, site{1}], goal, unexplained)
       has_yaw = tried([tried.yaw] == place.yaw);
-      if isNear(place, left) || isNear(place, has_yaw) || ~isInView(place, eye) || ...
-         isGraspBlocked(place, site{1}) || ...
+      if isNear(place, left) || isNear(place, has_yaw) || isGraspBlocked(place, site{1}) || ...
          isTopHidden(place, site{1}, eye) || blocksGrasps(place, others) || ~canReach(arms, place)
         continue
       end
@@ -48,18 +47,6 @@ function yes = blocksGrasps(place, others)
     rest = others([1:i - 1, i + 1:end]);
     yes = ~isempty(graspYaws(others(i), rest)) && isempty(graspYaws(others(i), [rest, place]));
     if yes, return; end
-  end
-end
-
-function yes = isInView(place, eye)
-% Returns true if the whole top of a block at a place is in the eye's picture.
-  yes = true;
-  margin = constants().task_planning.picture_margin_pixels;
-  for corner = [1, 1, -1, -1; 1, -1, -1, 1] / 2
-    along = corner(1) * place.size(1) * [cos(place.yaw), sin(place.yaw)];
-    across = corner(2) * place.size(2) * [-sin(place.yaw), cos(place.yaw)];
-    pixel = toPixel([place.position(1:2) + along + across, place.size(3)], eye);
-    yes = yes && all(pixel > margin) && all(pixel < 2 * eye.intrinsics(1:2, 3)' - margin);
   end
 end
 

@@ -609,6 +609,14 @@ function check_clearing()
   moves = clearingMoves(state, struct('block', 1, 'goal', []), 1:5);
   check(isequal([moves.block], 4), 'room for the fingers is cleared');
   check(isempty(clearingMoves(state, struct('block', 2, 'goal', []), 1:5)), 'where there is none');
+  pot = block(red, [2.4, 2.4, 1.3], -4, -1, 0, 0);
+  cover = block(blue, [2.6, 2.6, 0.2], -4, -1, 1.3, 0);
+  places = freePlacements([], robotEye(), cover, pot, [], zeros(0, 2));
+  check(numel(places) == 100, 'a large block is put aside');
+  for place = places([places.yaw] == 0)
+    pixels = toPixel(place.position + [-1.3, -1.3, 0.1; -1.3, 1.3, 0.1; 1.3, -1.3, 0.1; 1.3, 1.3, 0.1], robotEye());
+    check(all(all(pixels > 0 & pixels < [640, 480])), 'where the eye sees all of it');
+  end
   none = [proposeMoves(initialTaskState(tower, []), 1, zeros(1, 0)), uncoveringMoves(state, [], robotEye())];
   check(isempty(clearingMoves(state, none, 1:5)), 'and nothing without moves');
 end

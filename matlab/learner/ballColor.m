@@ -13,16 +13,6 @@ function color = ballColor(picture, eye, center, radius)
   if ~is_whole, color = []; end
 end
 
-function mask = shadeMask(picture, color)
-% Returns the mask, HxW logical, of the pixels of a color in any shade: a round surface is bright where it
-% faces the light.
-  c = constants().balls;
-  color = reshape(color, 1, 1, 3);
-  fraction = sum(picture .* color, 3) / max(sum(color .^ 2), eps);
-  difference = max(abs(picture - fraction .* color), [], 3);
-  mask = c.shade(1) < fraction & fraction < c.shade(2) & difference < c.shade_tolerance;
-end
-
 function distances = rayDistances(shape, eye, point)
 % Returns the distance of a point, 1x3, from the ray through each pixel, HxW [units].
   [column, row] = meshgrid((1:shape(2)) - 0.5, (1:shape(1)) - 0.5);

@@ -1,10 +1,9 @@
-function kinds = blockKinds(steps, color)
-% Returns the kinds of blocks of a color, 1x3, that steps need: a struct array with color and size.
-  kinds = struct('color', {}, 'size', {});
-  for k = 1:numel(steps)
-    if ~sameColor(steps(k).color, color), continue; end
-    known = false;
-    for i = 1:numel(kinds), known = known || sameSize(kinds(i).size, steps(k).size); end
-    if ~known, kinds(end + 1) = struct('color', color, 'size', steps(k).size); end
+function kinds = blockKinds(like, color)
+% Returns the kinds of blocks among those of a color, 1x3: a struct array with color, size and form.
+%   like  blocks or steps
+  kinds = struct('color', {}, 'size', {}, 'form', {});
+  for it = like
+    if ~sameColor(it.color, color) || any(arrayfun(@(kind) sameForm(kind, it), kinds)), continue; end
+    kinds(end + 1) = struct('color', color, 'size', it.size, 'form', it.form);
   end
 end

@@ -6,7 +6,7 @@ function [state, problem] = chooseSite(state, arms, picture, eye)
   is_dragged = arrayfun(@isDragged, state.steps);
   carried = state.steps(~is_dragged);
   if ~isempty(state.container)
-    [carried, state.container, problem] = placeInContainer(carried, state.container, picture, eye);
+    [carried, state.container, problem] = placeInContainer(carried, state.container, state.known, picture, eye);
   elseif ~isempty(carried)
     placed = placeByWhatStays(carried, state.known, arms, eye);
     if isempty(placed), [placed, problem] = placeOnTable(carried, state.known, arms, eye); end
@@ -31,20 +31,4 @@ function [step, problem] = placeDragged(step, known)
   step.displacement = rotated(step.displacement, rotation);
   step.position = found.position + [step.displacement, 0];
   step.yaw = step.yaw + rotation;
-end
-
-function [steps, container, problem] = placeInContainer(steps, container, picture, eye)
-% Moves steps together with their container to where it is detected.
-  problem = '';
-  [found, rotation] = detectContainer(picture, eye, container);
-  if isempty(found)
-    problem = sprintf('the container %s is not visible', container.name);
-    return
-  end
-  for k = 1:numel(steps)
-    displacement = rotated(steps(k).position(1:2) - container.position(1:2), rotation);
-    steps(k).position(1:2) = found.position(1:2) + displacement;
-    steps(k).yaw = steps(k).yaw + rotation;
-  end
-  container = found;
 end

@@ -11,8 +11,8 @@ function walls = containerWalls(container)
       sides = container.size(1:2);
       sides(axis) = thick;
       at = container.position(1:2) + side * (container.size(axis) - thick) / 2 * normal;
-      walls(end + 1) = struct('color', container.color, 'size', [sides, container.size(3)], ...
-                              'position', [at, container.position(3)], 'yaw', container.yaw);
+      walls(end + 1) = newBlock(container.color, [sides, container.size(3)], [at, container.position(3)], ...
+                                container.yaw);
     end
   end
 end

@@ -1,22 +1,24 @@
-function blocks = detectBlocks(picture, eye, like, container, heights)
+function blocks = detectBlocks(picture, eye, like, container, heights, staying)
 % Detects the blocks in a picture that look like given ones, at any place and height: a 1xN struct array,
-% see noBlocks. Partly occluded blocks are not detected.
+% see newBlock. Partly occluded blocks are not detected.
 %   picture    HxWx3, 0 to 1
 %   like       blocks or steps
 %   container  in which some may lie, or []
 %   heights    as from heightMap: separates tops of one color that meet in the picture; [] or omitted if the
 %              eye measures no depth
+%   staying    those on whose tops others stand, or a knob; optional
   if nargin < 5, heights = []; end
+  if nargin < 6, staying = noBlocks(); end
   blocks = noBlocks();
   table = tableColor(picture);
   is_possible = @(block) isSupported(block, picture, eye, table);
+  is_ball = strcmp({like.form}, 'ball');
   for color = colorsToDetect(picture, like)
-    kinds = blockKinds(like, color');
+    kinds = blockKinds(like(~is_ball), color');
     bottoms = arrayfun(@(kind) likelyBottoms(like, kind, heights), kinds, 'UniformOutput', false);
     number = labelRegions(colorMask(picture, color'), heights);
-    for region = 1:max(number(:))
+    for region = find(accumarray(number(number > 0), 1) >= constants().perception.min_top_pixels)'
       pixels = find(number == region);
-      if numel(pixels) < constants().perception.min_top_pixels, continue; end
       [row, column] = ind2sub(size(number), pixels);
       top = [];
       max_error = constants().perception.max_side_error;
@@ -26,7 +28,12 @@ function blocks = detectBlocks(picture, eye, like, container, heights)
         if isCut(row, column, top, heights), max_error = constants().perception.max_cut_side_error; end
       end
       found = fitBlocks(row, column, eye, kinds, container, is_possible, bottoms, top, max_error);
+      % What stays carries others: they hide a part of its top from the start.
+      if isempty(found) && ~isempty(top)
+        found = fitCovered(row, column, eye, blockKinds(staying, color'), top, heights);
+      end
       blocks = [blocks, found];
     end
   end
+  if ~isempty(heights), blocks = [blocks, detectBalls(picture, eye, like(is_ball), heights)]; end
 end

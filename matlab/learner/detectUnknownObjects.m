@@ -1,6 +1,6 @@
 function blocks = detectUnknownObjects(picture, eye, known, heights)
 % Detects blocks that are none of the known ones; they belong to no step, but may be in the way. Without
-% heights, as from heightMap, only those on the table. Returns a 1xN struct array, see noBlocks.
+% heights, as from heightMap, only those on the table. Returns a 1xN struct array, see newBlock.
   if nargin < 4, heights = []; end
   blocks = noBlocks();
   table = tableColor(picture);

@@ -18,7 +18,7 @@ function facts = factsAt(demo, appearances, container, frame, held, others)
 %   held         number of the object in each hand, a struct
 %   others       facts about controls and joints at that time
   facts = others;
-  there = struct('name', {}, 'size', {}, 'position', {}, 'yaw', {}, 'moves', {}, 'isRound', {});  % all objects that rest
+  there = {};  % all objects that rest: blocks with their names, and whether hands ever move them
   hands = fieldnames(held);
   in_hands = cellfun(@(hand) held.(hand), hands);
   for n = 1:numel(demo.ids)
@@ -30,11 +30,14 @@ function facts = factsAt(demo, appearances, container, frame, held, others)
     elseif wasDragged(demo, n)
       facts{end + 1} = sprintf('joint %s%s', name, hundredths(pose(1:2) - demo.start(n, 1:2)));
     elseif ~isempty(appearances(n).size)
-      there(end + 1) = struct('name', name, 'size', appearances(n).size, 'position', pose(1:3), ...
-                              'yaw', pose(6) * pi / 180, 'moves', any(demo.placed == n), ...
-                              'isRound', isfield(appearances, 'isRound') && appearances(n).isRound);
+      there{end + 1} = appearances(n);
+      there{end}.position = pose(1:3);
+      there{end}.yaw = pose(6) * pi / 180;
+      there{end}.name = name;
+      there{end}.moves = any(demo.placed == n);
     end
   end
+  there = [there{:}];
   for k = 1:numel(there), facts = [facts, relations(k, there, container)]; end
 end
 

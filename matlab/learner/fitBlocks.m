@@ -2,7 +2,7 @@ function blocks = fitBlocks(row, column, eye, kinds, container, isPossible, bott
 % Fits blocks to the pixels of a top face: one block of some kind, or equal blocks that touch in a row or
 % a grid. Returns a 1xN struct array, 1x0 if nothing fits.
 %   row, column  pixels, Nx1
-%   kinds        struct array with color and size
+%   kinds        as from blockKinds
 %   container    in which they may lie, or []
 %   isPossible   predicate: returns true if there can be a block at such a place
 %   bottoms      for each kind, the heights where the bottom is expected [units], cell
@@ -28,7 +28,10 @@ function blocks = fitBlocks(row, column, eye, kinds, container, isPossible, bott
           plane = plane + container.floor;
           face = faceAt(plane);
         end
-        count = max(1, min(max_count, round(face.sides ./ kinds(k).size(1:2))));
+        if face.isRound ~= isRound(kinds(k)), continue; end
+        most = max_count;
+        if face.isRound, most = 1; end
+        count = max(1, min(most, round(face.sides ./ kinds(k).size(1:2))));
         max_error = max([abs(face.sides ./ (count .* kinds(k).size(1:2)) - 1), face.misfit]);
         if max_error >= best, continue; end
         found = blockGrid(face, count, plane, kinds(k));
@@ -68,8 +71,7 @@ function blocks = blockGrid(face, count, top, kind)
   for i = (1:count(1)) - (count(1) + 1) / 2
     for j = (1:count(2)) - (count(2) + 1) / 2
       at = face.center + i * kind.size(1) * along + j * kind.size(2) * across;
-      blocks(end + 1) = struct('color', kind.color, 'size', kind.size, ...
-                               'position', [at, top - kind.size(3) / 2], 'yaw', face.yaw);
+      blocks(end + 1) = newBlock(kind.color, kind.size, [at, top - kind.size(3) / 2], face.yaw, kind.form);
     end
   end
 end

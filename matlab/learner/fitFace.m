@@ -16,7 +16,7 @@ function face = fitFace(x, y, area, yaw)
   across = y * cos(yaw) - x * sin(yaw);
   variances = [sum(along .^ 2 .* area), sum(across .^ 2 .* area)] / total;
   face.yaw = yaw;
-  face.isRound = isRound(x, y, area);
+  face.isRound = hasNoDirection(x, y, area);
   if face.isRound
     % The variance of the points of a disc along a line is the diameter squared, divided by 16.
     face.sides = sqrt(16 * variances);
@@ -28,7 +28,7 @@ function face = fitFace(x, y, area, yaw)
   end
 end
 
-function yes = isRound(x, y, area)
+function yes = hasNoDirection(x, y, area)
 % Returns true if neither the squares nor the fourth powers of points around the origin have a direction, as
 % complex numbers: see yawOf. Of a square, the fourth powers keep 3/7 of it.
   z = x + 1i * y;

@@ -1,10 +1,12 @@
 function yaws = graspYaws(place, others)
 % Returns the collision-free yaws of the gripper at a place: directions from finger to finger [rad], 1xN.
 % The fingers close across the longer side; no other block may be in their way.
-%   place   position, yaw and size of the block
+%   place   a block or a step
 %   others  obstacles, as blocks
+  place = heldPart(place);
   yaws = place.yaw + [pi / 2, -pi / 2];
   if hasEqualSides(place), yaws = [yaws, place.yaw + [0, pi]]; end
+  if isRound(place), yaws = [yaws, yaws + pi / 4]; end
   if isempty(others), return; end
   c = constants().clearance;
   % Obstacles as high as the fingers, as the bar that joins them, and as the hand above it.

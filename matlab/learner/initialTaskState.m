@@ -1,10 +1,11 @@
 function state = initialTaskState(steps, container)
 % Returns the state of the learner at the beginning of a task.
-%   steps      see inferTask; once a site is chosen, at their places in this scene
+%   steps      see newStep; once a site is chosen, at their places in this scene
 %   container  that some of them go into, see measureContainer; once a site is chosen, in this scene
 %   hasSite    true once a site is chosen
-%   known      beliefs: the blocks at the places where they were last seen; see noBlocks
+%   known      beliefs: the blocks at the places where they were last seen; see newBlock
 %   unknownObjects  appearances of blocks that belong to no step; their places are among known
+%   unexplained  points, Nx2, as from unexplainedPoints
 %   done       whether each step's block is in its place, 1xN logical
 %   attempts   number of times that each step's block was carried there, 1xN
 %   numTemporary  number of blocks that were put at a temporary place so far
@@ -21,8 +22,8 @@ function state = initialTaskState(steps, container)
 %              giveUp
   n = numel(steps);
   state = struct('steps', steps, 'container', {container}, 'hasSite', false, 'known', noBlocks(), ...
-                 'unknownObjects', noBlocks(), 'done', false(1, n), 'attempts', zeros(1, n), ...
-                 'numTemporary', 0, 'placementErrors', NaN(n, 2), 'numBlocked', 0, ...
+                 'unknownObjects', noBlocks(), 'unexplained', zeros(0, 2), 'done', false(1, n), ...
+                 'attempts', zeros(1, n), 'numTemporary', 0, 'placementErrors', NaN(n, 2), 'numBlocked', 0, ...
                  'firstFailure', '', 'left', noBlocks(), 'grasp', [], ...
                  'failures', {struct('position', {}, 'arm', {}, 'yaw', {})}, 'moved', '', ...
                  'notes', asNote({}, {}), 'claim', []);

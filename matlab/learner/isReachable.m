@@ -1,5 +1,6 @@
 function yes = isReachable(arm, place)
 % Returns true if an arm can bring its tool to a block's place, and 2 units above it.
+  place = heldPart(place);
   heights = constants().motion_planning.reach_heights;
   above = place.position + [0, 0, heights(1)];
   at = place.position + [0, 0, heights(2)];

@@ -16,6 +16,7 @@ function block = measureBlock(top, picture, eye, table, heights)
   [x, y, area] = ontoPlane(top.row, top.column, eye, height);
   face = fitFace(x, y, area);
   if face.misfit > constants().perception.misfit, return; end
-  block(1) = struct('color', top.color, 'size', [face.sides, height - ground], ...
-                    'position', [face.center, (height + ground) / 2], 'yaw', face.yaw);
+  form = 'block';
+  if face.isRound, form = 'disc'; end
+  block(1) = newBlock(top.color, [face.sides, height - ground], [face.center, (height + ground) / 2], face.yaw, form);
 end

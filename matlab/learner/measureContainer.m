@@ -1,13 +1,9 @@
 function container = measureContainer(demo, steps)
 % Measures the open box that the blocks of steps were put into, in the first picture of the demonstration;
 % [] if all of them stand on the table or on each other, or if there are no texts.
-%   name      of the object in the demonstration, for messages
-%   color     1x3, red green blue, 0 to 1
-%   size      its longer side, the shorter one, and its height [units]
-%   position  of its center, 1x3 [units]
-%   yaw       of its longer side [rad]
-%   floor     height of its floor above the table [units]
-%   isRound   true for a round one
+% A block (see newBlock), and
+%   name   of the object in the demonstration, for messages
+%   floor  height of its floor above the table [units]
   container = [];
   c = constants().task_model;
   bottoms = arrayfun(@(step) step.position(3) - step.size(3) / 2, steps);
@@ -37,9 +33,13 @@ function container = containerAt(demo, n, picture, color, height, inside)
   for face = detectRims(picture, demo.eye, color, height)
     if norm(face.center - demo.start(n, 1:2)) > constants().task_model.max_center_error, continue; end
     bottoms = arrayfun(@(step) step.position(3) - step.size(3) / 2, inside);
-    container = struct('name', demo.ids{n}, 'color', color, 'size', [face.sides, height], ...
-                       'position', [face.center, height / 2], 'yaw', ~face.isRound * face.yaw, ...
-                       'floor', min(bottoms), 'isRound', face.isRound);
+    container = newBlock(color, [face.sides, height], [face.center, height / 2], face.yaw);
+    if face.isRound
+      container.form = 'disc';
+      container.yaw = 0;
+    end
+    container.name = demo.ids{n};
+    container.floor = min(bottoms);
     if all(arrayfun(@(step) isInside(container, step.position), inside)), return; end
   end
   container = [];

@@ -1,5 +1,5 @@
 function step = measureHandle(demo, n)
-% Measures the handle by which object n of a demonstration was dragged, as a step (see inferTask): the
+% Measures the handle by which object n of a demonstration was dragged, as a step (see newStep): the
 % highest flat top with the same displacement as the object. The closer to the eye a top is, the farther
 % it moves in the picture; so its displacement in the picture determines its height.
   c = constants();
@@ -22,9 +22,8 @@ function step = measureHandle(demo, n)
         if norm(there - at - displacement) < c.task_model.max_handle_error && ...
            face.misfit < c.perception.misfit && sameSize(face.sides, later.sides) && ...
            height / 2 > step.position(3)
-          step = struct('name', demo.ids{n}, 'color', color', 'size', [face.sides, height], ...
-                        'position', [at, height / 2], 'yaw', face.yaw, 'on', [], ...
-                        'displacement', displacement, 'stays', false, 'isRound', false);
+          step = newStep(newBlock(color', [face.sides, height], [at, height / 2], face.yaw), demo.ids{n});
+          step.displacement = displacement;
         end
       end
     end

@@ -13,8 +13,8 @@ function block = measureTopWithKnob(demo, n, frames, pictures)
     for color = frequentColors(picture, constants().perception.min_rim_pixels)
       sides = sidesAround(picture, demo.eye, color', row(2:7)', height);
       if isempty(sides), continue; end
-      block(1) = struct('color', color', 'size', [sides, height], 'position', demo.start(n, 1:3), ...
-                        'yaw', demo.start(n, 6) * pi / 180);
+      block = newBlock(color', [sides, height], demo.start(n, 1:3), demo.start(n, 6) * pi / 180);
+      block.hasKnob = true;
       return
     end
   end
@@ -32,15 +32,10 @@ function sides = sidesAround(picture, eye, color, pose, height)
     if number(pixel(2), pixel(1)) == region, continue; end
     [row, column] = find(number == region);
     [x, y, area] = ontoPlane(row, column, eye, top(3));
-    % The smallest rectangle around it.
-    yaw = pose(6) * pi / 180;
-    along = x * cos(yaw) + y * sin(yaw);
-    across = y * cos(yaw) - x * sin(yaw);
-    found = [max(along) - min(along), max(across) - min(across)] + sqrt(median(area));
-    center = rotated([max(along) + min(along), max(across) + min(across)] / 2, yaw);
-    if norm(center - top(1:2)) < c.task_model.max_container_error && ...
-       sum(area) > c.task_model.min_top_seen * prod(found)
-      sides = found;
+    face = smallestRectangle(x, y, sqrt(median(area)), pose(6) * pi / 180);
+    if norm(face.center - top(1:2)) < c.task_model.max_container_error && ...
+       sum(area) > c.task_model.min_top_seen * prod(face.sides)
+      sides = face.sides;
       return
     end
   end

@@ -1,4 +1,4 @@
-function pixel = pixelAt(point, eye)
-% Returns the pixel, [column, row], that shows a point, 1x3 [units]; it may be outside the picture.
-  pixel = round(toPixel(point, eye) + 0.5);
+function pixels = pixelAt(points, eye)
+% Returns the pixels, Nx2 [column, row], that show points, Nx3 [units]; they may be outside the picture.
+  pixels = floor(toPixel(points, eye)) + 1;
 end

@@ -1,34 +1,44 @@
 function [actions, reason] = planPickAndPlace(arms, block, goal, others, sensor, failures)
-% Plans the actions that bring a block to a goal (both with position, yaw and size) and end with an
-% observation; {} and a reason if no arm can do it.
+% Plans the actions that bring a block to a goal, a step or a block, and end with an observation; {} and a
+% reason if no arm can do it.
 %   arms    those that may do it, see armsOf
 %   others  obstacles, as blocks
 %   failures  grasps that failed and are not to be repeated, see initialTaskState; [] for none
   actions = {};
+  goal.knob = block.knob;
+  held = heldPart(block);
+  target = heldPart(goal);
   grasp_yaws = graspYaws(block, others);
   place_yaws = graspYaws(goal, others);
   reason = 'there is no room for the fingers';
   if isempty(grasp_yaws) || isempty(place_yaws), return; end
 
-  able = arms(arrayfun(@(arm) canHold(arm, block.size(2)), arms));
+  able = arms(arrayfun(@(arm) canHold(arm, held.size(2)), arms));
   if isempty(able), reason = 'it is wider than the gripper opens'; end
 
   % What cannot be lifted as high as necessary to pass over all others is lifted less on a low way.
   trials = false;
-  if ~isDragged(goal) && hasLowWay(block, goal, others), trials = [false, true]; end
+  if ~isDragged(goal) && isempty(block.knob) && hasLowWay(block, goal, others), trials = [false, true]; end
   for is_low = trials
     for arm = nearestFirst(able, block.position(1) + goal.position(1))
-      height = transferHeight(arm, [others, block], goal);
+      bottom = goal.position(3) - goal.size(3) / 2;
+      extent = target.position(3) + target.size(3) / 2 - bottom;
+      height = transferHeight(arm, [others, held], bottom, extent);
       if isDragged(goal)
         height = block.position(3) + block.size(3) / 2 + constants().motion_planning.drag_tool_height;
       end
       lift = height;
       if is_low, lift = block.position(3) + block.size(3) + constants().motion_planning.clearance; end
       q = sensor.arms(arm.index).joints(:)';
-      has_failed = arrayfun(@(yaw) hasFailed(block, arm, yaw, failures), grasp_yaws);
+      has_failed = arrayfun(@(yaw) hasFailed(held, arm, yaw, failures), grasp_yaws);
       for place_yaw = place_yaws
         for grasp_yaw = grasp_yaws(~has_failed)
-          actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, height, lift, others, q);
+          % The object turns with the hand; it may look the same after some turns.
+          turned = block;
+          turned.yaw = block.yaw + place_yaw - grasp_yaw;
+          is_turned = abs(yawDifference(turned, goal.yaw)) > constants().motion_planning.same_yaw_rad;
+          if ~isempty(block.knob) && is_turned, continue; end
+          actions = planArmPickAndPlace(arm, held, grasp_yaw, target, place_yaw, height, lift, others, q);
           if ~isempty(actions), return; end
         end
       end
@@ -58,12 +68,12 @@ function yes = hasLowWay(block, goal, others)
   yes = ~any(overlap(area, footprint(higher, 0)));
 end
 
-function height = transferHeight(arm, blocks, goal)
+function height = transferHeight(arm, blocks, bottom, extent)
 % Returns the height of an arm's tool between two places [units]: the held block passes over all others, and
 % so do the empty fingers, also over the placed block.
+%   bottom  height of the goal's bottom [units]
+%   extent  height of the held block [units]
   c = constants().motion_planning;
   highest = max(arrayfun(@(block) block.position(3) + block.size(3) / 2, blocks));
-  bottom = goal.position(3) - goal.size(3) / 2;
-  height = max(max(highest, bottom) + goal.size(3), ...
-               max(highest, bottom + goal.size(3)) + arm.reach) + c.clearance;
+  height = max(max(highest, bottom) + extent, max(highest, bottom + extent) + arm.reach) + c.clearance;
 end

@@ -13,7 +13,11 @@ function verdicts = verdictsOn(known, seen, picture, eye, heights, tolerance)
   verdicts = struct('word', {}, 'expected', {}, 'found', {});
   for block = known
     word = 'contradicted';
-    [distance, nearest] = min(arrayfun(@(other) norm(other.position - block.position), seen));
+    % What is entirely below or above it is another block.
+    distances = arrayfun(@(other) norm(other.position - block.position), seen);
+    apart = arrayfun(@(other) abs(other.position(3) - block.position(3)) >= other.size(3) / 2, seen);
+    distances(apart) = Inf;
+    [distance, nearest] = min(distances);
     if ~isempty(distance) && distance < c.same_block_distance
       it = seen(nearest);
       if isSameKind(it, block)

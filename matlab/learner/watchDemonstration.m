@@ -1,7 +1,7 @@
 function demo = watchDemonstration(folder)
 % Reconstructs a demonstration from the pictures of a recording without texts: as readDemonstration, but
 % without single moves, and with
-%   demo.appearances  color and size of each object, as from measureObjects
+%   demo.appearances  as from measureObjects
 % Objects are named by their colors. There is no model of the demonstrator: an arm occludes blocks, or is
 % taken for one.
   eye = eyeOf(folder);
@@ -10,7 +10,7 @@ function demo = watchDemonstration(folder)
   kinds = [];
   cache = containers.Map();
   free = false;  % pixels that were background in some picture so far
-  for frame = selectFrames(folder)
+  for frame = picturesToWatch(folder)
     picture = double(imread(frame.file)) / 255;
     table = tableColor(picture);
     tops = segmentTopFaces(picture, table);
@@ -18,7 +18,7 @@ function demo = watchDemonstration(folder)
     if isempty(kinds)
       error('%s shows no block by itself, so the sizes of the blocks are unknown', frame.file);
     end
-    seen = recognize(tops, eye, kinds, cache);
+    seen = recognizeBlocks(tops, eye, kinds, cache);
     if ~frame.isQuiet, seen = lessReliable(seen); end
     resting = seen(frame.isQuiet | arrayfun(@(block) stays(block, before), seen));
     objects = trackBlocks(objects, resting, @(block) isTableVisible(picture, eye, block, table), ...
@@ -26,57 +26,21 @@ function demo = watchDemonstration(folder)
     before = seen;
     free = free | isBackground(picture, table);
   end
+  appearances = noBlocks();
+  for it = objects, appearances(end + 1) = newBlock(it.color, it.size, it.position, it.yaw); end
   demo = struct('folder', folder, 'ids', {namesOf(objects)}, 'moves', zeros(0, 8), 'eye', eye, ...
                 'start', vertcat(objects.start), ...
-                'appearances', rmfield(objects, {'start', 'position', 'yaw', 'pixels', 'placed'}));
+                'appearances', appearances);
   places = vertcat(objects.position);
   demo.final = [places, zeros(size(places, 1), 2), vertcat(objects.yaw) * 180 / pi];
   [when, order] = sort([objects.placed]);
   demo.placed = order(when > 0);
 end
 
-function frames = selectFrames(folder)
-% Selects the pictures to process, in order: all of them, or, if there are very many, those without motion
-% (the next frame needed no picture of its own) and some of the others.
-%   frames  1xN struct array with file and isQuiet
-  max_moving = 150;
-  lines = regexp(fileread(fullfile(folder, 'frames.csv')), '[^\r\n]+', 'match');
-  images = regexprep(lines(2:end), '^[^,]*,[^,]*,', '');
-  has = ~cellfun(@isempty, images);
-  if ~any(has), error('there are no pictures in %s', folder); end
-  is_quiet = has & [~has(2:end), true];
-  which = find(has);
-  which = which(is_quiet(which) | mod(1:numel(which), ceil(numel(which) / max_moving)) == 0);
-  files = cellfun(@(image) fullfile(folder, image), images(which), 'UniformOutput', false);
-  frames = struct('file', files, 'isQuiet', num2cell(is_quiet(which)));
-end
-
 function yes = stays(block, before)
 % Returns true if a block of this color was at the same place in the previous picture.
   yes = any(arrayfun(@(other) sameColor(other.color, block.color) && ...
                               norm(other.position - block.position) < 0.05, before));
-end
-
-function seen = recognize(tops, eye, kinds, cache)
-% Returns the blocks that have these tops, with the number of visible pixels of each. A block of a color
-% that no known kind has may have the size of any kind.
-%   cache  results for tops of previous pictures: most do not change
-  seen = struct('color', {}, 'size', {}, 'position', {}, 'yaw', {}, 'pixels', {});
-  for top = tops
-    key = sprintf('%g ', top.color, numel(top.row), sum(top.row), sum(top.column), top.row(1), top.column(1));
-    if ~cache.isKey(key)
-      of = kinds(arrayfun(@(kind) sameColor(kind.color, top.color), kinds));
-      if isempty(of)
-        of = kinds;
-        [of.color] = deal(top.color);
-      end
-      layers = repmat({0:constants().perception.max_layers - 1}, 1, numel(of));
-      found = fitBlocks(top.row, top.column, eye, of, [], @(block) true, layers);
-      [found.pixels] = deal(numel(top.row));
-      cache(key) = found;
-    end
-    seen = [seen, cache(key)];
-  end
 end
 
 function seen = lessReliable(seen)

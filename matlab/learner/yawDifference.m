@@ -4,7 +4,7 @@ function rotation = yawDifference(block, yaw)
   period = pi;
   if hasEqualSides(block), period = pi / 2; end
   rotation = 0;
-  if isfield(block, 'isRound') && block.isRound, return; end
+  if isRound(block), return; end
   rotation = yaw - block.yaw;
   rotation = rotation - period * round(rotation / period);
 end

@@ -21,7 +21,7 @@ function eye = robotEye()
 end
 
 function it = block(color, size, x, y, bottom, yaw)
-  it = struct('color', color, 'size', size, 'position', [x, y, bottom + size(3) / 2], 'yaw', yaw);
+  it = newBlock(color, size, [x, y, bottom + size(3) / 2], yaw);
 end
 
 function [picture, heights] = pictureOf(blocks)
@@ -45,6 +45,7 @@ function [picture, heights] = pictureOf(blocks)
       along = abs(x * cos(it.yaw) + y * sin(it.yaw));
       across = abs(y * cos(it.yaw) - x * sin(it.yaw));
       hit = along <= it.size(1) / 2 & across <= it.size(2) / 2;
+      if isRound(it), hit = hypot(along, across) <= it.size(1) / 2; end
       shade = 0.7;
       if height == it.position(3) + it.size(3) / 2, shade = 1; end
       flat(hit, :) = repmat(shade * it.color, sum(hit), 1);
@@ -164,6 +165,71 @@ function check_depth()
   check(isequal(topsOf(notes(1)), [1, 0, -3, -1.1, 1, 1, 1, 0, 0; 1, 1, -3, -1, 1, 1, 1, 0, 0]), 'with their tops');
 end
 
+function [picture, heights] = withBall(picture, heights, color, center, radius)
+% Renders a ball into a picture and its heights.
+  eye = robotEye();
+  [column, row] = meshgrid((1:640) - 0.5, (1:480) - 0.5);
+  ray = (eye.intrinsics \ [column(:), row(:), ones(640 * 480, 1)]')' * eye.pose(1:3, 1:3)';
+  ray = ray ./ sqrt(sum(ray .^ 2, 2));
+  to_center = center - eye.pose(1:3, 4)';
+  along = ray * to_center';
+  inside = radius ^ 2 - (to_center * to_center' - along .^ 2);
+  hit = inside > 0;
+  z = eye.pose(3, 4) + ray(hit, 3) .* (along(hit) - sqrt(inside(hit)));
+  flat = reshape(picture, [], 3);
+  flat(hit, :) = (0.8 + 0.2 * (z - center(3)) / radius) * color;
+  picture = reshape(flat, 480, 640, 3);
+  heights(hit) = z;
+end
+
+function check_forms()
+  red = [1, 0, 0]; green = [0, 1, 0]; brown = [0.5, 0.3, 0.2];
+  cube = [1, 1, 1];
+  eye = robotEye();
+  plate = block(green, [1.8, 1.8, 0.2], -2, -2.5, 0, 0.3);
+  [picture, heights] = pictureOf([plate, block(red, cube, -2, -2.4, 0.2, 0.5)]);
+  check(isempty(detectBlocks(picture, eye, plate, [], heights)), 'a partly covered block is not detected');
+  found = detectBlocks(picture, eye, plate, [], heights, plate);
+  check(norm(found.position - plate.position) < 0.02 && abs(yawDifference(plate, found.yaw)) < pi / 180, ...
+        'unless it is known to carry others');
+  is_higher = heights > 0.5;
+  heights(is_higher) = 0;
+  picture(repmat(is_higher, 1, 1, 3)) = 0.5;
+  check(isempty(detectBlocks(picture, eye, plate, [], heights, plate)), 'a hole that nothing hides is another shape');
+
+  disc = newBlock(red, cube, [-1, -2, 0.5], 0, 'disc');
+  square = block(red, cube, 2, -2, 0, 0.3);
+  [picture, heights] = pictureOf([disc, square]);
+  for wanted = [disc, square]
+    found = detectBlocks(picture, eye, wanted, [], heights);
+    check(norm(found.position - wanted.position) < 0.01 && strcmp(found.form, wanted.form), ...
+          'discs are distinguished from squares');
+  end
+  check(numel(graspYaws(disc, noBlocks())) == 8 && yawDifference(disc, 1) == 0, 'a disc looks the same at each yaw');
+  unknown = detectUnknownObjects(picture, eye, square, heights);
+  check(isRound(unknown) && max(abs(unknown.size - disc.size)) < 0.02, 'an unknown disc is detected as one');
+
+  center = [-1, -2.5, 0.35];
+  [picture, heights] = pictureOf(block(brown, cube, 2, -2, 0, 0));
+  [picture, heights] = withBall(picture, heights, red, center, 0.35);
+  check(max(abs(ballColor(picture, eye, center, 0.35) - red)) < 0.1, 'a ball has an outline of one hue');
+  check(isempty(ballColor(picture, eye, [2, -2, 0.5], 0.5)), 'a cube has not');
+  heights(:, 1:280) = 0;  % a part is hidden
+  found = detectBlocks(picture, eye, newBlock(red, 0.7 * cube, center, 0, 'ball'), [], heights);
+  check(norm(found.position - center) < 0.01, 'a partly hidden ball is detected by its surface');
+  larger = newBlock(red, 0.8 * cube, center, 0, 'ball');
+  check(isempty(detectBlocks(picture, eye, larger, [], heights)), 'one of another size is not');
+
+  plate = block(green, [1.8, 1.8, 0.2], -2, -2.5, 0, 0);
+  tower = block(red, [1, 1, 2], -2, -2.5, 0.2, 0);
+  [~, heights] = pictureOf([plate, tower]);
+  points = unexplainedPoints(tower, heights, eye);
+  places = footprint([block(red, cube, -2, -1.7, 0, 0), block(red, cube, -3.2, -2.5, 0, 0), ...
+                      block(red, cube, 2, -2, 0, 0)], 0);
+  check(isequal(isUnexplained(places, points), logical([1; 1; 0])), 'nothing is put where something unexplained is');
+  check(isempty(unexplainedPoints([tower, plate], heights, eye)), 'known blocks are explained');
+end
+
 function estimates = estimatesWhile(truths, told, noise)
 % Returns the estimates of one arm of two joints that begins at [0; 0], 2xN.
   randn('seed', 1);
@@ -275,6 +341,9 @@ function check_inference()
   check(max(abs(steps(2).color - [1, 0, 0])) < 0.01, 'the color is read from the picture');
   check(isequal([steps.stays], [true, false, false]), 'what was not moved stays');
   check(isempty(steps(3).color), 'the demonstrator specified that only the size of Blue matters');
+
+  steps = inferTask(demo, struct('object', {'Red'}, 'properties', {{'color', 'size', 'order'}}));
+  check(isequal({steps.after}, {[], [], 2}), 'an order that matters is kept');
 
   [~, container, appearances] = inferTask(demo, []);
   [keyframes, goal] = explain(demo, appearances, container);
@@ -399,6 +468,50 @@ function blocks = emptyBox(color, x, y, yaw)
             block(color, [4.2, 1.8, 0], x, y, 0.9, yaw)];
 end
 
+function blocks = lid(x, y, bottom)
+% Returns a lid and its knob.
+  blocks = [block([0.75, 0.45, 0.3], [2.8, 2.8, 0.2], x, y, bottom, 0), ...
+            block([0, 0, 1], [0.6, 0.6, 0.7], x, y, bottom + 0.2, 0)];
+end
+
+function blocks = pot(x, y)
+% Returns the floor of a pot and its walls, the far ones first.
+  color = [0.5, 0.3, 0.2];
+  blocks = [block(color, [2.3, 2.3, 0.2], x, y, 0, 0), block(color, [2.5, 0.2, 1.5], x, y + 1.15, 0, 0), ...
+            block(color, [0.2, 2.5, 1.5], x + 1.15, y, 0, 0), block(color, [0.2, 2.5, 1.5], x - 1.15, y, 0, 0), ...
+            block(color, [2.5, 0.2, 1.5], x, y - 1.15, 0, 0)];
+end
+
+function check_lid()
+% A lid with a knob is put beside a pot, a red cube into the pot, and the lid on the pot again.
+  red = [1, 0, 0];
+  cube = block(red, [1, 1, 1], 3, -3, 0, 0);
+  [folder, remove] = newRecording({pictureOf([lid(-2, -2, 1.5), cube]), ...
+                                   pictureOf([pot(-2, -2), lid(2, 0, 0), cube]), pictureOf(lid(-2, -2, 1.5))});
+  write(folder, '0.txt', {'0,create,Pot,shape,box', '0,create,Lid,shape,composite', '0,create,Red,shape,block', ...
+                          '0,move,Pot,-2.0,-2.0,0.75,0.0,0.0,0.0', '0,move,Lid,-2.0,-2.0,1.6,0.0,0.0,0.0', ...
+                          '0,move,Red,3.0,-3.0,0.5,0.0,0.0,0.0'});
+  write(folder, '1.txt', {'0,grasp,LeftHand,Lid', '1,move,Lid,2.0,0.0,0.1,0.0,0.0,0.0', '1,release,LeftHand', ...
+                          '1,grasp,LeftHand,Red', '2,move,Red,-2.0,-2.0,0.7,0.0,0.0,0.0', '2,release,LeftHand', ...
+                          '2,grasp,LeftHand,Lid', '2,move,Lid,-2.0,-2.0,1.6,0.0,0.0,0.0', '2,release,LeftHand'});
+  [steps, container] = inferTask(readDemonstration(folder), []);
+  check(isequal({steps.name}, {'Red', 'Lid'}) && isequal({steps.after}, {[], 1}), 'a lid covers what is inside');
+  check(isequal([steps.hasKnob], [false, true]) && isequal([steps.beginsThere], [false, true]), ...
+        'it has a knob and begins where it ends');
+  check(max(abs(steps(2).size - [2.8, 2.8, 0.2])) < 0.08, 'it is measured around its knob');
+
+  [picture, heights] = pictureOf([lid(1, -2, 1.5), block(red, [1, 1, 1], -3, -2, 0, 0)]);
+  state = observe(initialTaskState(steps, container), picture, heights, robotEye());
+  k = find(~cellfun(@isempty, {state.known.knob}));
+  check(norm(heldPart(state.known(k)).position - [1, -2, 2.05]) < 0.05, 'its knob is found in the scene');
+  check(numel(graspYaws(state.known(k), noBlocks())) == 4, 'and it is held by it');
+  state = chooseSite(state, [], picture, robotEye());
+  check(norm(state.container.position - [1, -2, 0.75]) < 0.05, 'the pot is below the lid');
+  [state, used] = assessProgress(state);
+  moves = proposeMoves(state, 1, find(~used));
+  check(~any(state.done) && moves(1).block == k, 'the lid is taken off before anything is put inside');
+end
+
 function check_dragging()
 % A door with a post on it is dragged by 2 and 1; another post of the same color stays.
   yellow = [0.9, 0.7, 0.1]; red = [0.7, 0.3, 0.2];
@@ -475,6 +588,18 @@ function check_site()
   errors = vertcat(state.steps.position) - vertcat(state.known(1:2).position);
   check(state.hasSite && max(abs(errors(:))) < 1e-9, ...
         'what stays determines the site');
+
+  % Each of two plates, arranged differently here, has a step on it.
+  plates = [asStep(block(brown, [2, 2, 0.2], -2, 1, 0, 0)), asStep(block([0, 0, 1], [2, 2, 0.2], 2, 1, 0, 0))];
+  [plates.stays] = deal(true);
+  known = [block(brown, [2, 2, 0.2], -3, -2, 0, 0), block([0, 0, 1], [2, 2, 0.2], 2, -3, 0, 0.3)];
+  on_plates = [asStep(block(brown, [1, 1, 1], -2, 1, 0.2, 0)), asStep(block(brown, [1, 1, 1], 2, 1.2, 0.2, 0))];
+  [on_plates.stays] = deal(true);  % no arm has to reach them
+  known = [known, block(brown, [1, 1, 1], -3, -2, 0.2, 0), ...
+           block(brown, [1, 1, 1], 2 - 0.2 * sin(0.3), -3 + 0.2 * cos(0.3), 0.2, 0.3)];
+  moved = placeByWhatStays([plates, on_plates], known, [], eye);
+  errors = vertcat(moved.position) - vertcat(known.position);
+  check(max(abs(errors(:))) < 1e-9, 'each object that stays determines where the steps on it go');
 end
 
 function check_clearing()
@@ -495,6 +620,14 @@ function check_clearing()
   moves = clearingMoves(state, struct('block', 1, 'goal', []), 1:5);
   check(isequal([moves.block], 4), 'room for the fingers is cleared');
   check(isempty(clearingMoves(state, struct('block', 2, 'goal', []), 1:5)), 'where there is none');
+  pot = block(red, [2.4, 2.4, 1.3], -4, -1, 0, 0);
+  cover = block(blue, [2.6, 2.6, 0.2], -4, -1, 1.3, 0);
+  places = freePlacements([], robotEye(), cover, pot, [], zeros(0, 2));
+  check(numel(places) == 100, 'a large block is put aside');
+  for place = places([places.yaw] == 0)
+    pixels = toPixel(place.position + [-1.3, -1.3, 0.1; -1.3, 1.3, 0.1; 1.3, -1.3, 0.1; 1.3, 1.3, 0.1], robotEye());
+    check(all(all(pixels > 0 & pixels < [640, 480])), 'where the eye sees all of it');
+  end
   none = [proposeMoves(initialTaskState(tower, []), 1, zeros(1, 0)), uncoveringMoves(state, [], robotEye())];
   check(isempty(clearingMoves(state, none, 1:5)), 'and nothing without moves');
 end
@@ -514,21 +647,19 @@ function check_failures()
 end
 
 function step = asStep(it)
-  step = it;
-  step.name = 'step';
-  step.on = [];
-  step.displacement = [];
-  step.stays = false;
+  step = newStep(it, 'step');
 end
 
 try
   check_perception();
   check_depth();
+  check_forms();
   check_noise();
   check_clearance();
   check_inference();
   check_unstacking();
   check_container();
+  check_lid();
   check_dragging();
   check_planning();
   check_site();

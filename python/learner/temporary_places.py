@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from itertools import islice
 
 import numpy as np
 
@@ -33,11 +34,11 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
     reason = "there is no free place on the table"
     for site in sites:
         tried = []
-        for place in free_placements(arms, block, others + site, goal, unexplained):
+        for place in free_placements(arms, eye, block, others + site, goal, unexplained):
             has_yaw = [it for it in tried if it.yaw == place.yaw]
-            if (is_near(place, left + has_yaw) or not is_in_view(place, eye)
-                    or is_grasp_blocked(place, site) or is_top_hidden(place, site, eye)
-                    or blocks_grasps(place, others) or not can_reach(arms, place)):
+            if (is_near(place, left + has_yaw) or is_grasp_blocked(place, site)
+                    or is_top_hidden(place, site, eye) or blocks_grasps(place, others)
+                    or not can_reach(arms, place)):
                 continue
             if goal is None or plan_pick_and_place(arms, place, goal, others, sensor)[0]:
                 actions, reason = plan_pick_and_place(arms, block, place, others, sensor, failures)
@@ -49,9 +50,10 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
     return [], None, reason
 
 
-def free_placements(arms, block, taken, goal, unexplained=()):
-    """Returns free places for a block on the table, a list of up to max_places, the best first:
-    with room for its fingers and for those of its neighbors, and away from the feet of the arms."""
+def free_placements(arms, eye, block, taken, goal, unexplained=()):
+    """Returns free places for a block on the table, within the eye's view, a list of up to
+    max_places, the best first: with room for its fingers and for those of its neighbors, and away
+    from the feet of the arms."""
     yaw, y, x = (it.ravel() for it in np.meshgrid(
         [0, math.pi / 2, math.pi / 4, -math.pi / 4], numbers_of(*C.place_y),
         numbers_of(*C.place_x), indexing="ij"))
@@ -65,10 +67,9 @@ def free_placements(arms, block, taken, goal, unexplained=()):
     for rectangle in gripper_clearance([it for it in taken if not has_equal_sides(it)]):
         free &= ~overlap(rectangle, covered)
 
-    free &= ~is_unexplained(covered, unexplained)
-
     for arm in arms:
         free &= np.hypot(x - arm.foot[0], y - arm.foot[1]) > C.foot_distance
+    free[free] = ~is_unexplained(covered[free], unexplained)
 
     if goal is None:
         # The middle, where both arms reach, is for handovers.
@@ -76,10 +77,10 @@ def free_placements(arms, block, taken, goal, unexplained=()):
         cost += np.maximum(C.handover_half_width - np.abs(x), 0)
     else:
         cost = np.abs(x) + C.handover_y_cost * np.abs(y - C.handover_y)
-    num_places = min(C.max_places, free.sum())
-    best = np.argsort(np.where(free, cost, np.inf), kind="stable")[:num_places]
-    return [replace(block, position=np.array([x[i], y[i], block.size[2] / 2]), yaw=yaw[i])
-            for i in best]
+    best = np.argsort(np.where(free, cost, np.inf), kind="stable")[:free.sum()]
+    places = (replace(block, position=np.array([x[i], y[i], block.size[2] / 2]), yaw=yaw[i])
+              for i in best)
+    return list(islice((it for it in places if is_in_view(it, eye)), C.max_places))
 
 
 def is_near(place, left):

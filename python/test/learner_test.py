@@ -40,7 +40,7 @@ from sites import site_cost
 from steps import Step
 from task_model import infer_task
 from task_state import TaskState, num_failures, remember_failure
-from temporary_places import blocks_grasps
+from temporary_places import blocks_grasps, free_placements
 from unexplained import is_unexplained, unexplained_points
 from unknown_objects import detect_unknown_objects
 from verdicts import verdicts_on
@@ -758,6 +758,16 @@ class TaskPlanningTest(unittest.TestCase):
         self.assertEqual(clearing_moves(state, [Move(left)], state.known), [])
         self.assertTrue(blocks_grasps(front, [middle, left, right]))
         self.assertFalse(blocks_grasps(front, [middle]))
+
+    def test_a_large_block_is_put_where_the_eye_sees_all_of_it(self):
+        lid = block(BROWN, np.array([2.6, 2.6, 0.2]), -4, -1, bottom=1.3)
+        pot = block(BROWN, np.array([2.4, 2.4, 1.3]), -4, -1)
+        places = free_placements([], EYE, lid, [pot], None)
+        self.assertEqual(len(places), 100)
+        for place in places:
+            corners = place.position + [[x, y, 0.1] for x in (-1.3, 1.3) for y in (-1.3, 1.3)]
+            pixels = np.array([to_pixel(corner, EYE) for corner in corners])
+            self.assertTrue(place.yaw or (0 < pixels).all() and (pixels < [640, 480]).all())
 
     def test_failed_grasps_are_remembered(self):
         there, goal = block(RED, CUBE, 3, -2), block(RED, CUBE, 0, -2)

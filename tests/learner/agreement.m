@@ -25,8 +25,7 @@ for k = 0:39
   % Overlaps and grasps.
   rectangles(end + 1, :) = [mod(37 * k, 11) / 2, mod(23 * k, 7) / 2, 0.5 + mod(k, 4), 1, 0.3 * k];
   show(overlap(rectangles(end, :), rectangles));
-  place = struct('position', [rectangles(end, 1:2), 0.5], 'size', [rectangles(end, 3) + 1, 1, 1], ...
-                 'yaw', 0.3 * k);
+  place = newBlock([], [rectangles(end, 3) + 1, 1, 1], [rectangles(end, 1:2), 0.5], 0.3 * k);
   other = place;
   other.position = [2, 1, 0.5 + mod(k, 3)];
   show(graspYaws(place, other));

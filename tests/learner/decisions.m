@@ -32,9 +32,9 @@ function decideOn(folder, aux)
   printf('goal %s\n', goal{:});
   printPage(keyframes, goal);
   for step = steps
-    show(['step ', step.name], [step.color, step.size, step.position, step.yaw, step.on - 1]);
+    show(['step ', step.name, ' ', step.form], [step.color, step.size, step.position, step.yaw, step.on - 1, ...
+                                              step.hasKnob, step.beginsThere, step.after - 1]);
   end
-  if any(strfind(folder, 'understood_')), return; end
   state = initialTaskState(steps, container);
   sensor.rgbVision = double(imread(fullfile(folder, 'look.png'))) / 255;
   file = fopen(fullfile(folder, 'look.depth'));
@@ -57,6 +57,7 @@ function decideOn(folder, aux)
   for k = order'
     show('known', known(k, :));
   end
+  show('unexplained', [rows(state.unexplained), sum(state.unexplained, 1)]);
   for step = state.steps
     show('site', [step.position, step.yaw]);
   end

@@ -22,6 +22,9 @@ CASES = [("pyramid", PYTHON, ["--seed", "1"]), ("bricks", OCTAVE, ["--seed", "1"
          ("swap", PYTHON, ["--seed", "1", "--level", "fixtures"]),
          ("hanoi", PYTHON, ["--seed", "1", "--level", "fixtures"]), ("ball", PYTHON, ["--seed", "1"]),
          ("lid", PYTHON, ["--seed", "1", "--level", "piles"]),
+         ("swap", OCTAVE, ["--seed", "2", "--level", "fixtures"]),
+         ("hanoi", OCTAVE, ["--seed", "2", "--level", "fixtures"]), ("ball", OCTAVE, ["--seed", "2"]),
+         ("lid", OCTAVE, ["--seed", "2", "--level", "piles"]),
          ("pedestal", OCTAVE, [])]
 
 

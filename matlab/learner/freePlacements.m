@@ -1,0 +1,57 @@
+function places = freePlacements(arms, eye, block, taken, goal, unexplained)
+% Returns free places for a block on the table, within the eye's view, the best first, up to max_places: with
+% room for its fingers and for those of its neighbors, and away from the feet of the arms.
+%   taken        blocks to keep clear of
+%   goal         to which it goes on from there, or []
+%   unexplained  as from unexplainedPoints
+  c = constants().task_planning;
+  [x, y, yaw] = ndgrid(c.place_x(1):c.place_x(2):c.place_x(3), c.place_y(1):c.place_y(2):c.place_y(3), ...
+                       [0, pi / 2, pi / 4, -pi / 4]);
+  x = x(:);
+  y = y(:);
+  covered = [x, y, repmat(block.size(1:2), numel(x), 1) + c.place_margin, yaw(:)];
+  with_fingers = covered + [0, 0, 0, c.place_fingers, 0];
+  free = true(numel(x), 1);
+  margin = constants().clearance.site_margin;
+  for rectangle = footprint(taken, margin)', free = free & ~overlap(rectangle', with_fingers); end
+  % Square blocks can also be held across the other sides.
+  is_long = ~arrayfun(@hasEqualSides, taken);
+  for rectangle = gripperClearance(taken(is_long))', free = free & ~overlap(rectangle', covered); end
+  for arm = arms
+    free = free & sqrt((x - arm.foot(1)) .^ 2 + (y - arm.foot(2)) .^ 2) > c.foot_distance;
+  end
+  free(free) = ~isUnexplained(covered(free, :), unexplained);
+  free(free) = isInView(covered(free, :) - [0, 0, c.place_margin, c.place_margin, 0], block.size(3), eye);
+
+  if isempty(goal)
+    % The middle, where both arms reach, is for handovers.
+    cost = sqrt((x - block.position(1)) .^ 2 + (y - block.position(2)) .^ 2) + ...
+           max(c.handover_half_width - abs(x), 0);
+  else
+    cost = abs(x) + c.handover_y_cost * abs(y - c.handover_y);
+  end
+  cost(~free) = Inf;
+  [~, order] = sort(cost);
+  places = repmat(block, 1, min(c.max_places, sum(free)));
+  for i = 1:numel(places)
+    places(i).position = [covered(order(i), 1:2), block.size(3) / 2];
+    places(i).yaw = covered(order(i), 5);
+  end
+end
+
+function yes = isInView(places, top, eye)
+% Returns which of N places are entirely in the eye's picture: Nx1 logical.
+%   places  Nx5 as from footprint
+%   top     height of the top of a block there [units]
+  yes = true(rows(places), 1);
+  margin = constants().task_planning.picture_margin_pixels;
+  turn_cos = cos(places(:, 5));
+  turn_sin = sin(places(:, 5));
+  for corner = [1, 1, -1, -1; 1, -1, -1, 1] / 2
+    along = corner(1) * places(:, 3);
+    across = corner(2) * places(:, 4);
+    points = places(:, 1:2) + [along .* turn_cos - across .* turn_sin, along .* turn_sin + across .* turn_cos];
+    pixels = toPixel([points, repmat(top, rows(points), 1)], eye);
+    yes = yes & all(pixels > margin & pixels < 2 * eye.intrinsics(1:2, 3)' - margin, 2);
+  end
+end

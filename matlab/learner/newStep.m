@@ -1,0 +1,20 @@
+function step = newStep(block, name)
+% Returns a step of a task: a block (see newBlock) at its place in the finished building, and
+%   name      of the object in the demonstration, for messages
+%   on        numbers of the steps that it stands on; empty for an object on the table
+%   displacement  by which it was dragged, 1x2 [units]; empty for an object that was carried. Color and
+%             size of a dragged object are those of its handle.
+%   stays     true for an object that the demonstration did not move
+%   beginsThere  true for an object that began where it ends
+%   after     numbers of steps that must be done before it, also if it does not stand on them
+%   tolerance  of its position [units]
+% Its color is [] if the demonstrator specified that color does not matter.
+  step = block;
+  step.name = name;
+  step.on = [];
+  step.displacement = [];
+  step.stays = false;
+  step.beginsThere = false;
+  step.after = [];
+  step.tolerance = constants().blocks.position_tolerance;
+end

@@ -1,0 +1,37 @@
+function state = observe(state, picture, heights, eye)
+% Updates the known blocks, the appearances of unknown objects and the unexplained points from a picture.
+%   picture  HxWx3, 0 to 1
+%   heights  as from heightMap
+  container = state.container;
+  if ~state.hasSite, container = []; end  % its place in this scene is not known yet
+  like = [asBlocks(state.steps), state.unknownObjects];
+  staying = asBlocks(state.steps([state.steps.stays] | [state.steps.hasKnob]));
+  seen = detectBlocks(picture, eye, like, container, heights, staying);
+  [state.steps, seen] = findKnobs(state.steps, seen, picture, eye, heights);
+  is_odd = rows(state.unexplained) >= constants().perception.many_unexplained;
+  if ~state.hasSite || state.numBlocked > 0 || is_odd
+    unknown = detectUnknownObjects(picture, eye, withHeldParts([seen, state.known]), heights);
+    state.unknownObjects = [state.unknownObjects, unknown];
+    seen = addKnobs(state.steps, detectBlocks(picture, eye, [like, unknown], container, heights, staying));
+  end
+  state = compare(state, seen, picture, eye, heights);
+  state.unexplained = unexplainedPoints(withHeldParts(state.known), heights, eye);
+end
+
+function state = compare(state, seen, picture, eye, heights)
+% Compares what is expected, the known blocks, with those seen in a picture, and corrects it. If the block that
+% was just moved is not where it should be, its grasp failed.
+  tolerance = constants().blocks.position_tolerance;
+  % What is dropped into a container may lie anywhere inside.
+  if ~isempty(state.container), tolerance = constants().blocks.confined_tolerance; end
+  verdicts = verdictsOn(state.known, seen, picture, eye, heights, tolerance);
+  if isempty(state.known)
+    state.notes(end + 1) = asNote('saw', sprintf('%d objects', numel(seen)), noBlocks(), seen);
+  end
+  state.notes = [state.notes, verdictNotes(verdicts, seen, state.steps, state.moved)];
+  if ~isempty(state.moved) && strcmp(verdicts(end).word, 'contradicted')
+    state.failures(end + 1) = state.grasp;
+  end
+  state.moved = '';
+  state.known = corrected(seen, verdicts);
+end

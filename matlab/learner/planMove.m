@@ -1,0 +1,38 @@
+function [actions, place, is_temporary, reason] = planMove(state, k, move, eye, arms, sensor)
+% Plans one move: straight to its goal, if it has one and an arm reaches both places; otherwise to a
+% temporary place, if necessary where a later step will be.
+%   k             number of the current step
+%   place         the block where it will be
+%   is_temporary  whether that is a temporary place
+%   actions       1xN cell; {} and a reason if there are none
+  block = state.known(move.block);
+  others = withHeldParts(state.known([1:move.block - 1, move.block + 1:end]));
+  others = [others, assumedSupport(block), containerWalls(state.container)];
+  steps = state.steps;
+  container = asBlocks(state.container);
+  sites = {[asBlocks(steps), container]};
+  is_temporary = false;
+  goal = move.goal;
+  if ~isempty(goal)
+    % Where the fingers have no room in a container, it is released above the rim.
+    if isInside(state.container, goal.position) && isempty(graspYaws(goal, others))
+      goal.position(3) = state.container.position(3) + (state.container.size(3) + goal.size(3)) / 2;
+    end
+    sites{2} = [asBlocks(steps(state.done)), container];
+    [actions, reason] = planPickAndPlace(arms, block, goal, others, sensor, state.failures);
+    place = block;
+    place.position = move.goal.position;
+    place.yaw = move.goal.yaw;
+    if ~isempty(actions), return; end
+  elseif any(overlap(gripperClearance(steps(k)), footprint(block, 0)))
+    sites{2} = [asBlocks(steps([find(state.done), k])), container];
+  end
+  is_temporary = true;
+  left = noBlocks();
+  if isempty(goal)
+    left = [state.left, block];
+    left = left(arrayfun(@(it) isSameKind(block, it), left));
+  end
+  [actions, place, reason] = planTemporaryPlacement(arms, eye, block, others, sites, sensor, goal, ...
+                                                    state.failures, left, state.unexplained);
+end

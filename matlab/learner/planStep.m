@@ -1,0 +1,43 @@
+function [actions, state, reason] = planStep(state, k, free, sensor, eye, arms)
+% Plans the first possible of the moves that may come next for step k: a 1xN cell of actions; {} and a reason if
+% there is none.
+%   free  numbers of the known blocks that are in no step's place
+  c = constants().task_planning;
+  actions = {};
+  reason = 'no matching block is visible';
+  if state.attempts(k) >= c.max_attempts
+    reason = sprintf('%d attempts failed', c.max_attempts);
+    return
+  elseif state.numTemporary >= c.max_temporary_placements
+    reason = sprintf('blocks were put aside %d times already', c.max_temporary_placements);
+    return
+  end
+  moves = [uncoveringMoves(state, free, eye), proposeMoves(state, k, free)];
+  for move = [moves, clearingMoves(state, moves, free)]
+    if numFailures(state, state.known(move.block)) >= c.max_failed_grasps
+      reason = sprintf('%d grasps of a block failed', c.max_failed_grasps);
+      continue
+    end
+    [actions, place, is_temporary, reason] = planMove(state, k, move, eye, arms, sensor);
+    if isempty(actions), continue; end
+    state.numTemporary = state.numTemporary + is_temporary;
+    state.attempts(k) = state.attempts(k) + ~is_temporary;
+    from = state.known(move.block);
+    if is_temporary, state.left(end + 1) = from; end
+    state.known(move.block) = [];
+    state.known = [state.known, place];
+    state.numBlocked = 0;
+    grasp = actions{find(cellfun(@(it) strcmp(it.kind, 'grasp'), actions), 1)};
+    state.grasp = grasp.grasp;
+    if isempty(move.goal), state.moved = nameOf(place, state.steps); else, state.moved = move.goal.name; end
+    state.notes(end + 1) = actionNote(state.moved, from, place, move.goal, is_temporary, grasp.arm);
+    return
+  end
+end
+
+function count = numFailures(state, block)
+% Returns the number of failed grasps of a block at its place.
+  near = constants().motion_planning.same_place_distance;
+  at = heldPart(block).position;
+  count = sum(arrayfun(@(grasp) norm(grasp.position - at) < near, state.failures));
+end

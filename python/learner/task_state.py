@@ -8,6 +8,7 @@ import numpy as np
 from clearance import held_part
 from constants import MOTION_PLANNING
 from execution import Grasp
+from eye import Eye
 from steps import Container
 
 
@@ -40,6 +41,9 @@ class TaskState:
     grasp: Optional[Grasp] = None  # of the current actions; its block is the last of the known
     failures: list = field(default_factory=list)  # Grasps that failed, not to be repeated
     claim: Optional[Claim] = None  # about the result, at the end
+    presses: list = field(default_factory=list)  # of switches and buttons, in the demonstrated order
+    shown: Optional[Eye] = None  # the eye of the demonstration, which shows them
+    alignments: dict = field(default_factory=dict)  # of a control's name: Alignment of its surroundings
     without: tuple = ()  # "depth", "second look": abilities that it does not use
     see: Optional[Callable] = None  # told what is seen: from sensor, eye and steps to Blocks
 

@@ -1,6 +1,6 @@
 """The learner does tasks beyond those of `smile experiment`: equal colors that touch at several heights,
 half heights and several sizes, what the demonstration did not move, what began on something, what must make room
-first, discs, a ball, and a lid. What it claims at the end is right.
+first, discs, a ball, a lid, and a switch and drives of several colors. What it claims at the end is right.
 
     tasks_test.py SMILE SOURCE
 
@@ -22,6 +22,7 @@ CASES = [("pyramid", PYTHON, ["--seed", "1"]), ("bricks", OCTAVE, ["--seed", "1"
          ("swap", PYTHON, ["--seed", "1", "--level", "fixtures"]),
          ("hanoi", PYTHON, ["--seed", "1", "--level", "fixtures"]), ("ball", PYTHON, ["--seed", "1"]),
          ("lid", PYTHON, ["--seed", "1", "--level", "piles"]),
+         ("drive", PYTHON, ["--seed", "1", "--level", "fixtures"]),
          ("pedestal", OCTAVE, [])]
 
 

@@ -4,9 +4,10 @@ import math
 
 import numpy as np
 
-from blocks import Block
+from blocks import Block, has_parts_of
 from constants import TASK_MODEL as C
 from demonstration import read_picture
+from part_measuring import measure_parts
 from steps import stands_on
 from tops import measure_ball, measure_top, measure_top_with_knob
 
@@ -27,6 +28,10 @@ def measure_objects(demo, needed):
             appearances[n] = found
         elif n in needed:
             raise ValueError(f"no picture of the demonstration shows {demo.ids[n]} entirely")
+    for it in appearances.values():
+        # What has the same layout is as high, whatever it stood on.
+        it.size[2] = min(other.size[2] for other in appearances.values()
+                         if other is it or has_parts_of(it, other, False))
     return appearances
 
 
@@ -55,7 +60,8 @@ def measure_object(demo, n, lower, pictures):
                 return block
     start = np.array(start)
     return (measure_ball(demo, start, frames, pictures)
-            or measure_top_with_knob(demo, n, start, math.radians(degrees), frames, pictures))
+            or measure_top_with_knob(demo, n, start, math.radians(degrees), frames, pictures)
+            or measure_parts(demo, n))
 
 
 def select_frames(demo, n):

@@ -6,7 +6,7 @@ from typing import Optional
 
 import numpy as np
 
-from constants import BLOCKS
+from constants import BLOCKS, PARTS
 
 
 @dataclass(eq=False)
@@ -20,6 +20,7 @@ class Block:
     form: str = field(default="block", kw_only=True)  # or "disc", "ball": its sides are its diameter
     has_knob: bool = field(default=False, kw_only=True)  # whether it is held by a part on its top,
     knob: Optional["Block"] = field(default=None, kw_only=True)  # this one: see knobs
+    parts: list = field(default_factory=list, kw_only=True)  # of a thing of several colors: see parts
 
     @property
     def is_round(self):
@@ -38,8 +39,19 @@ class Block:
 
 
 def is_same_kind(block, step):
-    """Returns true if a detected block has the color, the form and the size of a step."""
+    """Returns true if a detected block has the color, the form and the size of a step; for things of several
+    colors, the same parts."""
+    if block.parts or step.parts:
+        return block.parts is step.parts or has_parts_of(block, step, True)
     return same_color(step.color, block.color) and same_form(step, block)
+
+
+def has_parts_of(one, other, is_colored):
+    """Returns true if two things of several colors have the same layout of parts, also in colors if these
+    count."""
+    return bool(one.parts) and len(one.parts) == len(other.parts) and all(
+        any(np.linalg.norm(a.position - b.position) < PARTS.same_place and same_size(a.size[:2], b.size[:2])
+            and (not is_colored or same_color(a.color, b.color)) for b in other.parts) for a in one.parts)
 
 
 def same_form(a, b):
@@ -65,10 +77,12 @@ def has_equal_sides(block):
 
 def yaw_difference(block, yaw):
     """Returns the smallest rotation of a block to a yaw [rad]: a block with four equal sides looks
-    the same every 90 degrees, any other every 180, and round ones always."""
+    the same every 90 degrees, any other every 180, round ones always, and things of several colors never."""
     if block.is_round:
         return 0.0
     period = math.pi / 2 if has_equal_sides(block) else math.pi
+    if block.parts:
+        period = 2 * math.pi
     rotation = yaw - block.yaw
     return rotation - period * round(rotation / period)
 

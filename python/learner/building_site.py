@@ -8,8 +8,8 @@ from blocks import is_same_kind, yaw_difference
 from clearance import container_walls, grasp_yaws, rotated
 from constants import BLOCKS, BUILDING_SITE as C, numbers_of
 from containers import detect_container
-from landmarks import place_by_what_stays, turned_about
-from sites import first_within_reach, site_cost
+from landmarks import place_by_what_stays, place_of_other, turned_about
+from sites import NoSite, first_within_reach, site_cost
 from steps import is_dragged
 
 
@@ -19,7 +19,8 @@ def choose_site(state, arms, picture, eye):
     did not move, or to a free site on the table. If there is no such site, state.has_site stays
     false. Returns the reason, or None."""
     try:
-        carried = [step for step in state.steps if not is_dragged(step)]
+        replacing = [step for step in state.steps if step.takes_place_of]
+        carried = [step for step in state.steps if not is_dragged(step) and step not in replacing]
         if state.container:
             carried, state.container = place_in_container(carried, state.container, state.known,
                                                           picture, eye)
@@ -28,15 +29,12 @@ def choose_site(state, arms, picture, eye):
                        or place_on_table(carried, state.known, arms, eye))
         carried = iter(carried)
         state.steps = [place_dragged(step, state.known) if is_dragged(step)
+                       else place_of_other(step, state.steps, state.known) if step in replacing
                        else next(carried) for step in state.steps]
     except NoSite as problem:
         return str(problem)
     state.has_site = True
     return None
-
-
-class NoSite(Exception):
-    """No site was found for the building."""
 
 
 def place_dragged(step, known):

@@ -64,7 +64,7 @@ def measure_container(demo, steps):
     demonstration; None if all of them stand on the table or on each other."""
     inside = [step for step in steps
               if step.bottom > TASK_MODEL.min_inside_bottom and not step.on
-              and step.displacement is None]
+              and step.displacement is None and not step.takes_place_of]
     if not inside:
         return None
     for n in range(len(demo.ids)):

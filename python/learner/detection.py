@@ -11,6 +11,7 @@ from colors import color_mask, colors_to_detect, table_color
 from constants import PERCEPTION as C
 from covered import fit_covered
 from fitting import fit_blocks
+from layouts import detect_layouts
 from regions import is_cut, is_level, label_regions
 from sight import is_supported
 
@@ -23,6 +24,8 @@ def detect_blocks(picture, eye, like, container=None, heights=None):
              eye measures no depth
     """
     table = table_color(picture)
+    layouts = [it for it in like if it.parts]
+    like = [it for it in like if not it.parts]
     # Those on whose tops others stand, or a knob.
     staying = [it for it in like if getattr(it, "stays", False) or it.has_knob]
     blocks = []
@@ -51,6 +54,7 @@ def detect_blocks(picture, eye, like, container=None, heights=None):
             blocks += found
     if heights is not None:
         blocks += detect_balls(picture, eye, [it for it in like if it.form == "ball"], heights)
+        blocks += detect_layouts(picture, eye, layouts, heights)
     return blocks
 
 

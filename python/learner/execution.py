@@ -26,6 +26,7 @@ class Action:
 
     kind: str  # 'observe': waits for a picture of the arms at rest
     #            'follow': follows a path with an arm
+    #            'press': likewise, until something stops it
     #            'open': brings the fingers of an arm to an opening
     #            'grasp': closes the fingers on a block of a width
     arm: Arm = None
@@ -50,7 +51,7 @@ def execute_action(action, sensor, motor, aux):
     motor.ticks = 1
     aux.imageSeconds = C.no_image_s
     action.time += sensor.timeElapsed
-    execute = {"observe": observe, "follow": follow, "open": open_fingers, "grasp": grasp}
+    execute = {"observe": observe, "follow": follow, "press": press, "open": open_fingers, "grasp": grasp}
     return execute[action.kind](action, sensor, motor, aux)
 
 
@@ -91,6 +92,11 @@ def follow(action, sensor, motor, aux):
     velocities = np.diff([q, *wanted], axis=0).T / aux.tickSeconds
     motor.arms[action.arm.index].velocities = velocities
     return "an obstacle is in the way of the arm" if delay > C.max_delay_s else "busy"
+
+
+def press(action, sensor, motor, aux):
+    """Follows a path to its end, or until something stops the arm."""
+    return "busy" if follow(action, sensor, motor, aux) == "busy" else "done"
 
 
 def open_fingers(action, sensor, motor, aux):

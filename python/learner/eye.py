@@ -49,6 +49,16 @@ def to_pixel(point, eye):
     return np.array([K[0, 0], K[1, 1]]) * p[:2] / p[2] + K[:2, 2]
 
 
+def pixels_of(points, eye, picture):
+    """Returns rows and columns of the pixels that show N points, Nx3 [units], and which of these are inside a
+    picture, N bool; rows and columns of the others are 0."""
+    p = eye.pose[:3, :3].T @ (points - eye.pose[:3, 3]).T
+    K = eye.intrinsics
+    column, row = np.floor([K[0, 0] * p[0] / p[2] + K[0, 2], K[1, 1] * p[1] / p[2] + K[1, 2]]).astype(int)
+    inside = (row >= 0) & (row < picture.shape[0]) & (column >= 0) & (column < picture.shape[1])
+    return row * inside, column * inside, inside
+
+
 def pixel_at(picture, eye, point):
     """Returns row and column of the pixel that shows a point (x y z [units]); None outside the
     picture."""

@@ -8,7 +8,7 @@ import numpy as np
 from blocks import has_equal_sides, is_in_place, is_same_kind, yaw_difference
 from clearance import rotated
 from constants import BUILDING_SITE as C
-from sites import first_within_reach, site_cost
+from sites import NoSite, first_within_reach, site_cost
 from steps import stands_on
 
 
@@ -64,3 +64,15 @@ def turned_about(anchor, step, rotation, block):
     away = rotated(step.position[:2] - anchor.position[:2], rotation)
     position = np.append(block.position[:2] + away, step.position[2])
     return replace(step, position=position, yaw=step.yaw + rotation)
+
+
+def place_of_other(step, steps, known):
+    """Moves a step that takes the place of another object to where that is now: the known block that looks like
+    it and stands most nearly as high as it did."""
+    other = next(it for it in steps if it.name == step.takes_place_of)
+    found = [block for block in known if is_same_kind(block, other)]
+    if not found:
+        raise NoSite(f"no visible object looks like {other}, whose place {step.name} takes")
+    block = min(found, key=lambda it: abs(it.position[2] - other.start[2]))
+    return replace(step, position=np.append(block.position[:2], step.position[2]),
+                   yaw=step.yaw + yaw_difference(step, block.yaw))

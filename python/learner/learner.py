@@ -16,6 +16,7 @@ from eye import Eye
 from joint_estimates import JointEstimates
 from motion_planning import retreat
 from notes import Note, tops_of
+from presses import infer_presses
 from sentences import page_of
 from task_model import infer_task
 from task_planning import choose_actions
@@ -29,6 +30,7 @@ def init(aux):
                          "smile imitate DEMO SCENE --brain python/learner/learner.py")
     demo = read_demonstration(aux.demonstration)
     steps, container = infer_task(demo, aux.attention)
+    presses = infer_presses(demo, steps)
     page = page_of(explain(demo, container))
     for line in page:
         print(line)
@@ -36,14 +38,17 @@ def init(aux):
     for k, step in enumerate(steps):
         place = ", ".join(steps[lower].name for lower in step.on) or "the table"
         print(f"shown: {k + 1}. {step} on {place}")
+    for press in presses:
+        before = ", ".join(steps[k].name for k in press.after) or "nothing"
+        print(f"shown: {press} after {before}")
 
     arms = arms_of(aux)
     aux.hands = arms_for(steps, arms)
     aux.eye = Eye(aux.cameraIntrinsics, aux.cameraPose)
     # Beliefs about this scene, and progress. Agents to compare with, in python/examples/agents, set
     # what the learner does without, or another way to see.
-    aux.state = TaskState(steps, container, without=vars(aux).get("without", ()),
-                          see=vars(aux).get("see"))
+    aux.state = TaskState(steps, container, presses=presses, shown=demo.eye,
+                          without=vars(aux).get("without", ()), see=vars(aux).get("see"))
     aux.actions = [Action("observe")]  # the next actions, in this order
     aux.num_retreats = 0  # number of successive retreats after failed actions
 

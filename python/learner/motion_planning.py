@@ -46,7 +46,7 @@ def plan_pick_and_place(arms, block, goal, others, sensor, failures=()):
         for place_yaw, grasp_yaw in product(at_goal, yaws):
             # The object turns with the hand; it may look the same after some turns.
             turned = replace(block, yaw=block.yaw + place_yaw - grasp_yaw)
-            if block.knob and abs(yaw_difference(turned, goal.yaw)) > C.same_yaw_rad:
+            if (block.knob or block.parts) and abs(yaw_difference(turned, goal.yaw)) > C.same_yaw_rad:
                 continue
             actions = plan_arm_pick_and_place(arm, held, grasp_yaw, target, place_yaw, height, lift,
                                               others, q, is_dragged(goal))

@@ -53,9 +53,11 @@ def compare(state, seen, picture, eye, heights):
 
 def open_steps(state):
     """Returns the numbers of the steps that are not done and whose supports are done, in
-    demonstrated order."""
+    demonstrated order; before a press, only of those that were done before it."""
+    pending = [press for press in state.presses if not press.done]
     return [k for k, step in enumerate(state.steps)
-            if not state.done[k] and all(state.done[lower] for lower in step.on + step.after)]
+            if (not pending or k in pending[0].after) and not state.done[k]
+            and all(state.done[lower] for lower in step.on + step.after)]
 
 
 def assess_progress(state):

@@ -31,8 +31,10 @@ def propose_moves(state, step, free):
     # First the blocks that later steps make hard to reach, and the closest matching ones.
     def distance(block):
         if block in obstructing + blocked:
-            return 0
-        return np.linalg.norm(block.position - step.position)
+            return 0, 0
+        # A thing of several colors is first taken from where it stood as high as in the demonstration.
+        is_elsewhere = bool(step.parts) and abs(block.position[2] - step.start[2]) > C.max_sinking
+        return is_elsewhere, np.linalg.norm(block.position - step.position)
 
     fits.sort(key=distance)
     moves = [Move(block) for block in distinct(obstructing + blocked) if block not in fits]

@@ -9,6 +9,10 @@ from motion_planning import is_reachable
 from sight import is_top_hidden
 
 
+class NoSite(Exception):
+    """No site was found for the building."""
+
+
 def site_cost(steps, known, eye):
     """Returns the cost of a site: the lengths of the blocks that are in the way there or would be
     blocked by the building; a part of those of needed blocks that it would hide; and those of

@@ -23,6 +23,8 @@ class Step(Block):
     begins_there: bool = False  # true for an object that began where it ends
     after: list = field(default_factory=list)  # numbers of steps that must be done before it, also if
     #                                            it does not stand on them
+    takes_place_of: str = ""  # name of the object that began at the place of this step
+    start: Optional[np.ndarray] = None  # x y z of its center at the start of the demonstration [units]
     tolerance: float = BLOCKS.position_tolerance  # of its position [units]
 
     def __str__(self):

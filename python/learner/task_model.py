@@ -9,7 +9,8 @@ from appearances import measure_objects
 from constants import BLOCKS, TASK_MODEL as C
 from containers import measure_container
 from handles import measure_handle, was_dragged
-from steps import Step, is_above, stands_on
+from parts import turned
+from steps import Step, is_above, is_dragged, stands_on
 
 
 def infer_task(demo, attention):
@@ -28,6 +29,9 @@ def infer_task(demo, attention):
         replace(step_of(demo, n, appearances[n], attention), stays=True)
         for n in range(len(demo.ids)) if n in appearances and n not in moved]) + placed
     set_order(steps, {name for name, properties in attention.items() if "order" in properties})
+    for step in steps:
+        if not step.on and step.bottom > C.min_inside_bottom and not is_dragged(step):
+            step.takes_place_of = former_owner(demo, step)
     return steps, measure_container(demo, steps)
 
 
@@ -44,6 +48,15 @@ def set_order(steps, ordered):
         step.after = [i for i, lower in enumerate(steps[:k])
                        if i not in carriers[k] and is_above(step, lower)
                        or not lower.stays and not {step.name, lower.name}.isdisjoint(ordered)]
+
+
+def former_owner(demo, step):
+    """Returns the name of another moved object that began at the place of a step; empty if there is none."""
+    end = demo.moves[demo.ids.index(step.name)][-1, 1:]
+    for n in moved_objects(demo):
+        if demo.ids[n] != step.name and is_same_pose(demo.moves[n][0, 1:], end):
+            return demo.ids[n]
+    return ""
 
 
 def moved_objects(demo):
@@ -70,16 +83,17 @@ def supports_of(steps, others):
 def step_of(demo, n, appearance, attention):
     """Returns the Step of a carried object, at its final place; appearance: the Block at its first
     place."""
-    color, size = appearance.color, appearance.size
+    color, size, parts = appearance.color, appearance.size, appearance.parts
     _, x, y, z, _, _, degrees = demo.moves[n][-1]
     yaw = math.radians(degrees)
     if size[1] > BLOCKS.equal_sides * size[0]:
         size = size[[1, 0, 2]]
         yaw += math.pi / 2
+        parts = turned(parts, math.pi / 2)
     if not color_matters(attention, demo.ids[n]):
         color = None
     return Step(color, size, np.array([x, y, z]), yaw, demo.ids[n], [],
-                form=appearance.form, has_knob=appearance.has_knob,
+                form=appearance.form, has_knob=appearance.has_knob, parts=parts, start=demo.moves[n][0, 1:4],
                 begins_there=is_same_pose(demo.moves[n][0, 1:], demo.moves[n][-1, 1:]))
 
 

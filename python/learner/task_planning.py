@@ -11,8 +11,10 @@ from building_site import choose_site
 from clearance import container_walls, grasp_yaws, is_inside, with_held_parts
 from constants import TASK_PLANNING as C
 from execution import Action
+from eye import height_map
 from motion_planning import plan_pick_and_place
 from notes import action_note, name_of, plan_notes
+from press_planning import choose_press, forget_fixtures, locate_controls
 from progress import assess_progress, observe, open_steps
 from proposals import clearing_moves, is_obstructing, propose_moves, uncovering_moves
 from task_state import Claim, give_up, num_failures
@@ -25,17 +27,25 @@ def choose_actions(state, sensor, eye, arms):
     picture = sensor.rgbVision / 255
     if not state.has_site or "second look" not in state.without:
         observe(state, sensor, picture, eye)
+    heights = height_map(sensor.depthVision, eye) if state.presses else None
     if not state.has_site:
-        problem = choose_site(state, arms, picture, eye)
+        problem = choose_site(state, arms, picture, eye) or locate_controls(state, picture, heights, eye)
         if problem:
             give_up(state, f"before it began: {problem}")
             return []
         state.notes += plan_notes(state.steps)
 
     used = assess_progress(state)
+    if state.presses:
+        forget_fixtures(state, picture, heights, eye)
+        actions, reason = choose_press(state, arms, picture, heights, eye, sensor)
+        if reason:
+            give_up(state, f"at the {reason}")
+        if actions or reason:
+            return actions
     steps = open_steps(state)
     if not steps:
-        distance, angle = np.max(list(state.placement_errors.values()), axis=0)
+        distance, angle = np.max([(0, 0), *state.placement_errors.values()], axis=0)
         state.claim = Claim(True, "as seen within %.2f units and %.1f degrees" % (
             distance, math.degrees(angle)))
         return []

@@ -8,6 +8,7 @@ import numpy as np
 from clearance import held_part
 from constants import MOTION_PLANNING
 from execution import Grasp
+from eye import Eye
 from steps import Container
 
 
@@ -42,6 +43,9 @@ class TaskState:
     moved: str = ""  # name of the last of the known, if it was moved and not seen since then
     notes: list = field(default_factory=list)  # Notes that were not told yet
     claim: Optional[Claim] = None  # about the result, at the end
+    presses: list = field(default_factory=list)  # of switches and buttons, in the demonstrated order
+    shown: Optional[Eye] = None  # the eye of the demonstration, which shows them
+    alignments: dict = field(default_factory=dict)  # of a control's name: Alignment of its surroundings
     without: tuple = ()  # "depth", "second look": abilities that it does not use
     see: Optional[Callable] = None  # told what is seen: from sensor, eye and steps to Blocks
 

@@ -7,6 +7,7 @@ from colors import color_mask, color_of_code, frequent_colors, is_below_brighter
 from constants import PERCEPTION as C
 from eye import pixel_at
 from measuring import measure_block
+from parts import space_of
 from regions import is_level, label_regions
 
 
@@ -14,6 +15,7 @@ def detect_unknown_objects(picture, eye, known, heights=None):
     """Detects Blocks that are none of the known ones; they belong to no step, but may be in the
     way. Without heights, as from height_map, only those on the table. Returns a list."""
     table = table_color(picture)
+    known = [space_of(it) for it in known]
     unknown = []
     for color, row, column in segment_top_faces(picture, table, heights):
         if any(is_top_of(row, column, it, picture, eye, heights) for it in known):

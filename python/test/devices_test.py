@@ -1,0 +1,112 @@
+"""Tests how the learner in python/learner recognizes things of several colors, and finds and judges buttons, without
+the simulator: devices_test.py, with python/learner on the path.
+"""
+
+import math
+import unittest
+from dataclasses import replace
+from types import SimpleNamespace
+from unittest.mock import patch
+
+import numpy as np
+
+from blocks import is_same_kind, yaw_difference
+from clearance import rotated
+from demonstration import read_demonstration
+from layouts import detect_layouts
+from learner_test import BLUE, BROWN, EYE, GREEN, RED, RecordingTest, block, picture_of, view_of
+from motion_planning import plan_pick_and_place
+from part_measuring import measure_parts
+from presses import infer_presses
+from pressing import button_of, locate, looks_pressed
+from surfaces import surface_of
+
+GRAY, DARK, LIGHT = np.full(3, 0.5), np.full(3, 0.2), np.full(3, 0.85)
+
+
+def thing(label, x, y, yaw=0.0, bottom=0.0):
+    """Returns a dark block with a light plate on it, and a label of some color at its near end."""
+    body = block(DARK, np.array([0.9, 2.2, 1.6]), x, y, bottom, yaw)
+    dx, dy = rotated([0, 0.1], yaw)
+    plate = block(LIGHT, np.array([0.7, 1.2, 0.1]), x + dx, y + dy, bottom + 1.6, yaw)
+    dx, dy = rotated([0, -0.75], yaw)
+    return [body, plate, block(label, np.array([0.9, 0.5, 0.1]), x + dx, y + dy, bottom + 1.6, yaw)]
+
+
+class PartsTest(RecordingTest):
+    """A thing with a red label is lifted and turned."""
+
+    def setUp(self):
+        self.record(picture_of(thing(RED, 2, -3)), picture_of(thing(RED, 1, -2.5, 0.2, 1.5)))
+        self.write(0, ["0,create,Thing,shape,composite", "0,move,Thing,2.0,-3.0,0.8,0.0,0.0,0.0"])
+        self.write(1, ["1,grasp,LeftHand,Thing", f"1,move,Thing,1.0,-2.5,2.3,0.0,0.0,{math.degrees(0.2)}"])
+        self.write(2, ["2,release,LeftHand"])
+        self.kind = measure_parts(read_demonstration(self.folder), 0)
+
+    def test_the_parts_of_a_thing_are_what_moves_with_it(self):
+        plate, label = sorted(self.kind.parts, key=lambda it: -it.size[1])
+        np.testing.assert_allclose(plate.position, [0, 0.1, 0.9], atol=0.03)
+        np.testing.assert_allclose(label.position, [0, -0.75, 0.9], atol=0.03)
+        np.testing.assert_allclose(label.color, RED, atol=0.01)
+        np.testing.assert_allclose(self.kind.size, [0.9, 2, 1.6], atol=0.05)
+
+    def test_a_thing_is_recognized_by_the_colors_and_places_of_its_parts(self):
+        for yaw in 0.3, 0.3 + math.pi:
+            picture, heights = view_of([*thing(RED, -2, -3, yaw), *thing(GREEN, 2, -3)])
+            [found] = detect_layouts(picture, EYE, [self.kind], heights)
+            np.testing.assert_allclose(found.position, [-2, -3, 0.8], atol=0.03)
+            self.assertLess(abs(yaw_difference(found, yaw)), 0.02)
+            self.assertTrue(is_same_kind(found, self.kind))
+            self.assertFalse(is_same_kind(block(LIGHT, found.size, -2, -3), self.kind))
+
+    def test_a_thing_is_not_put_down_the_other_way_round(self):
+        thing = replace(self.kind, size=self.kind.size[[1, 0, 2]])
+        goal, turns = replace(thing, position=np.array([0, -2, 0.8]), yaw=1.0), []
+        arm = SimpleNamespace(opening=2, reach=0.75, foot=np.zeros(2), index=0)
+        with patch("motion_planning.plan_arm_pick_and_place",
+                   side_effect=lambda arm, held, yaw, target, place_yaw, *_: turns.append(place_yaw - yaw)):
+            plan_pick_and_place([arm], thing, goal, [], SimpleNamespace(arms=[SimpleNamespace(joints=None)]))
+        self.assertTrue(turns)
+        np.testing.assert_allclose([math.remainder(it - 1, 2 * math.pi) for it in turns], 0, atol=1e-9)
+
+
+class PressTest(RecordingTest):
+    """A switch is pressed: its raised side changes, and a lamp goes on."""
+
+    def fixture(self, x, y, yaw, is_on):
+        def part(color, sides, dx, dy, bottom):
+            dx, dy = rotated([dx, dy], yaw)
+            return block(color, np.array(sides), x + dx, y + dy, bottom, yaw)
+
+        side = -0.3 if is_on else 0.3
+        lamp = [part(GREEN, [0.3, 0.3, 0.05], -0.3, 0.5, 0.2)] if is_on else []
+        return [part(BROWN, [3, 2.4, 0.2], 0, 0, 0), part(BLUE, [0.4, 1.6, 0.3], 1.2, 0, 0.2), *lamp,
+                part(GRAY, [1, 0.5, 0.1], 0, -0.4, 0.2), part(GRAY, [0.4, 0.5, 0.15], side, -0.4, 0.3)]
+
+    def setUp(self):
+        self.record(picture_of(self.fixture(0, -2, 0, False)), picture_of(self.fixture(0, -2, 0, True)))
+        self.write(0, ["0,create,Panel,shape,composite", "0,move,Panel,0.0,-2.0,0.1,0.0,0.0,0.0"])
+        self.write(1, ["1,trigger,LeftHand,Switch"])
+        [self.press] = infer_presses(read_demonstration(self.folder), [])
+
+    def test_a_button_is_found_where_the_scene_looks_like_the_demonstration(self):
+        x, y, yaw = 1.5, -3, 0.4
+        picture, heights = view_of(self.fixture(x, y, yaw, False))
+        alignment = locate(self.press, picture, heights, EYE, EYE)
+        self.assertAlmostEqual(math.remainder(alignment.angle + yaw, 2 * math.pi), 0, delta=0.02)
+        np.testing.assert_allclose(alignment.moved(np.array([[x, y, 0]]))[0, :2], [0, -2], atol=0.03)
+        surface = surface_of(picture, heights, EYE)
+        self.assertFalse(looks_pressed(self.press, alignment, surface, EYE))
+        button = button_of(self.press, alignment, surface, EYE)
+        np.testing.assert_allclose(button.position[:2], [x, y] + rotated([0.3, -0.4], yaw), atol=0.1)
+        self.assertAlmostEqual(button.top, 0.45, delta=0.01)
+        surface = surface_of(*view_of(self.fixture(x, y, yaw, True)), EYE)
+        self.assertTrue(looks_pressed(self.press, alignment, surface, EYE))
+
+    def test_what_is_not_there_is_not_found(self):
+        picture, heights = view_of([block(GRAY, np.array([1.0, 0.5, 0.3]), 1, -3), *thing(RED, -2, -3)])
+        self.assertIsNone(locate(self.press, picture, heights, EYE, EYE))
+
+
+if __name__ == "__main__":
+    unittest.main()

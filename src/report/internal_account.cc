@@ -184,6 +184,9 @@ Markup DeedOf(const Scene& scene, const recording::Recording& recording,
 
 /// Returns the actions, and pictures that were compared with what was expected, in their order.
 std::vector<Scene> ScenesOf(const std::vector<RecordedNote>& notes) {
+  // Far more than a run of ten minutes has: a program may note what it likes, and each has a
+  // picture.
+  constexpr std::size_t kMaxScenes = 200;
   std::vector<Scene> scenes;
   for (const RecordedNote& it : notes) {
     const bool is_action = it.note.word == "action";
@@ -192,6 +195,7 @@ std::vector<Scene> ScenesOf(const std::vector<RecordedNote>& notes) {
     const bool is_next =
         scenes.empty() || is_action ||
         (IsVerdict(*scenes.back().back()) && scenes.back().back()->tick != it.tick);
+    if (is_next && scenes.size() == kMaxScenes) break;
     if (is_next) scenes.emplace_back();
     scenes.back().push_back(&it);
   }

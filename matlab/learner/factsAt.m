@@ -12,6 +12,7 @@ function facts = factsAt(demo, appearances, container, frame, held, others)
 %   state C S        the control C is in state S
 %   fastened A B     B is fastened to A
 %   gone A           A is no longer there
+%   turned A         A is on another face than at the start
 %
 %   appearances  as from measureObjects
 %   container    as from measureContainer
@@ -30,8 +31,10 @@ function facts = factsAt(demo, appearances, container, frame, held, others)
     elseif wasDragged(demo, n)
       facts{end + 1} = sprintf('joint %s%s', name, hundredths(pose(1:2) - demo.start(n, 1:2)));
     elseif ~isempty(appearances(n).size)
-      there(end + 1) = struct('name', name, 'size', appearances(n).size, 'position', pose(1:3), ...
-                              'yaw', pose(6) * pi / 180, 'moves', any(demo.placed == n), ...
+      [sides, yaw] = restingAt(appearances(n), pose);
+      if ~sameSize(sides, appearances(n).size), facts{end + 1} = ['turned ', name]; end
+      there(end + 1) = struct('name', name, 'size', sides, 'position', pose(1:3), 'yaw', yaw, ...
+                              'moves', any(demo.placed == n), ...
                               'isRound', isfield(appearances, 'isRound') && appearances(n).isRound);
     end
   end

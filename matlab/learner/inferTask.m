@@ -69,8 +69,7 @@ end
 
 function step = stepOf(demo, n, appearance, attention)
 % Returns the step of a carried object, at its final place.
-  sides = appearance.size;
-  yaw = demo.final(n, 6) * pi / 180;
+  [sides, yaw] = restingAt(appearance, demo.final(n, :));
   if sides(2) > constants().blocks.equal_sides * sides(1)
     sides(1:2) = sides([2, 1]);
     yaw = yaw + pi / 2;

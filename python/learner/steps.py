@@ -23,6 +23,7 @@ class Step(Block):
     begins_there: bool = False  # true for an object that began where it ends
     after: list = field(default_factory=list)  # numbers of steps that must be done before it, also if
     #                                            it does not stand on them
+    start_size: Optional[np.ndarray] = None  # as size, of an object that began on another face
     tolerance: float = BLOCKS.position_tolerance  # of its position [units]
 
     def __str__(self):

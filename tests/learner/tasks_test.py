@@ -1,6 +1,6 @@
 """The learner does tasks beyond those of `smile experiment`: equal colors that touch at several heights,
 half heights and several sizes, what the demonstration did not move, what began on something, what must make room
-first, discs, a ball, and a lid. What it claims at the end is right.
+first, discs, a ball, a lid, and a plank that must be turned. What it claims at the end is right.
 
     tasks_test.py SMILE SOURCE
 
@@ -21,7 +21,7 @@ CASES = [("pyramid", PYTHON, ["--seed", "1"]), ("bricks", OCTAVE, ["--seed", "1"
          ("pedestal", PYTHON, ["--seed", "2", "--level", "fixtures"]),
          ("swap", PYTHON, ["--seed", "1", "--level", "fixtures"]),
          ("hanoi", PYTHON, ["--seed", "1", "--level", "fixtures"]), ("ball", PYTHON, ["--seed", "1"]),
-         ("lid", PYTHON, ["--seed", "1", "--level", "piles"]),
+         ("lid", PYTHON, ["--seed", "1", "--level", "piles"]), ("plank", PYTHON, ["--seed", "1"]),
          ("pedestal", OCTAVE, [])]
 
 

@@ -41,9 +41,9 @@ def plan_turn(arms, eye, block, held, then, others, sites, sensor, failures, une
         reason = "there is no free place on the table where an arm can turn it"
         num_tried = 0
         for place in free_placements(arms, like, others + site, None, unexplained):
-            goes_on = is_in_view(place, eye) and (
+            continues = is_in_view(place, eye) and (
                 can_reach(arms, place) if then is None else can_turn(arms, place, then, others))
-            if not goes_on:
+            if not continues:
                 continue
             num_tried += 1
             if num_tried > TASK_PLANNING.max_place_attempts:

@@ -19,7 +19,7 @@
 #include "scene/units.h"
 
 // Notes are what a program knew at the time, in its own words and measures. Only the pictures are
-// drawn anew, from the recording, as its eye saw them; nothing is compared with the truth here.
+// drawn again, from the recording, as its eye saw them; nothing is compared with the truth here.
 
 namespace smile::report {
 namespace {
@@ -150,7 +150,7 @@ Markup PlanOf(const std::vector<RecordedNote>& notes, AccountPictures* pictures)
   for (const RecordedNote& it : notes) {
     if (it.note.word == "saw" && it.tick == plan.front()->tick) drawn.push_back(&it);
   }
-  const std::string words = "The first look: where everything shall be, and, black, what was seen";
+  const std::string words = "The first look: where everything is to go, and, black, what was seen";
   Markup figure = pictures->At(plan.front()->tick, drawn, words);
   figure += Element("figcaption", {}, words);
   Markup pair = Element("figure", {}, figure);

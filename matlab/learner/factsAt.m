@@ -12,6 +12,7 @@ function facts = factsAt(demo, appearances, container, frame, held, others)
 %   state C S        the control C is in state S
 %   fastened A B     B is fastened to A
 %   gone A           A is no longer there
+%   turned A         A is on another face than at the start
 %
 %   appearances  as from measureObjects
 %   container    as from measureContainer
@@ -30,9 +31,12 @@ function facts = factsAt(demo, appearances, container, frame, held, others)
     elseif wasDragged(demo, n)
       facts{end + 1} = sprintf('joint %s%s', name, hundredths(pose(1:2) - demo.start(n, 1:2)));
     elseif ~isempty(appearances(n).size)
+      [sides, yaw] = restingAt(appearances(n), pose);
+      if ~sameSize(sides, appearances(n).size), facts{end + 1} = ['turned ', name]; end
       there{end + 1} = appearances(n);
+      there{end}.size = sides;
       there{end}.position = pose(1:3);
-      there{end}.yaw = pose(6) * pi / 180;
+      there{end}.yaw = yaw;
       there{end}.name = name;
       there{end}.moves = any(demo.placed == n);
     end

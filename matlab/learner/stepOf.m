@@ -6,7 +6,7 @@ function step = stepOf(demo, n, appearance, attention)
   c = constants();
   step = newStep(appearance, demo.ids{n});
   step.position = demo.final(n, 1:3);
-  step.yaw = demo.final(n, 6) * pi / 180;
+  [step.size, step.yaw] = restingAt(appearance, demo.final(n, :));
   if step.size(2) > c.blocks.equal_sides * step.size(1)
     step.size(1:2) = step.size([2, 1]);
     step.yaw = step.yaw + pi / 2;

@@ -632,6 +632,17 @@ function check_clearing()
   check(isempty(clearingMoves(state, none, 1:5)), 'and nothing without moves');
 end
 
+function check_resting()
+  plank = struct('size', [3, 1, 0.5], 'isRound', false);
+  cases = {[0, 0, 30], [3, 1, 0.5], 30; [90, 0, 30], [3, 0.5, 1], 30; [0, -90, 20], [1, 0.5, 3], 110; ...
+           [45, 0, 0], [3, 1, 0.5], 0};
+  for k = 1:size(cases, 1)
+    [sides, yaw] = restingAt(plank, [1, 2, 3, cases{k, 1}]);
+    check(isequal(sides, cases{k, 2}) && abs(yaw * 180 / pi - cases{k, 3}) < 1e-9, ...
+          'an object on its side looks like another block');
+  end
+end
+
 function check_failures()
   there = block([1, 0, 0], [1, 1, 1], 3, -2, 0, 0);
   goal = block([1, 0, 0], [1, 1, 1], 0, -2, 0, 0);
@@ -664,6 +675,7 @@ try
   check_planning();
   check_site();
   check_clearing();
+  check_resting();
   check_failures();
 catch err
   fprintf('%s\n', err.message);

@@ -39,13 +39,17 @@ def plan_notes(steps):
         [step]) for step in steps]
 
 
-def action_note(name, block, place, goal, is_temporary, arm):
-    """Returns a note about an action that moves a block, of a name, to a place with an arm: to its goal,
-    or, if that is temporary, out of the way or for a handover."""
-    verb = "drags" if is_dragged(goal) else "carries"
-    why = (", for the other arm" if goal else ", out of the way") if is_temporary else ""
+def action_note(name, move, place, is_temporary, arm):
+    """Returns a note about an action that makes a Move of a block, of a name, to a place with an arm: to
+    its goal, or, if that is temporary, out of the way, for a handover, or onto another face."""
+    verb = "drags" if is_dragged(move.goal) else "carries"
+    why = ""
+    if is_temporary:
+        why = ", for the other arm" if move.goal else ", out of the way"
+    if move.turns:
+        verb, why = "turns", ", onto another face"
     return Note("action", "%s %s from (%.2f, %.2f) to (%.2f, %.2f)%s, with arm %s" % (
-        verb, name, *block.position[:2], *place.position[:2], why, arm.name), [place])
+        verb, name, *move.block.position[:2], *place.position[:2], why, arm.name), [place])
 
 
 def verdict_notes(verdicts, seen, steps, moved):

@@ -5,9 +5,10 @@ from typing import NamedTuple, Optional
 import numpy as np
 
 from beliefs import assumed_support
-from blocks import Block, is_same_kind
+from blocks import Block, is_same_kind, same_color
 from clearance import footprint, grasp_yaws, gripper_clearance, is_grasp_blocked, overlap
 from constants import PERCEPTION, TASK_PLANNING as C
+from resting import turns_between
 from sight import is_top_hidden
 from steps import Step
 
@@ -17,6 +18,7 @@ class Move(NamedTuple):
 
     block: Block  # a known one
     goal: Optional[Step] = None  # None: a temporary placement
+    turns: tuple = ()  # how it has to be turned there, and again after that: as turns_between
 
 
 def propose_moves(state, step, free):
@@ -44,6 +46,24 @@ def propose_moves(state, step, free):
     moves += [Move(block) for block in free if block.bottom > PERCEPTION.on_table]
     # A block with others on top has to wait.
     return [move for move in moves if not has_objects_on(move.block, free)]
+
+
+def turning_moves(step, free, opening):
+    """Returns the moves that turn a block onto another face, if none looks as a step wants it: a list of
+    Moves, first of those that need the fewest turns. Where it cannot be turned, it is put elsewhere.
+
+    opening: of the widest gripper [units]
+    """
+    if step.start_size is None or any(is_same_kind(it, step) for it in free):
+        return []
+    moves = []
+    for block in free:
+        if block.is_round or not same_color(step.color, block.color) or has_objects_on(block, free):
+            continue
+        turns = turns_between(block.size, step.size, opening)
+        moves += [Move(block, turns=tuple(turns))] if turns else []
+    moves.sort(key=lambda move: len(move.turns))
+    return moves + [Move(move.block) for move in moves]
 
 
 def uncovering_moves(state, free, eye):

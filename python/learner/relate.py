@@ -11,13 +11,13 @@
     state C S        the control C is in state S
     fastened A B     B is fastened to A
     gone A           A is no longer there
+    turned A         A is on another face than at the start
 """
 
-import math
-from dataclasses import replace
-
-from relations import hundredths, relations
+from blocks import same_size
 from handles import was_dragged
+from relations import hundredths, relations
+from resting import resting_at
 
 
 def facts_at(demo, container, frame, held, others):
@@ -38,13 +38,9 @@ def facts_at(demo, container, frame, held, others):
             x, y = demo.pose(n, frame)[:2] - demo.moves[n][0, 1:3]
             facts.append(f"joint {name} {hundredths(x)} {hundredths(y)}")
         elif n in demo.appearances:
-            there[name] = block_at(demo.pose(n, frame), demo.appearances[n])
+            there[name] = resting_at(demo.appearances[n], demo.pose(n, frame))
+            if not same_size(there[name].size, demo.appearances[n].size):
+                facts.append(f"turned {name}")
     for k, name in enumerate(there):
         facts += relations(demo, k, name, there, container)
     return facts
-
-
-def block_at(pose, appearance):
-    """Returns an object at a pose, x y z and three angles [degrees], as a Block; appearance: the same
-    at its first place."""
-    return replace(appearance, position=pose[:3], yaw=math.radians(pose[5]))

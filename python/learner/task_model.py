@@ -6,10 +6,12 @@ from dataclasses import replace
 import numpy as np
 
 from appearances import measure_objects
+from blocks import same_size
 from constants import BLOCKS, TASK_MODEL as C
 from containers import measure_container
 from handles import measure_handle, was_dragged
 from parts import turned
+from resting import resting_at
 from steps import Step, is_above, is_dragged, stands_on
 
 
@@ -83,17 +85,17 @@ def supports_of(steps, others):
 def step_of(demo, n, appearance, attention):
     """Returns the Step of a carried object, at its final place; appearance: the Block at its first
     place."""
-    color, size, parts = appearance.color, appearance.size, appearance.parts
-    _, x, y, z, _, _, degrees = demo.moves[n][-1]
-    yaw = math.radians(degrees)
+    color = appearance.color if color_matters(attention, demo.ids[n]) else None
+    there = resting_at(appearance, demo.moves[n][-1, 1:])
+    size, yaw, parts = there.size, there.yaw, there.parts
     if size[1] > BLOCKS.equal_sides * size[0]:
         size = size[[1, 0, 2]]
         yaw += math.pi / 2
         parts = turned(parts, math.pi / 2)
-    if not color_matters(attention, demo.ids[n]):
-        color = None
-    return Step(color, size, np.array([x, y, z]), yaw, demo.ids[n], [],
-                form=appearance.form, has_knob=appearance.has_knob, parts=parts, start=demo.moves[n][0, 1:4],
+    began = np.append(np.sort(appearance.size[:2])[::-1], appearance.size[2])
+    return Step(color, size, there.position, yaw, demo.ids[n], [],
+                start_size=None if same_size(began, size) else began, start=demo.moves[n][0, 1:4],
+                form=appearance.form, has_knob=appearance.has_knob, parts=parts,
                 begins_there=is_same_pose(demo.moves[n][0, 1:], demo.moves[n][-1, 1:]))
 
 

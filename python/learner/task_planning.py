@@ -9,16 +9,18 @@ from beliefs import assumed_support
 from blocks import is_same_kind
 from building_site import choose_site
 from clearance import container_walls, grasp_yaws, is_inside, with_held_parts
-from constants import TASK_PLANNING as C
+from constants import ARMS, TASK_PLANNING as C
 from execution import Action
 from eye import height_map
 from motion_planning import plan_pick_and_place
 from notes import action_note, name_of, plan_notes
 from press_planning import choose_press, forget_fixtures, locate_controls
 from progress import assess_progress, observe, open_steps
-from proposals import clearing_moves, is_obstructing, propose_moves, uncovering_moves
+from proposals import (
+    clearing_moves, is_obstructing, propose_moves, turning_moves, uncovering_moves)
 from task_state import Claim, give_up, num_failures
 from temporary_places import plan_temporary_placement
+from turning import plan_turn
 
 
 def choose_actions(state, sensor, eye, arms):
@@ -61,6 +63,7 @@ def choose_actions(state, sensor, eye, arms):
     else:
         free = [block for block in state.known if block not in used]
         moves = uncovering_moves(state, free, eye) + propose_moves(state, step, free)
+        moves += turning_moves(step, free, max(arm.opening for arm in arms) - ARMS.opening_margin)
         for move in moves + clearing_moves(state, moves, free):
             if num_failures(state, move.block) >= C.max_failed_grasps:
                 reason = f"{C.max_failed_grasps} grasps of a block failed"
@@ -78,9 +81,9 @@ def choose_actions(state, sensor, eye, arms):
             state.num_blocked = 0
             grasp = next(action for action in actions if action.kind == "grasp")
             state.grasp = grasp.grasp
-            state.moved = move.goal.name if move.goal else name_of(move.block, state.steps)
-            state.notes.append(action_note(state.moved, move.block, place, move.goal,
-                                           is_temporary, grasp.arm))
+            has_name = move.goal or move.turns
+            state.moved = step.name if has_name else name_of(move.block, state.steps)
+            state.notes.append(action_note(state.moved, move, place, is_temporary, grasp.arm))
             return actions
     if state.num_blocked == 0:
         state.first_failure = f"{step}: {reason}"
@@ -114,6 +117,11 @@ def plan_move(state, step, move, eye, arms, sensor):
         if actions:
             place = replace(move.block, position=move.goal.position, yaw=move.goal.yaw)
             return actions, place, False, None
+    elif move.turns:
+        held, then = [*move.turns, None][:2]
+        actions, place, reason = plan_turn(arms, eye, move.block, held, then, others, sites, sensor,
+                                           state.failures, state.unexplained)
+        return actions, place, True, reason
     elif is_obstructing(move.block, step):
         sites.append(standing + [step])
     left = []

@@ -5,10 +5,12 @@ from typing import Callable, NamedTuple, Optional
 
 import numpy as np
 
+from blocks import Block, same_size
 from clearance import held_part
 from constants import MOTION_PLANNING
 from execution import Grasp
 from eye import Eye
+from resting import on_each_face
 from steps import Container
 
 
@@ -52,6 +54,11 @@ class TaskState:
     def __post_init__(self):
         self.done = [False] * len(self.steps)
         self.attempts = [0] * len(self.steps)
+        # What has to be turned may lie on any of its faces.
+        self.unknown_objects += [
+            Block(step.color, size, np.array([0, 0, size[2] / 2]), 0.0)
+            for step in self.steps if step.start_size is not None
+            for size in on_each_face(step.size) if not same_size(size, step.size)]
 
 
 def give_up(state, reason):

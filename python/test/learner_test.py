@@ -32,8 +32,9 @@ from motion_planning import grip_depth, has_failed, plan_pick_and_place
 from notes import tops_of, verdict_notes
 from pictures import num_pictures
 from progress import assess_progress, compare, open_steps
-from proposals import Move, clearing_moves, propose_moves, uncovering_moves
+from proposals import Move, clearing_moves, propose_moves, turning_moves, uncovering_moves
 from regions import is_cut, label_regions
+from resting import resting_at, turns_between
 from sentences import page_of
 from sight import is_top_hidden
 from sites import site_cost
@@ -621,6 +622,36 @@ class DraggingTest(RecordingTest):
         c, s = math.cos(0.3), math.sin(0.3)
         np.testing.assert_allclose(state.steps[0].position[:2],
                                    [3 + 2 * c - s, -2 + 2 * s + c], atol=0.01)
+
+
+class RestingTest(unittest.TestCase):
+    plank = block(BROWN, np.array([3, 1, 0.5]), -2, 0)
+
+    def test_an_object_on_its_side_looks_like_another_block(self):
+        for angles, size, yaw in (([0, 0, 30], [3, 1, 0.5], 30), ([90, 0, 30], [3, 0.5, 1], 30),
+                                  ([-90, 0, 30], [3, 0.5, 1], 30), ([0, -90, 20], [1, 0.5, 3], 110),
+                                  ([45, 0, 0], [3, 1, 0.5], 0)):
+            found = resting_at(self.plank, np.array([1, 2, 3, *angles]))
+            np.testing.assert_allclose(found.size, size)
+            self.assertAlmostEqual(found.yaw, math.radians(yaw))
+            np.testing.assert_allclose(found.position, [1, 2, 3])
+
+    def test_turns_about_the_fingers_bring_a_block_onto_any_face(self):
+        flat, side, end = np.array([[3, 1, 0.5], [3, 0.5, 1], [1, 0.5, 3]])
+        self.assertEqual(turns_between(flat, flat, 2), [])
+        self.assertEqual(turns_between(flat, end, 2), [1])
+        self.assertEqual(turns_between(flat, side, 2), [1, 1])
+        self.assertIsNone(turns_between(flat, side, 0.9))
+        self.assertIsNone(turns_between(flat, np.array([2, 1, 1]), 2))
+
+    def test_it_is_turned_if_it_does_not_look_as_wanted(self):
+        goal = replace(step(block(BROWN, np.array([3, 0.5, 1]), 0, -2), []), start_size=self.plank.size)
+        state = TaskState([goal])
+        self.assertEqual([list(it.size) for it in state.unknown_objects], [[1, 0.5, 3], [3, 1, 0.5]])
+        self.assertEqual(turning_moves(goal, [self.plank], 1.9),
+                         [Move(self.plank, turns=(1, 1)), Move(self.plank)])
+        there = block(BROWN, goal.size, 3, -2)
+        self.assertEqual(turning_moves(goal, [self.plank, there], 1.9), [])
 
 
 class TaskPlanningTest(unittest.TestCase):

@@ -19,7 +19,7 @@
 #include "scene/units.h"
 
 // Notes are what a program knew at the time, in its own words and measures. Only the pictures are
-// drawn anew, from the recording, as its eye saw them; nothing is compared with the truth here.
+// drawn again, from the recording, as its eye saw them; nothing is compared with the truth here.
 
 namespace smile::report {
 namespace {
@@ -150,7 +150,7 @@ Markup PlanOf(const std::vector<RecordedNote>& notes, AccountPictures* pictures)
   for (const RecordedNote& it : notes) {
     if (it.note.word == "saw" && it.tick == plan.front()->tick) drawn.push_back(&it);
   }
-  const std::string words = "The first look: where everything shall be, and, black, what was seen";
+  const std::string words = "The first look: where everything is to go, and, black, what was seen";
   Markup figure = pictures->At(plan.front()->tick, drawn, words);
   figure += Element("figcaption", {}, words);
   Markup pair = Element("figure", {}, figure);
@@ -184,6 +184,9 @@ Markup ActionOf(const NoteGroup& group, const recording::Recording& recording,
 
 /// Returns the actions, and pictures that were compared with what was expected, in their order.
 std::vector<NoteGroup> GroupsOf(const std::vector<RecordedNote>& notes) {
+  // Far more than a run of ten minutes has: a program may note what it likes, and each has a
+  // picture.
+  constexpr std::size_t kMaxGroups = 200;
   std::vector<NoteGroup> groups;
   for (const RecordedNote& it : notes) {
     const bool is_action = it.note.word == "action";
@@ -192,6 +195,7 @@ std::vector<NoteGroup> GroupsOf(const std::vector<RecordedNote>& notes) {
     const bool is_next =
         groups.empty() || is_action ||
         (IsVerdict(*groups.back().back()) && groups.back().back()->tick != it.tick);
+    if (is_next && groups.size() == kMaxGroups) break;
     if (is_next) groups.emplace_back();
     groups.back().push_back(&it);
   }

@@ -41,6 +41,7 @@ function phrase = phraseOf(words)
     case 'joint', phrase = sprintf('dragged by (%s, %s)', words{3:4});
     case 'state', phrase = ['in state ', words{3}];
     case 'fastened', phrase = ['fastened to ', words{3}];
+    case 'cut', phrase = ['cut with ', words{3}];
     otherwise, phrase = 'gone';
   end
 end

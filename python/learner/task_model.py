@@ -23,6 +23,7 @@ def infer_task(demo, attention):
     moved = moved_objects(demo)
     carried = [n for n in moved if not was_dragged(demo.moves[n])]
     appearances = demo.appearances = measure_objects(demo, carried)
+    moved = [n for n in moved if n not in tools_of(demo)]
     placed = [step_of(demo, n, appearances[n], attention) if n in carried
               else measure_handle(demo, n) for n in moved]
     steps = supports_of(placed, [
@@ -95,6 +96,12 @@ def step_of(demo, n, appearance, attention):
     return Step(color, size, np.array([x, y, z]), yaw, demo.ids[n], [],
                 form=appearance.form, has_knob=appearance.has_knob, parts=parts, start=demo.moves[n][0, 1:4],
                 begins_there=is_same_pose(demo.moves[n][0, 1:], demo.moves[n][-1, 1:]))
+
+
+def tools_of(demo):
+    """Returns the numbers of the objects that were used as tools and put back where they began."""
+    used = {demo.ids.index(fields[1]) for _, word, fields in demo.events if word == "use"}
+    return {n for n in used if is_same_pose(demo.moves[n][0, 1:], demo.moves[n][-1, 1:])}
 
 
 def color_matters(attention, name):

@@ -1,6 +1,7 @@
 """The learner does tasks beyond those of `smile experiment`: equal colors that touch at several heights,
 half heights and several sizes, what the demonstration did not move, what began on something, what must make room
-first, discs, a ball, a lid, and a switch and drives of several colors. What it claims at the end is right.
+first, discs, a ball, a lid, a switch and drives of several colors, and a pair of scissors. What it claims at
+the end is right.
 
     tasks_test.py SMILE SOURCE
 
@@ -23,6 +24,7 @@ CASES = [("pyramid", PYTHON, ["--seed", "1"]), ("bricks", OCTAVE, ["--seed", "1"
          ("hanoi", PYTHON, ["--seed", "1", "--level", "fixtures"]), ("ball", PYTHON, ["--seed", "1"]),
          ("lid", PYTHON, ["--seed", "1", "--level", "piles"]),
          ("drive", PYTHON, ["--seed", "1", "--level", "fixtures"]),
+         ("scissors", PYTHON, ["--seed", "1", "--level", "fixtures"]),
          ("pedestal", OCTAVE, [])]
 
 

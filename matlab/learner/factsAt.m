@@ -11,6 +11,7 @@ function facts = factsAt(demo, appearances, container, frame, held, others)
 %   joint A x y      A was dragged by x, y [units] from where it began
 %   state C S        the control C is in state S
 %   fastened A B     B is fastened to A
+%   cut A B          A was cut with the tool B
 %   gone A           A is no longer there
 %   turned A         A is on another face than at the start
 %

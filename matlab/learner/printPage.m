@@ -40,6 +40,7 @@ function phrase = phraseOf(words)
     case 'state', phrase = ['in state ', words{3}];
     case 'fastened', phrase = ['fastened to ', words{3}];
     case 'turned', phrase = 'turned onto another face';
+    case 'cut', phrase = ['cut with ', words{3}];
     otherwise, phrase = 'gone';
   end
 end

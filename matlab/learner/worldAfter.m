@@ -15,6 +15,8 @@ function world = worldAfter(action, world, ids)
       set(['state ', words{1}], words{end});
     case 'changeControlState'
       set(['state ', words{1}], words{2});
+    case 'use'
+      if strcmp(words{3}, 'cut'), set(['cut ', strtok(words{4})], words{2}); end
     case 'fasten'
       set(['fastened ', words{3}, ' ', words{5}], '');
     case 'loosen'

@@ -353,6 +353,9 @@ function check_inference()
   check(any(strcmp(keyframes(3).facts, 'on Blue table')), 'facts are those before the next deed');
   check(isequal(goal, {'on Red Plank', 'place Red Plank 0.10 0.49 84', 'on Blue Red', ...
                        'place Blue Red 0.00 0.00 -95'}), 'the goal is what is made and kept');
+  cut = struct('word', 'use', 'fields', {{'LeftHand', 'Knife', 'cut', 'String between link 1 and 2'}});
+  world = worldAfter(cut, struct('held', struct(), 'names', {{}}, 'values', {{}}), {});
+  check(isequal([world.names, world.values], {'cut String', 'Knife'}), 'what was cut is a fact');
 
   delete(fullfile(folder, 'rgb', '0.png'));
   message = '';

@@ -76,6 +76,11 @@ def eye_of(info):
     return Eye(np.array([[eye["fx"], 0, eye["cx"]], [0, eye["fy"], eye["cy"]], [0, 0, 1]]), pose)
 
 
+def picture_frames(demo):
+    """Returns the frames that have pictures, a list."""
+    return sorted(int(it.stem) for it in demo.folder.glob("*/*.png") if it.stem.isdigit())
+
+
 def read_picture(demo, frame):
     """Reads the picture of a frame: HxWx3, 0 to 1; None if there is none."""
     found = sorted(demo.folder.glob(f"*/{int(frame)}.png"))

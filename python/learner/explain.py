@@ -75,6 +75,8 @@ def apply(word, fields, held, others):
         others[f"state {fields[0]}"] = fields[-1]
     elif word == "changeControlState":
         others[f"state {fields[0]}"] = fields[1]
+    elif word == "use" and fields[2] == "cut":
+        others[f"cut {fields[3].split()[0]}"] = fields[1]
     elif word == "fasten":
         others[f"fastened {fields[2]} {fields[4]}"] = ""
     elif word == "loosen" and float(fields[5]) == 0:

@@ -10,13 +10,13 @@ smile: imitates
 from arms import arms_for, arms_of
 from constants import TASK_PLANNING
 from demonstration import read_demonstration
+from devices import infer_devices
 from execution import Action, execute_action
 from explain import explain
 from eye import Eye
 from joint_estimates import JointEstimates
 from motion_planning import retreat
 from notes import Note, tops_of
-from presses import infer_presses
 from sentences import page_of
 from task_model import infer_task
 from task_planning import choose_actions
@@ -30,7 +30,7 @@ def init(aux):
                          "smile imitate DEMO SCENE --brain python/learner/learner.py")
     demo = read_demonstration(aux.demonstration)
     steps, container = infer_task(demo, aux.attention)
-    presses = infer_presses(demo, steps)
+    presses = infer_devices(demo, steps)
     page = page_of(explain(demo, container))
     for line in page:
         print(line)

@@ -1,12 +1,14 @@
 """Switches and buttons that a demonstration pressed: what that changed in its pictures."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 
 from constants import PRESSES as C
-from demonstration import read_picture
+from demonstration import picture_frames, read_picture
 from regions import label_regions
+from steps import Step
 
 
 @dataclass(eq=False)
@@ -18,32 +20,12 @@ class Press:
     before: np.ndarray  # picture of the demonstration before it, HxWx3
     later: np.ndarray  # and after it
     changed: np.ndarray  # mask of the pixels that it changed, HxW bool
+    tool: Optional[Step] = None  # that was used, in a Use
     attempts: int = 0
     done: bool = False
 
     def __str__(self):
         return f"press of {self.control}"
-
-
-def infer_presses(demo, steps):
-    """Returns the Presses of a demonstration, in their order, as far as the pictures show what they changed.
-    Raises ValueError if they show nothing."""
-    placed = set()  # names of the objects that were released so far for the last time
-    last = {n: k for k, n in enumerate(demo.placed)}
-    presses, num_released = [], 0
-    for frame, word, fields in demo.events:
-        if word == "release":
-            n = demo.placed[num_released]
-            if last[n] == num_released:
-                placed.add(demo.ids[n])
-            num_released += 1
-        if word in ("trigger", "press"):
-            control = fields[1] if word == "trigger" else fields[0]
-            after = [k for k, step in enumerate(steps) if step.stays or step.name in placed]
-            presses.append(press_at(demo, frame, control, after))
-    for press in presses:
-        press.changed &= place_of(press.control, presses)
-    return presses
 
 
 def place_of(control, presses):
@@ -62,17 +44,19 @@ def place_of(control, presses):
     return mask
 
 
-def press_at(demo, frame, control, after):
-    """Returns the Press of a control at a frame of a demonstration."""
-    later = read_picture(demo, frame)
-    earlier = [it for it in range(int(frame)) if read_picture(demo, it) is not None]
-    if later is None or not earlier:
-        raise ValueError(f"no picture of the demonstration shows how {control} was pressed")
-    before = read_picture(demo, earlier[-1])
-    number = label_regions(np.abs(later - before).max(axis=2) > C.min_change)
+def changes(demo, first, end, what):
+    """Returns the last picture of a demonstration before a frame, the last one before a later frame, and the mask of
+    the pixels that differ. what: it shows, for messages"""
+    frames = picture_frames(demo)
+    earlier = [it for it in frames if it < first]
+    later = [it for it in frames if first <= it < end]
+    if not earlier or not later:
+        raise ValueError(f"no picture of the demonstration shows what was done to {what}")
+    before, after = (read_picture(demo, it[-1]) for it in (earlier, later))
+    number = label_regions(np.abs(after - before).max(axis=2) > C.min_change)
     sizes = np.bincount(number.ravel())
     # Thin rims change where something still moves a little.
     changed = (number > 0) & (sizes[number] >= C.min_changed_pixels)
     if not changed.any():
-        raise ValueError(f"no picture of the demonstration shows what the press of {control} changed")
-    return Press(control, after, before, later, changed)
+        raise ValueError(f"no picture of the demonstration shows what was changed at {what}")
+    return before, after, changed

@@ -23,13 +23,13 @@ def observe(state, sensor, picture, eye):
         return
     # The place of the container is not known before a site is chosen.
     container = state.container if state.has_site else None
-    seen = detect_blocks(picture, eye, state.steps + state.unknown_objects, container, heights)
+    seen = detect_blocks(picture, eye, likes(state), container, heights)
     if heights is not None:
         find_knobs(state.steps, seen, picture, eye, heights)
     if not state.has_site or state.num_blocked > 0 or len(state.unexplained) >= C.many_unexplained:
         whole = with_held_parts(seen + state.known)
         state.unknown_objects += detect_unknown_objects(picture, eye, whole, heights)
-        seen = detect_blocks(picture, eye, state.steps + state.unknown_objects, container, heights)
+        seen = detect_blocks(picture, eye, likes(state), container, heights)
         add_knobs(state.steps, seen)
     compare(state, seen, picture, eye, heights)
     if heights is not None:
@@ -49,6 +49,21 @@ def compare(state, seen, picture, eye, heights):
         state.failures.append(state.grasp)
     state.moved = ""
     state.known = corrected(seen, verdicts)
+
+
+def is_moving(state, picture):
+    """Returns true until nothing has moved in the last few pictures, or there were very many: what swings is looked at
+    when it hangs still."""
+    last, state.last_picture = state.last_picture, picture
+    state.num_looks += 1
+    is_still = last is not None and (np.abs(picture - last).max(axis=2) > C.max_still_change).sum() < C.max_moving_pixels
+    state.num_still = state.num_still + 1 if is_still else 0
+    return state.num_still < C.num_still and state.num_looks < C.max_looks
+
+
+def likes(state):
+    """Returns what blocks may look like: those of the steps, unknown objects, and tools."""
+    return state.steps + state.unknown_objects + [it.tool for it in state.presses if it.tool]
 
 
 def open_steps(state):

@@ -3,7 +3,7 @@
 PHRASES = {"on": "on {0}", "in": "in {0}", "beside": "beside {0}", "aligned": "aligned with {0}",
            "held": "in {0}", "place": "at ({1}, {2}) of {0}, rotated by {3} degrees",
            "joint": "dragged by ({0}, {1})", "state": "in state {0}", "fastened": "fastened to {0}",
-           "gone": "gone", "turned": "turned onto another face"}
+           "cut": "cut with {0}", "gone": "gone", "turned": "turned onto another face"}
 
 
 def page_of(explanation):

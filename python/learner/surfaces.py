@@ -44,7 +44,8 @@ def references(picture, pixels):
     row, column = pixels
     codes = np.round(picture[row, column] * 255).astype(int) @ [65536, 256, 1]
     chosen = []
-    for code in [code for code, count in zip(*np.unique(codes, return_counts=True)) if count >= C.min_pixels]:
+    found, counts = np.unique(codes, return_counts=True)
+    for code in found[np.argsort(-counts)][:C.num_references]:
         r, c = row[codes == code], column[codes == code]
         k = np.argmin(np.hypot(r - r.mean(), c - c.mean()))
         chosen.append((r[k], c[k]))

@@ -25,6 +25,7 @@ def infer_task(demo, attention):
     moved = moved_objects(demo)
     carried = [n for n in moved if not was_dragged(demo.moves[n])]
     appearances = demo.appearances = measure_objects(demo, carried)
+    moved = [n for n in moved if n not in tools_of(demo)]
     placed = [step_of(demo, n, appearances[n], attention) if n in carried
               else measure_handle(demo, n) for n in moved]
     steps = supports_of(placed, [
@@ -97,6 +98,12 @@ def step_of(demo, n, appearance, attention):
                 start_size=None if same_size(began, size) else began, start=demo.moves[n][0, 1:4],
                 form=appearance.form, has_knob=appearance.has_knob, parts=parts,
                 begins_there=is_same_pose(demo.moves[n][0, 1:], demo.moves[n][-1, 1:]))
+
+
+def tools_of(demo):
+    """Returns the numbers of the objects that were used as tools and put back where they began."""
+    used = {demo.ids.index(fields[1]) for _, word, fields in demo.events if word == "use"}
+    return {n for n in used if is_same_pose(demo.moves[n][0, 1:], demo.moves[n][-1, 1:])}
 
 
 def color_matters(attention, name):

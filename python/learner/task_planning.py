@@ -10,12 +10,12 @@ from blocks import is_same_kind
 from building_site import choose_site
 from clearance import container_walls, grasp_yaws, is_inside, with_held_parts
 from constants import ARMS, TASK_PLANNING as C
+from device_planning import choose_device, forget_fixtures, locate_controls
 from execution import Action
 from eye import height_map
 from motion_planning import plan_pick_and_place
 from notes import action_note, name_of, plan_notes
-from press_planning import choose_press, forget_fixtures, locate_controls
-from progress import assess_progress, observe, open_steps
+from progress import assess_progress, is_moving, observe, open_steps
 from proposals import (
     clearing_moves, is_obstructing, propose_moves, turning_moves, uncovering_moves)
 from task_state import Claim, give_up, num_failures
@@ -27,6 +27,8 @@ def choose_actions(state, sensor, eye, arms):
     """Updates the beliefs from a picture and plans the next actions: a list; [] when everything is
     built or no plan is found (state.claim says which)."""
     picture = sensor.rgbVision / 255
+    if state.presses and not state.has_site and is_moving(state, picture):
+        return [Action("observe")]
     if not state.has_site or "second look" not in state.without:
         observe(state, sensor, picture, eye)
     heights = height_map(sensor.depthVision, eye) if state.presses else None
@@ -40,7 +42,7 @@ def choose_actions(state, sensor, eye, arms):
     used = assess_progress(state)
     if state.presses:
         forget_fixtures(state, picture, heights, eye)
-        actions, reason = choose_press(state, arms, picture, heights, eye, sensor)
+        actions, reason = choose_device(state, arms, picture, heights, eye, sensor)
         if reason:
             give_up(state, f"at the {reason}")
         if actions or reason:

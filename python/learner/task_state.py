@@ -48,6 +48,9 @@ class TaskState:
     presses: list = field(default_factory=list)  # of switches and buttons, in the demonstrated order
     shown: Optional[Eye] = None  # the eye of the demonstration, which shows them
     alignments: dict = field(default_factory=dict)  # of a control's name: Alignment of its surroundings
+    last_picture: Optional[np.ndarray] = None  # seen before the scene was still
+    num_looks: int = 0  # number of pictures until then
+    num_still: int = 0  # number of the last of them in which nothing moved
     without: tuple = ()  # "depth", "second look": abilities that it does not use
     see: Optional[Callable] = None  # told what is seen: from sensor, eye and steps to Blocks
 

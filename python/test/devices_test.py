@@ -1,10 +1,11 @@
-"""Tests how the learner in python/learner recognizes things of several colors, and finds and judges buttons, without
-the simulator: devices_test.py, with python/learner on the path.
+"""Tests how the learner in python/learner recognizes things of several colors, finds and judges buttons, and uses
+tools, without the simulator: devices_test.py, with python/learner on the path.
 """
 
 import math
 import unittest
 from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 from unittest.mock import patch
 
@@ -13,13 +14,16 @@ import numpy as np
 from blocks import is_same_kind, yaw_difference
 from clearance import rotated
 from demonstration import read_demonstration
+from devices import infer_devices
+from explain import explain
 from layouts import detect_layouts
 from learner_test import BLUE, BROWN, EYE, GREEN, RED, RecordingTest, block, picture_of, view_of
 from motion_planning import plan_pick_and_place
 from part_measuring import measure_parts
-from presses import infer_presses
 from pressing import button_of, locate, looks_pressed
 from surfaces import surface_of
+from task_model import infer_task
+from use_planning import find_tool
 
 GRAY, DARK, LIGHT = np.full(3, 0.5), np.full(3, 0.2), np.full(3, 0.85)
 
@@ -87,7 +91,7 @@ class PressTest(RecordingTest):
         self.record(picture_of(self.fixture(0, -2, 0, False)), picture_of(self.fixture(0, -2, 0, True)))
         self.write(0, ["0,create,Panel,shape,composite", "0,move,Panel,0.0,-2.0,0.1,0.0,0.0,0.0"])
         self.write(1, ["1,trigger,LeftHand,Switch"])
-        [self.press] = infer_presses(read_demonstration(self.folder), [])
+        [self.press] = infer_devices(read_demonstration(self.folder), [])
 
     def test_a_button_is_found_where_the_scene_looks_like_the_demonstration(self):
         x, y, yaw = 1.5, -3, 0.4
@@ -106,6 +110,44 @@ class PressTest(RecordingTest):
     def test_what_is_not_there_is_not_found(self):
         picture, heights = view_of([block(GRAY, np.array([1.0, 0.5, 0.3]), 1, -3), *thing(RED, -2, -3)])
         self.assertIsNone(locate(self.press, picture, heights, EYE, EYE))
+
+
+class UseTest(RecordingTest):
+    """A knife with a blue tip cuts a string, and is put back."""
+
+    def knife(self, x, y, yaw):
+        dx, dy = rotated([1.3, 0], yaw)
+        return [block(RED, np.array([1.8, 0.5, 0.8]), x, y, yaw=yaw),
+                block(BLUE, np.array([0.8, 0.3, 0.4]), x + dx, y + dy, yaw=yaw)]
+
+    def setUp(self):
+        string = [block(GREEN, np.array([0.2, 3, 0.2]), 1, -2, 1), block(BROWN, np.array([0.5, 0.5, 1]), 1, -0.5)]
+        self.record(picture_of([*self.knife(-2, -3, 0), *string]),
+                    picture_of([*self.knife(-2, -3, 0), string[1]]))
+        self.write(0, ["0,create,Knife,shape,composite", "0,move,Knife,-2.0,-3.0,0.4,0.0,0.0,0.0"])
+        self.write(1, ["1,grasp,LeftHand,Knife", "1,move,Knife,-2.0,-3.0,2.0,0.0,0.0,0.0",
+                       "2,move,Knife,-1.0,-2.0,1.0,0.0,0.0,0.0", "3,move,Knife,-0.7,-2.0,1.0,0.0,0.0,0.0"])
+        self.write(2, ["4,use,LeftHand,Knife,cut,String between link 1 and 2", "4,move,Knife,-0.4,-2.0,1.0,0.0,0.0,0.0",
+                       "5,move,Knife,-2.0,-3.0,0.4,0.0,0.0,0.0"])
+        self.write(3, ["6,release,LeftHand"])
+        Path(self.folder / "rgb/1.png").rename(self.folder / "rgb/6.png")
+        self.demo = read_demonstration(self.folder)
+        self.steps, _ = infer_task(self.demo, {})
+
+    def test_a_tool_that_was_put_back_is_no_step_but_used(self):
+        self.assertEqual(self.steps, [])
+        [use] = infer_devices(self.demo, self.steps)
+        np.testing.assert_allclose(use.pose, [-0.4, -2, 1, 0], atol=1e-9)
+        np.testing.assert_allclose(use.begin, [-1, -2, 1])
+        self.assertIn("cut String Knife", explain(self.demo, None).goal)
+
+    def test_a_tool_is_turned_as_its_surroundings_look(self):
+        [use] = infer_devices(self.demo, self.steps)
+        for yaw in 0.5, 0.5 + math.pi:
+            picture, heights = view_of(self.knife(1, -3, yaw))
+            known = [block(RED, np.array([1.8, 0.5, 0.8]), 1, -3, yaw=0.5)]
+            _, found = find_tool(use, known, surface_of(picture, heights, EYE), EYE)
+            self.assertAlmostEqual(math.remainder(found.yaw - yaw, 2 * math.pi), 0)
 
 
 if __name__ == "__main__":

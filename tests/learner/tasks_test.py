@@ -1,7 +1,7 @@
 """The learner does tasks beyond those of `smile experiment`: equal colors that touch at several heights,
 half heights and several sizes, what the demonstration did not move, what began on something, what must make room
-first, discs, a ball, a lid, a plank that must be turned, and a switch and drives of several
-  colors. What it claims at the end is right.
+first, discs, a ball, a lid, a plank that must be turned, a switch and drives of several colors, and a pair of scissors.
+What it claims at the end is right.
 
     tasks_test.py SMILE SOURCE
 
@@ -27,6 +27,7 @@ CASES = [("pyramid", PYTHON, ["--seed", "1"]), ("bricks", OCTAVE, ["--seed", "1"
          ("hanoi", OCTAVE, ["--seed", "2", "--level", "fixtures"]), ("ball", OCTAVE, ["--seed", "2"]),
          ("lid", OCTAVE, ["--seed", "2", "--level", "piles"]),
          ("drive", PYTHON, ["--seed", "1", "--level", "fixtures"]),
+         ("scissors", PYTHON, ["--seed", "1", "--level", "fixtures"]),
          ("pedestal", OCTAVE, [])]
 
 

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <thread>
 
+#include "base/files.h"
 #include "base/temporary_directory.h"
 #include "page/page_protocol.h"
 #include "page/test/web_client.h"

@@ -176,17 +176,21 @@ class Recording:
              size: tuple[int, int] = (640, 480), rate: float = 30, speed: float = 1) -> None:
         """Writes a film (mp4, H.264) of what a camera sees, as Simulation.render() does.
 
-        rate   pictures per second of the film, at most 1000
-        speed  2 shows two seconds of the recording in one
+        rate   pictures per second of the film, from 1 to 1000
+        speed  from 0.01 to 1000; 2 shows two seconds of the recording in one
         """
-        if not (math.isfinite(speed) and speed > 0):
-            raise ValueError(f"speed is {speed!r}, expected a number above 0")
+        for name, value, least in (("rate", rate, 1), ("speed", speed, 0.01)):
+            if not (math.isfinite(value) and least <= value <= 1000):
+                raise ValueError(f"{name} is {value!r}, expected a number from {least} to 1000")
         _native.film(self._native, os.fspath(path), camera, *picture_size(size), float(rate), float(speed))
 
     def _repr_html_(self) -> str:
         """The film; of a long recording in quick motion, so that a notebook stays small."""
-        words = html.escape(f"{self.title or self.directory.name}: {self.times[-1]:.1f} s")
-        speed = max(1.0, float(self.times[-1]) / _NOTEBOOK_SECONDS)
+        seconds = float(self.times[-1]) if len(self) > 0 else 0.0
+        words = html.escape(f"{self.title or self.directory.name}: {seconds:.1f} s")
+        if len(self) == 0 or seconds > 1000 * _NOTEBOOK_SECONDS:
+            return f"<p>{words}</p>"
+        speed = max(1.0, seconds / _NOTEBOOK_SECONDS)
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "film.mp4"
             self.film(path, size=(400, 300), rate=10, speed=speed)

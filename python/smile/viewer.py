@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import html
 import math
 import os
@@ -9,7 +10,7 @@ import subprocess
 import sys
 from types import TracebackType
 from typing import TYPE_CHECKING
-from weakref import WeakKeyDictionary
+from weakref import WeakKeyDictionary, WeakSet
 
 from smile.native import load
 from smile.simulation import Simulation, data_file
@@ -32,17 +33,20 @@ class Studio:
         """Starts to serve the page at 127.0.0.1, to this machine only.
 
         port    of the page; 0 for the first free one from 8470 on
-        speed   greatest ratio of simulated to real time: 1 shows motion as it is; 0 for no limit
+        speed   greatest ratio of simulated to real time, at least 0.01: 1 shows motion as it is; 0
+                for no limit
         height  of the page in a notebook [px]
 
         Raises RuntimeError if the page is not built, or the port is taken.
         """
-        if isinstance(port, bool) or not isinstance(port, int) or not 0 <= port <= 65535:
-            raise ValueError(f"port is {port!r}, expected a whole number from 0 to 65535")
-        if not (math.isfinite(speed) and 0 <= speed <= 1000):
-            raise ValueError(f"speed is {speed!r}, expected a number from 0 to 1000")
-        self.height = int(height)
+        for name, value, most in (("port", port, 65535), ("height", height, 100_000)):
+            if isinstance(value, bool) or not isinstance(value, int) or not 0 <= value <= most:
+                raise ValueError(f"{name} is {value!r}, expected a whole number from 0 to {most}")
+        if not (speed == 0 or (math.isfinite(speed) and 0.01 <= speed <= 1000)):
+            raise ValueError(f"speed is {speed!r}, expected 0 or a number from 0.01 to 1000")
+        self.height = height
         self._native = _native.Viewer(_native_of(simulation), _page(), port, float(speed))
+        _open.add(self)
 
     @property
     def url(self) -> str:
@@ -86,25 +90,39 @@ class Studio:
                 f'height="{self.height}" style="border: 0"></iframe>')
 
 
+# Their threads end before the interpreter does.
+_open: WeakSet[Studio] = WeakSet()
+
+
+@atexit.register
+def _close_all() -> None:
+    for studio in list(_open):
+        studio.close()
+
+
 # The page of a simulation is the same each time that a cell asks for it.
-_studios: WeakKeyDictionary[Simulation, Studio] = WeakKeyDictionary()
+_studios: WeakKeyDictionary[Simulation, tuple[Studio, tuple[int, float, int]]] = WeakKeyDictionary()
 
 
 def studio(simulation: Simulation, *, port: int = 0, speed: float = 0, height: int = 480,
            open: bool = False) -> Studio:
     """Shows a simulation in the studio's page, see Studio; in a notebook, in the cell.
 
-    The page of a simulation remains until `close()` or the end of the simulation; a second call
-    returns the same one.
+    The page of a simulation remains until `close()` or the end of the simulation. A second call
+    with the same arguments returns the same one, a call with other arguments ends it.
 
     open    opens the page in the browser, if there is a screen
     """
-    known = _studios.get(simulation)
-    if known is None or known.is_closed:
-        known = _studios[simulation] = Studio(simulation, port=port, speed=speed, height=height)
+    arguments = port, speed, height
+    shown, how = _studios.get(simulation, (None, None))
+    if shown is None or shown.is_closed or how != arguments:
+        if shown is not None:
+            shown.close()
+        shown = Studio(simulation, port=port, speed=speed, height=height)
+        _studios[simulation] = shown, arguments
     if open:
-        known.open()
-    return known
+        shown.open()
+    return shown
 
 
 def _native_of(simulation: Simulation) -> _native.Simulation:

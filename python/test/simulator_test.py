@@ -6,8 +6,10 @@ Usage: simulator_test.py SMILE_PROGRAM PROJECT_FOLDER
 import base64
 import importlib
 import json
+import os
 import pickle
 import random
+import signal
 import subprocess
 import sys
 import tempfile
@@ -225,6 +227,20 @@ class TaskTest(unittest.TestCase):
             self.assertTrue(task.compare().is_achieved)
 
 
+class InterruptTest(unittest.TestCase):
+    def test_ctrl_c_ends_a_long_step_after_a_tick(self):
+        sim = tower(robot="tern")
+        for advance in (lambda: sim.step(10**8), lambda: sim.run_until(lambda _: False, 10**6)):
+            timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+            timer.start()
+            with self.assertRaises(KeyboardInterrupt):
+                advance()
+            timer.join()
+        alone = tower(robot="tern")
+        alone.step(sim.tick)
+        self.assertEqual(alone.hash, sim.hash)
+
+
 class ViewerTest(unittest.TestCase):
     """The page itself is tested in a browser: web/test/viewer.test.mjs."""
 
@@ -250,15 +266,22 @@ class ViewerTest(unittest.TestCase):
 
     def test_time_passes_no_faster_than_it_should(self):
         sim = tower()
-        with smile.studio(sim, speed=4):
+        studio = smile.studio(sim, speed=4)
+        begin = time.monotonic()
+        sim.step(60)
+        self.assertGreater(time.monotonic() - begin, 0.2)
+        with smile.studio(sim, height=90) as another:
+            self.assertTrue(studio.is_closed)
+            self.assertIn('height="90"', another._repr_html_())
             begin = time.monotonic()
-            sim.step(60)
-            self.assertGreater(time.monotonic() - begin, 0.2)
+            sim.step(10_000)
+            self.assertLess(time.monotonic() - begin, 41)
 
     def test_mistakes_are_named(self):
         sim = tower()
         for arguments, words in (({"port": 70000}, "0 to 65535"), ({"speed": float("nan")}, "speed is nan"),
-                                 ({"speed": -1}, "speed is -1")):
+                                 ({"speed": -1}, "speed is -1"), ({"speed": 1e-9}, "0.01 to 1000"),
+                                 ({"height": 0.5}, "height is 0.5")):
             with self.assertRaisesRegex(ValueError, words):
                 smile.studio(sim, **arguments)
         with self.assertRaisesRegex(TypeError, "expected a smile.Simulation"):

@@ -20,7 +20,7 @@ WatchedSimulation::WatchedSimulation(sim::Simulation* simulation) : simulation_(
   simulation->AddListener(this);
 }
 
-std::unique_lock<std::mutex> WatchedSimulation::Lock() {
+std::unique_lock<std::recursive_mutex> WatchedSimulation::Lock() {
   std::unique_lock lock(in_use_);
   // Whatever the thread does: states may be restored without a notice to listeners.
   may_have_changed_ = true;

@@ -40,10 +40,10 @@ class WatchedSimulation : private sim::Listener {
   // For the thread of the simulation.
 
   /// Locks the simulation: to be held while the thread uses it.
-  [[nodiscard]] std::unique_lock<std::mutex> Lock();
+  [[nodiscard]] std::unique_lock<std::recursive_mutex> Lock();
   /// Slows ticks down to a multiple of real time; 0: as fast as possible.
   void SetSpeed(double speed) { speed_ = speed; }
-  /// Ends the connection; the last moment remains. Not while the simulation is locked.
+  /// Ends the connection; the last moment remains. The thread may hold the lock.
   void Detach();
 
   // For the thread of the viewer.
@@ -60,7 +60,7 @@ class WatchedSimulation : private sim::Listener {
   /// Waits until the next tick is due.
   void Pace();
 
-  std::mutex in_use_;            ///< held by the thread that uses `simulation_`
+  std::recursive_mutex in_use_;  ///< held by the thread that uses `simulation_`
   sim::Simulation* simulation_;  ///< nullptr once detached
   bool may_have_changed_ = true;
   std::atomic<bool> is_wanted_ = false;

@@ -72,10 +72,11 @@ class Handle {
         handle_.is_in_use_ = false;
         throw std::runtime_error("the simulation is closed, expected an open one");
       }
-      if (handle_.watched_) watched_ = handle_.watched_->Lock();
+      watched_ = handle_.watched_;
+      if (watched_) lock_ = watched_->Lock();
     }
     ~Use() {
-      if (watched_) watched_.unlock();
+      if (lock_) lock_.unlock();
       handle_.is_in_use_ = false;
     }
     Use(const Use&) = delete;
@@ -86,7 +87,9 @@ class Handle {
 
    private:
     Handle& handle_;
-    std::unique_lock<std::mutex> watched_;
+    /// Of the handle when the use began: it may end within the use.
+    std::shared_ptr<studio::WatchedSimulation> watched_;
+    std::unique_lock<std::recursive_mutex> lock_;
   };
 
   /// Ends a recording, then the simulation. Does nothing if it is closed.

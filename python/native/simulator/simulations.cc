@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <chrono>
 #include <limits>
 
 #include "arrays.h"
@@ -91,6 +92,24 @@ Array PosesOf(const sim::Simulation& simulation) {
   return poses;
 }
 
+/// Lets Python handle signals during a long call, ten times a second: Ctrl-C ends it after a tick.
+class SignalCheck {
+ public:
+  /// To be called without the interpreter's lock.
+  /// @throws py::error_already_set if the handler of a signal has raised something.
+  void operator()() {
+    using namespace std::chrono_literals;
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < 100ms) return;
+    last_ = now;
+    const py::gil_scoped_acquire acquire;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
 /// Advances until a condition holds.
 /// @returns false if `max_ticks` passed before.
 bool RunUntil(sim::Simulation& simulation, const std::string& condition, std::uint64_t max_ticks) {
@@ -104,9 +123,11 @@ bool RunUntil(sim::Simulation& simulation, const std::string& condition, std::ui
     rest = simulation.is_still() ? rest + 1 : 0;
     return rest > kRestTicks;
   };
+  SignalCheck check_signals;
   for (std::uint64_t i = 0; i < max_ticks; ++i) {
     simulation.Tick();
     if (holds()) return true;
+    check_signals();
   }
   return false;
 }
@@ -307,7 +328,11 @@ void BindSimulation(py::module_& m) {
            [](Handle& handle, std::uint64_t ticks) {
              const Handle::Use use(&handle);
              const py::gil_scoped_release release;
-             for (std::uint64_t i = 0; i < ticks; ++i) use->Tick();
+             SignalCheck check_signals;
+             for (std::uint64_t i = 0; i < ticks; ++i) {
+               use->Tick();
+               check_signals();
+             }
            })
       .def("run_until",
            [](Handle& handle, const std::string& condition, std::uint64_t max_ticks) {

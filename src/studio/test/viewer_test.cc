@@ -8,6 +8,7 @@
 #include <fstream>
 #include <thread>
 
+#include "base/files.h"
 #include "base/temporary_directory.h"
 #include "page/page_protocol.h"
 #include "page/test/web_client.h"
@@ -113,7 +114,7 @@ TEST(WatchedSimulation, ComputesTheBitsOfAnUnwatchedOne) {
     (void)simulation->Apply(
         sim::MoveTo{.hand = sim::HandName::kLeft, .p_WH = Vector3(0.3, 0.2, 0.2)});
     for (int i = 0; i < 60; ++i) {
-      const auto lock = watched ? watched->Lock() : std::unique_lock<std::mutex>();
+      const auto lock = watched ? watched->Lock() : std::unique_lock<std::recursive_mutex>();
       for (int tick = 0; tick < 3; ++tick) simulation->Tick();
     }
     return simulation->state_hash();
@@ -137,6 +138,17 @@ TEST(WatchedSimulation, PublishesDuringALongStep) {
   std::thread([&] { EXPECT_EQ(watched.Latest()->tick, 0u); }).join();
   simulation.Tick();
   std::thread([&] { EXPECT_EQ(watched.Latest()->tick, 1u); }).join();
+}
+
+TEST(WatchedSimulation, EndsAlsoWhileItIsLocked) {
+  auto simulation =
+      std::make_unique<sim::Simulation>(scene_xml::LoadScene(DataFile("scenes/tower.xml")));
+  WatchedSimulation watched(simulation.get());
+  const auto lock = watched.Lock();
+  simulation->Tick();
+  watched.Detach();
+  simulation.reset();
+  EXPECT_EQ(watched.Latest()->tick, 1u);
 }
 
 TEST(WatchedSimulation, IsSlowedDownToRealTime) {

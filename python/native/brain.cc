@@ -228,9 +228,8 @@ py::bytes Encode(int type, std::uint32_t sequence, const py::dict& values) {
 /// Connection whose waits release the lock of the interpreter and handle signals.
 class Connection {
  public:
-  explicit Connection(const std::string& address)
-      : connection_(address, {.make_room = [this](std::size_t size) { return MakeRoom(size); },
-                              .on_signal = &HandleSignals}) {}
+  explicit Connection(const std::string& address) : connection_(address, Options()) {}
+  explicit Connection(int connected_socket) : connection_(connected_socket, Options()) {}
 
   void Greet(const std::string& client, const std::string& language, bool has_guard) {
     const py::gil_scoped_release unlocked;
@@ -257,6 +256,11 @@ class Connection {
   }
 
  private:
+  SimulatorConnection::Options Options() {
+    return {.make_room = [this](std::size_t size) { return MakeRoom(size); },
+            .on_signal = &HandleSignals};
+  }
+
   static void HandleSignals() {
     const py::gil_scoped_acquire locked;
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -305,6 +309,9 @@ values: dict from names to str, numbers or arrays of numbers; numbers are sent a
 Text becomes str, 1x1 a number, everything else an array in numpy's order.)");
   py::class_<Connection>(m, "Connection", "The socket to the simulator.")
       .def(py::init(&Connected), py::arg("address"))
+      .def_static(
+          "of_socket", [](int fd) { return std::make_unique<Connection>(fd); }, py::arg("fd"),
+          "Takes the descriptor of a connected, blocking socket, and closes it in the end.")
       .def("greet", &Connection::Greet, py::arg("client"), py::arg("language"), py::arg("guard"),
            "Sends HELLO. guard: SIGUSR2 interrupts a brain that takes too long.")
       .def("send", &Connection::Send, py::arg("kind"), py::arg("sequence"), py::arg("values"),

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
         evaluate, imitate, replay)
     from smile.picture import Picture
     from smile.recording import Action, Moment, Recording, open
+    from smile.serving import BrainServer, serve_brain
     from smile.simulation import Event, Model, Simulation, State, data_file, load
     from smile.task import Comparison, ObjectError, Task
 
@@ -33,15 +34,16 @@ _HOMES = {
                      "Replay", "describe", "edit", "evaluate", "imitate", "replay"), "experiment"),
     "Picture": "picture",
     "Action": "recording", "Moment": "recording", "Recording": "recording", "open": "recording",
+    "BrainServer": "serving", "serve_brain": "serving",
     "Event": "simulation", "Model": "simulation", "Simulation": "simulation", "State": "simulation",
     "data_file": "simulation", "load": "simulation",
     "Comparison": "task", "ObjectError": "task", "Task": "task",
 }
 
-__all__ = ["Action", "Comparison", "Description", "Deviation", "Diagnostic", "Difference", "Edit",
+__all__ = ["Action", "BrainServer", "Comparison", "Description", "Deviation", "Diagnostic", "Difference", "Edit",
            "Evaluation", "Event", "Imitation", "Model", "Moment", "ObjectError", "Picture", "Recording",
            "Refused", "Replay", "SceneError", "Simulation", "State", "Task", "data_file", "describe",
-           "edit", "evaluate", "imitate", "load", "open", "replay"]
+           "edit", "evaluate", "imitate", "load", "open", "replay", "serve_brain"]
 
 
 def __getattr__(name: str) -> Any:

@@ -72,3 +72,12 @@ class Exchange:
             return {}
         self.image_seconds = seconds
         return {"imageSeconds": wish_of(self.aux, "imageSeconds")}
+
+
+def exchange_of(brain: object) -> Exchange:
+    """Returns the exchange of an object or module with `step`, or of a function."""
+    step = getattr(brain, "step", brain)
+    if not callable(step):
+        raise TypeError(f"brain is {type(brain).__name__}, expected a path, a function "
+                        "step(sensor, motor, aux), or an object with this method")
+    return Exchange(step, getattr(brain, "init", None))

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from smile import messages, program
 from smile.brain_values import Values
-from smile.exchange import Brain, Exchange, Step
+from smile.exchange import Brain, Exchange, Step, exchange_of
 from smile.native import load as _load_native
 from smile.recording import Recording, open
 from smile.simulation import Model, load, picture_size
@@ -205,7 +205,7 @@ def imitate(demo: Recording | PathLike, scene: Model | PathLike, brain: Step | B
     recording, directory = _recording(demo), Path(out)
     failures: list[BaseException] = []
     runs_here = not isinstance(brain, (str, os.PathLike))
-    how = _answers(_exchange_of(brain), failures) if runs_here else os.fspath(cast(PathLike, brain))
+    how = _answers(exchange_of(brain), failures) if runs_here else os.fspath(cast(PathLike, brain))
     with _reports(progress) as report, _python_of_brains():
         text, brain_error = _native.imitate(
             os.fspath(recording.directory), model, how, os.fspath(directory), seconds=seconds,
@@ -250,15 +250,6 @@ def evaluate(demo: Recording | PathLike, scene: PathLike, brains: PathLike | Seq
 
 def _recording(demo: Recording | PathLike) -> Recording:
     return demo if isinstance(demo, Recording) else open(demo)
-
-
-def _exchange_of(brain: object) -> Exchange:
-    """Returns the exchange of an object or module with `step`, or of a function."""
-    step = getattr(brain, "step", brain)
-    if not callable(step):
-        raise TypeError(f"brain is {type(brain).__name__}, expected a path, a function "
-                        "step(sensor, motor, aux), or an object with this method")
-    return Exchange(step, getattr(brain, "init", None))
 
 
 def _answers(exchange: Exchange, failures: list[BaseException]) -> Callable[[bytes], bytes]:

@@ -12,6 +12,11 @@ class Connection:
     """
     The socket to the simulator.
     """
+    @staticmethod
+    def of_socket(fd: typing.SupportsInt | typing.SupportsIndex) -> Connection:
+        """
+        Takes the descriptor of a connected, blocking socket, and closes it in the end.
+        """
     def __init__(self, address: str) -> None:
         ...
     def greet(self, client: str, language: str, guard: bool) -> None:

@@ -72,8 +72,10 @@ void AddTimeoutOption(CLI::App* command, CLI::Option* brain, double* seconds) {
 CLI::Option* AddBrainOptions(CLI::App* command, BrainOptions* options) {
   CLI::Option* brain =
       command
-          ->add_option("--brain", options->brain,
-                       "brain: a folder with agentBehavior.m, a Python file, or an executable")
+          ->add_option(
+              "--brain", options->brain,
+              "brain: a folder with agentBehavior.m, a Python file, an executable, or the address "
+              "of one that is served, tcp://HOST:PORT or unix:PATH")
           ->transform(PresentBrain());
   AddTimeoutOption(command, brain, &options->timeout);
   command

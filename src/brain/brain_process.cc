@@ -101,6 +101,8 @@ class BrainProcess::Impl {
   process::ChildCommand CommandWithAddress() const;
   bool HasChildEnded() const { return child_ && child_->HasEnded(); }
   std::optional<BrainError> Meet(const process::WaitLimit& limit);
+  /// Connects to the program that serves the brain.
+  std::optional<BrainError> Connect(const process::WaitLimit& limit);
   /// Waits for a connection that says hello. Under a debugger, all other connections are rejected:
   /// their errors are not the brain's.
   std::optional<BrainError> Greet(const process::WaitLimit& limit);
@@ -198,6 +200,7 @@ void BrainProcess::Impl::Stop() {
 std::optional<BrainError> BrainProcess::Impl::Start() {
   // The meeting place exists before the program starts, so a fast program never misses it.
   rendezvous_.emplace(program_.rendezvous);
+  if (program_.server) return std::nullopt;
   if (options_.is_attached) {
     if (options_.on_waiting) options_.on_waiting(HowToAttach(program_, CommandWithAddress()));
     return std::nullopt;
@@ -242,10 +245,24 @@ std::optional<BrainError> BrainProcess::Impl::Meet(const process::WaitLimit& lim
   return std::nullopt;
 }
 
+std::optional<BrainError> BrainProcess::Impl::Connect(const process::WaitLimit& limit) {
+  auto connected = ConnectTo(*program_.server, limit);
+  if (auto* channel = std::get_if<MessageChannel>(&connected)) {
+    channel_.emplace(std::move(*channel));
+    return std::nullopt;
+  }
+  const ChannelFault& fault = std::get<ChannelFault>(connected);
+  if (fault.kind != ChannelFault::Kind::kClosed) {
+    return ExplainFault(fault, Phase::kStart, options_.start_seconds);
+  }
+  return ErrorIn(Phase::kStart, "cannot connect to the brain: " + fault.message +
+                                    ", expected a program that serves one there");
+}
+
 std::optional<BrainError> BrainProcess::Impl::Greet(const process::WaitLimit& limit) {
   // More than one round only under a debugger; without one, the first connection decides.
   while (true) {
-    if (auto error = Meet(limit)) return error;
+    if (auto error = program_.server ? Connect(limit) : Meet(limit)) return error;
     auto received = channel_->Receive(LimitOfHello(limit));
     const Message* hello = std::get_if<Message>(&received);
     if (hello && hello->type == MessageType::kError) return ExplainReport(*hello, Phase::kStart);
@@ -256,7 +273,7 @@ std::optional<BrainError> BrainProcess::Impl::Greet(const process::WaitLimit& li
                              : ErrorIn(Phase::kStart, "the brain does not speak version " +
                                                           std::to_string(wire::kProtocolVersion) +
                                                           " of the protocol");
-    if (!options_.is_attached || limit.IsCancelled()) return error;
+    if (!options_.is_attached || program_.server || limit.IsCancelled()) return error;
     // The only other reason to cancel a hello is LimitOfHello(): a visitor waits behind a silent
     // client.
     if (fault && fault->kind == ChannelFault::Kind::kCancelled) {
@@ -270,7 +287,7 @@ std::optional<BrainError> BrainProcess::Impl::Greet(const process::WaitLimit& li
 // Under a debugger people take their time, so a hello has no timeout of its own. But the listener
 // accepts one client at a time: a stray connection that never speaks must give way to the next.
 process::WaitLimit BrainProcess::Impl::LimitOfHello(const process::WaitLimit& limit) const {
-  if (!options_.is_attached) return limit;
+  if (!options_.is_attached || program_.server) return limit;
   return process::WaitLimit(
       kForeverSeconds, [this, limit, silence = process::WaitLimit(kSilenceSeconds)] {
         return limit.IsCancelled() || (silence.HasPassed() && rendezvous_->HasVisitor());
@@ -333,6 +350,9 @@ BrainError BrainProcess::Impl::ExplainFault(const ChannelFault& fault, Phase pha
   // A closed connection is usually the end of the process, which follows within moments and
   // explains more.
   const bool is_closed = fault.kind == ChannelFault::Kind::kClosed;
+  if (is_closed && program_.server) {
+    return ErrorIn(phase, "the connection to the brain was lost" + during + ": " + fault.message);
+  }
   if (child_ && child_->WaitForEnd(process::WaitLimit(is_closed ? kGoodbyeSeconds : 0))) {
     return ErrorIn(phase, "the brain ended" + during + ": " + child_->End());
   }
@@ -343,8 +363,9 @@ BrainError BrainProcess::Impl::ExplainFault(const ChannelFault& fault, Phase pha
 /// Stops a program that exceeded its timeout. First raises an error inside it, which knows its
 /// line; then interrupts; EndProcess() kills the rest.
 BrainError BrainProcess::Impl::ExplainTimeout(Phase phase, double limit_seconds) {
-  BrainError error = ErrorIn(
-      phase, Name(phase) + " took longer than " + SecondsText(limit_seconds) + " and was stopped");
+  BrainError error =
+      ErrorIn(phase, Name(phase) + " took longer than " + SecondsText(limit_seconds) + " and was " +
+                         (program_.server ? "disconnected" : "stopped"));
   if (!child_) return error;
   if (has_guard_ && channel_) {
     child_->SignalGroup(SIGUSR2);  // also ends a child that it waits for

@@ -44,7 +44,11 @@ inline BrainOptions WithTimeout(double callback_seconds) {
   return {.start_seconds = kStartFactor * callback_seconds, .callback_seconds = callback_seconds};
 }
 
-/// Brain in a process of its own.
+/// Returns true if a brain is the address of a program that serves it: `tcp://HOST:PORT` or
+/// `unix:PATH`.
+bool IsServedBrain(const std::filesystem::path& brain);
+
+/// Brain in a process of its own, or served by another program.
 ///
 /// A brain is a folder with `agentBehavior.m` (run by GNU Octave or Matlab), a Python file, or an
 /// executable file that speaks the protocol of docs/brain-protocol.md (smile::brain_client does,
@@ -53,12 +57,16 @@ inline BrainOptions WithTimeout(double callback_seconds) {
 /// bounded time. After an error the process is gone; it is never started again by itself. The wall
 /// clock is used by the watchdog only: answers do not depend on it.
 ///
+/// A served brain (see IsServedBrain()) is a program that runs already, perhaps on another machine,
+/// and speaks the same protocol over a socket. Init() connects to it. Nothing is known of its
+/// process, and its output appears where it runs.
+///
 /// The process ends with the thread that called Init(), so that nothing outlives a crash: call from
 /// the thread that runs the simulation, or see BrainThread.
 class BrainProcess {
  public:
   /// Checks the brain without starting it.
-  /// @throws InputError if the brain does not exist or is of no known kind.
+  /// @throws InputError if the brain does not exist, is of no known kind, or is no valid address.
   /// @throws std::runtime_error if its interpreter is not installed.
   explicit BrainProcess(const std::filesystem::path& brain, BrainOptions options = {});
   BrainProcess(BrainProcess&&) noexcept;

@@ -184,10 +184,22 @@ fs::path Tidy(const fs::path& path) {
 
 BrainProgram FindBrainProgram(const fs::path& brain, BrainTransport transport) {
   std::error_code error;
+  if (auto server = ParseServerAddress(brain.string())) {
+    return {.folder = {},
+            .working_directory = {},
+            .folder_name = {},
+            .main_file = brain,
+            .rendezvous = Rendezvous::Kind::kNone,
+            .server = std::move(server),
+            .command = {},
+            .debug_arguments = {},
+            .debug_hint = {}};
+  }
   const fs::path path = Tidy(brain);
   if (brain.empty() || !fs::exists(path, error)) {
     Reject(brain,
-           "no such brain, expected a folder with agentBehavior.m, a Python file or a program");
+           "no such brain, expected a folder with agentBehavior.m, a Python file, a program, or an "
+           "address, tcp://HOST:PORT or unix:PATH");
   }
   // For a file, the brain's folder is the one that contains it. In both cases the program starts in
   // the parent of that folder, so `wave/waveInit.m` is how it and its messages name a script.

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "brain/brain_process.h"
 #include "brain/internal_rendezvous.h"
+#include "brain/internal_served_brain.h"
 #include "process/child_process.h"
 
 namespace smile::brain {
@@ -17,6 +19,7 @@ struct BrainProgram {
   std::string folder_name;                  ///< within the working directory, ending in `/`
   std::filesystem::path main_file;          ///< absolute: agentBehavior.m, or the file itself
   Rendezvous::Kind rendezvous = Rendezvous::Kind::kSocket;
+  std::optional<ServerAddress> server;       ///< of a served brain, which has no command
   process::ChildCommand command;             ///< without the address, which is added later
   std::vector<std::string> debug_arguments;  ///< in place of the command's, under a debugger
   std::string debug_hint;                    ///< what to type in the debugger

@@ -80,7 +80,8 @@ Rendezvous::Rendezvous(Kind kind) : kind_(kind) {
   folder_ = name;
   try {
     LockFolder();
-    kind == Kind::kSocket ? Listen() : MakePipes();
+    if (kind == Kind::kSocket) Listen();
+    if (kind == Kind::kPipes) MakePipes();
   } catch (...) {
     std::error_code ignored;
     std::filesystem::remove_all(folder_, ignored);

@@ -9,11 +9,12 @@
 namespace smile::brain {
 
 /// Meeting place with a brain: a folder that only this user can enter, with a socket or a pair of
-/// pipes inside. The folder is removed with this object, whatever the brain left in it; folders of
-/// simulators that were killed are removed when the next one is made.
+/// pipes inside; for a served brain, which is met elsewhere, only the folder. It is removed with
+/// this object, whatever the brain left in it; folders of simulators that were killed are removed
+/// when the next one is made.
 class Rendezvous {
  public:
-  enum class Kind { kSocket, kPipes };
+  enum class Kind { kSocket, kPipes, kNone };
 
   /// @throws std::runtime_error with the folder and the reason.
   explicit Rendezvous(Kind kind);

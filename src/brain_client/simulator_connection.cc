@@ -34,6 +34,9 @@ SimulatorConnection::SimulatorConnection(const std::string& address, Options opt
   }
 }
 
+SimulatorConnection::SimulatorConnection(int connected_socket, Options options)
+    : options_(std::move(options)), socket_(connected_socket), inbox_(options_.make_room) {}
+
 SimulatorConnection::~SimulatorConnection() { ::close(socket_); }
 
 void SimulatorConnection::Greet(const Introduction& introduction) {

@@ -45,6 +45,8 @@ class SimulatorConnection {
   /// @throws std::system_error naming the address and the reason.
   explicit SimulatorConnection(const std::string& address) : SimulatorConnection(address, {}) {}
   SimulatorConnection(const std::string& address, Options options);
+  /// Takes a connected stream socket of any kind, which it closes: one that a server accepted.
+  SimulatorConnection(int connected_socket, Options options);
   SimulatorConnection(const SimulatorConnection&) = delete;
   SimulatorConnection& operator=(const SimulatorConnection&) = delete;
   ~SimulatorConnection();

@@ -33,6 +33,15 @@ namespace {
 constexpr std::size_t kMaxNameLetters = 40;
 constexpr int kRunsFormat = 2;  ///< of brain.json and run.json
 
+/// Returns what a name of a brain is made of.
+std::string StemOf(const std::string& brain) {
+  // Of an address all but its beginning, whose letters say nothing.
+  if (brain::IsServedBrain(brain))
+    return brain.substr(brain.find_first_not_of('/', brain.find(':') + 1));
+  const auto path = std::filesystem::absolute(brain).lexically_normal();
+  return (path.has_filename() ? path.filename() : path.parent_path().filename()).stem().string();
+}
+
 /// Short unique names of brains, suitable as names of folders.
 std::vector<std::string> NamesOf(const std::vector<std::string>& brains) {
   constexpr std::string_view kPlain =
@@ -41,9 +50,7 @@ std::vector<std::string> NamesOf(const std::vector<std::string>& brains) {
   // Names become folders beside this one.
   std::set<std::string> taken{kDemonstratorsFolder};
   for (const std::string& brain : brains) {
-    const auto path = std::filesystem::absolute(brain).lexically_normal();
-    const auto file = path.has_filename() ? path.filename() : path.parent_path().filename();
-    std::string name = file.stem().string().substr(0, kMaxNameLetters);
+    std::string name = StemOf(brain).substr(0, kMaxNameLetters);
     for (char& letter : name) {
       if (kPlain.find(letter) == std::string_view::npos) letter = '_';
     }
@@ -279,7 +286,8 @@ class Evaluator {
                     Json depends_on) {
     // The folder of a candidate is valid only for exactly this brain and this copy; otherwise, it
     // moves aside.
-    depends_on["brain"] = ContentOfBrain(brain);
+    // What a server runs is not known here.
+    depends_on["brain"] = brain::IsServedBrain(brain) ? brain : ContentOfBrain(brain);
     if (!showing.demonstrator.empty()) {
       name += "." + showing.demonstrator;  // no program has a name with a dot
       depends_on["demonstrator"] = showing.demonstrator;

@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
 # tools/fuzz.sh [SECONDS]: feeds the readers of outside files with broken ones, SECONDS (600) for each.
+# tools/fuzz.sh python [SECONDS] [SEED]: calls the simulator in Python at random for that long, with seeds from
+#     SEED (1) on, under the address sanitizer.
 #
 # First the inputs kept in tests/fuzz are run again, then libFuzzer makes new ones of them. An input
 # that crashes, hangs, leaks, takes 500 MB or breaks a claim is kept in tests/fuzz/found, from where
@@ -7,6 +9,33 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
+# Calls python/test/fuzz_test.py with one seed after the other. The compiled half has sanitizers, Python itself has
+# not: their library is loaded before it, and Python takes each piece of memory from it.
+fuzz_python() {
+  local seconds=$1 seed=$2 log
+  install_packages test
+  cd "$project"
+  build release smile_simulator_asan smile_motion_native smile_brain_native
+  log=$(mktemp)
+  trap "rm -f '$log'" EXIT
+  while ((SECONDS < seconds)); do
+    if ! env PYTHONPATH=python:build/release/python_asan:build/release/python PYTHONMALLOC=malloc PYTHONDONTWRITEBYTECODE=1 \
+        LD_PRELOAD="$(g++ -print-file-name=libasan.so) $(g++ -print-file-name=libstdc++.so.6)" ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 \
+        /usr/bin/python3 python/test/fuzz_test.py "$project" --seed "$seed" --calls 2000 --say >"$log" 2>&1; then
+      tail -60 "$log" >&2
+      say "finding: fuzz_test.py --seed $seed --calls 2000"
+      return 1
+    fi
+    seed=$((seed + 1))
+  done
+  echo "python: seeds $2 to $((seed - 1)), no findings; the last: $(tail -1 "$log")"
+}
+
+if [[ ${1:-} == python ]]; then
+  [[ ${2:-600} =~ ^[1-9][0-9]*$ && ${3:-1} =~ ^[0-9]+$ ]] || { say "usage: tools/fuzz.sh python [SECONDS] [SEED]"; exit 2; }
+  fuzz_python "${2:-600}" "${3:-1}"
+  exit
+fi
 seconds=${1:-600}
 [[ $seconds =~ ^[1-9][0-9]*$ ]] || { say "usage: tools/fuzz.sh [SECONDS]"; exit 2; }
 install_packages test

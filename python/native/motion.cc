@@ -8,6 +8,7 @@
 
 #include "base/diagnostic.h"
 #include "motion/planning_robot.h"
+#include "standard_errors.h"
 
 namespace py = pybind11;
 
@@ -353,11 +354,12 @@ table: (width, depth) of a table centered at the origin, with its top at z = 0 [
 
 void BindMotion(py::module_& m) {
   m.doc() = "Compiled part of smile.motion.";
+  python::RegisterStandardErrors();
   py::register_local_exception_translator([](std::exception_ptr raised) {
     try {
       if (raised) std::rethrow_exception(raised);
     } catch (const InputError& error) {
-      PyErr_SetString(PyExc_ValueError, error.what());
+      PyErr_SetObject(PyExc_ValueError, python::MessageText(error.what()).ptr());
     }
   });
   BindAnswers(m);

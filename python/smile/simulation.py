@@ -202,9 +202,13 @@ class Object:
         return self._native.velocity(self.id)
 
     def __repr__(self) -> str:
-        if not self.is_present:
-            return f"<Object {self.id}: gone>"
-        x, y, z = self.position
+        # Debuggers ask at any time, so this never raises.
+        try:
+            if not self.is_present:
+                return f"<Object {self.id}: gone>"
+            x, y, z = self.position
+        except RuntimeError as error:
+            return f"<Object {self.id}: {error}>"
         return f"<Object {self.id} at ({x:.3f}, {y:.3f}, {z:.3f}) m>"
 
 

@@ -17,6 +17,7 @@ import numpy as np
 from hands import put_on
 
 import smile
+import smile.motion
 
 PROGRAM, PROJECT = sys.argv[1], Path(sys.argv[2])
 TOWER = PROJECT / "scenes/tower.xml"
@@ -258,6 +259,49 @@ class MistakesTest(unittest.TestCase):
         worker.start()
         worker.join()
         np.testing.assert_array_equal(here, there[0])
+
+    def test_a_recording_with_pictures_goes_on_and_ends_in_another_thread(self):
+        with tempfile.TemporaryDirectory() as folder:
+            recordings = []
+            for name in ("here", "there"):
+                sim = tower()
+                sim.record(Path(folder) / name, size=(32, 24), rate=60)
+                sim.step(2)
+                sim.hand("left").grasp("RedBlock")
+                sim.hand("left").move_to(PLACE)
+                work = lambda sim=sim: (sim.step(30), recordings.append(sim.finish()), sim.close())  # noqa: E731
+                if name == "here":
+                    work()
+                    continue
+                sim.render(size=(8, 8))  # holds the context of this thread
+                worker = threading.Thread(target=work)
+                worker.start()
+                worker.join()
+            here, there = (recording[-1].render(size=(32, 24)).rgb for recording in recordings)
+            np.testing.assert_array_equal(here, there)
+            for recording in recordings:
+                recording.verify()
+            # One that is given up is destroyed in any thread.
+            sim = tower()
+            sim.record(Path(folder) / "left", size=(32, 24))
+            sim.step(2)
+            worker = threading.Thread(target=sim.close)
+            worker.start()
+            worker.join()
+
+    def test_messages_survive_paths_of_any_bytes(self):
+        with self.assertRaisesRegex(smile.SceneError, r"\\xff\\xfe: is not a recording"):
+            smile.open(b"\xff\xfe")
+        with self.assertRaisesRegex(ValueError, r"\\xff\\xfe"):
+            smile.load(b"\xff\xfe")
+        with self.assertRaisesRegex(ValueError, r"\\xff\\xfe"):
+            smile.motion.Robot(b"\xff\xfe")
+
+    def test_objects_of_a_closed_simulation_can_be_shown(self):
+        sim = tower()
+        block = sim.objects["RedBlock"]
+        sim.close()
+        self.assertEqual(repr(block), "<Object RedBlock: the simulation is closed, expected an open one>")
 
     def test_nothing_that_python_passes_crashes(self):
         rng = random.Random(1)

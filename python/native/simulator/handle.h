@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "picture/rendered_eye.h"
+#include "eye_of_any_thread.h"
 #include "recorder/recording_controller.h"
 #include "sim/command_json.h"
 #include "sim/per_action.h"
@@ -77,10 +77,8 @@ class Handle {
   /// Ends a recording, then the simulation. Does nothing if it is closed.
   void Close() {
     if (simulation_ == nullptr) return;
-    {
-      const Use use(this);
-      if (recording_) recording_->Flush();
-    }
+    const Use use(this);  // to the end: no other thread may begin while it is destroyed
+    if (recording_) recording_->Flush();
     Destroy();
   }
   bool is_closed() const { return simulation_ == nullptr; }
@@ -164,7 +162,7 @@ class Handle {
   EventList events_;
   std::unique_ptr<sim::Simulation> simulation_;  ///< null once it is closed
   std::vector<std::unique_ptr<task::EpisodeObserver>> observers_;
-  std::optional<picture::RenderedEye> eye_;  ///< of the recording
+  std::optional<EyeOfAnyThread> eye_;  ///< of the recording
   std::optional<recorder::RecordingController> recording_;
 };
 

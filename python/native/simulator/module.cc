@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "../standard_errors.h"
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/version.h"
@@ -18,9 +19,10 @@ namespace py = pybind11;
 void RaiseInputError(const py::object& type, const InputError& error) {
   py::list diagnostics;
   for (const Diagnostic& one : error.diagnostics()) {
-    diagnostics.append(py::make_tuple(one.file, one.line, one.element, one.message));
+    diagnostics.append(py::make_tuple(MessageText(one.file), one.line, MessageText(one.element),
+                                      MessageText(one.message)));
   }
-  const py::object value = type(error.what());
+  const py::object value = type(MessageText(error.what()));
   value.attr("diagnostics") = diagnostics;
   PyErr_SetObject(type.ptr(), value.ptr());
 }
@@ -30,6 +32,7 @@ void RaiseInputError(const py::object& type, const InputError& error) {
 
 PYBIND11_MODULE(smile_simulator_native, m) {
   namespace py = pybind11;
+  smile::python::RegisterStandardErrors();
   // The type outlives the module: exceptions may be translated until the interpreter ends.
   static const py::object* scene_error = nullptr;
   const py::object errors = py::module_::import("smile.errors");

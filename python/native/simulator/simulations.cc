@@ -124,7 +124,8 @@ template <class Function>
 auto WithArm(Function function) {
   return [function](Handle& handle, const std::string& name) {
     const Handle::Use use(&handle);
-    return function(*use->robot(), ArmIndex(*use, name));
+    const int arm = ArmIndex(*use, name);  // first: it throws where there is no robot
+    return function(*use->robot(), arm);
   };
 }
 

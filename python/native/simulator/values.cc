@@ -7,16 +7,11 @@
 #include <vector>
 
 #include "camera/renderer.h"
+#include "eye_of_any_thread.h"
 #include "picture/viewpoint.h"
 
 namespace smile::python {
 namespace {
-
-/// One renderer for each thread: an OpenGL context belongs to the thread that made it.
-camera::Renderer& RendererOfThread() {
-  thread_local camera::Renderer renderer;
-  return renderer;
-}
 
 CameraView ViewOf(const model::Model& model, std::span<const double> q, bool is_robot_shown,
                   const sim::EyeSpec& spec, camera::RenderOptions* options) {

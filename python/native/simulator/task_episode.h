@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,6 +45,10 @@ class TaskEpisode {
   /// them.
   std::vector<task::ContactEvent> Contacts();
   void Continue(std::vector<task::ContactEvent> contacts);
+
+  /// How long the last step took: a hint how to share out the next ones, of which no result
+  /// depends.
+  std::chrono::steady_clock::duration last_step_time{};
 
  private:
   StepResult Measure(const sim::Simulation& simulation);

@@ -190,7 +190,7 @@ class Caller:
         args = [self.value() for _ in range(self.rng.choice([0, 1, 1, 2, 2, 3, 4]))]
         if name in NUMBERS_ARE_ORDERS:
             args = [self.rng.choice(SMALL) if isinstance(one, (int, float, complex, np.generic)) else one for one in args]
-        if name in ("record", "export_film") and args:
+        if name in ("record", "export_film", "film") and args:
             args[0] = self.new_name()
         self.call(what + "()", attribute, *args)
 

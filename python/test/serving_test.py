@@ -85,7 +85,7 @@ class ServingTest(unittest.TestCase):
         for address in ("tcp://127.0.0.1:0", f"unix:{self.folder / 'socket'}"):
             with serving(brain_class()(), address) as (server, _):
                 self.assertEqual(result_of(server.address), self.expected)
-                self.assertEqual(result_of(server.address), self.expected)  # init begins anew
+                self.assertEqual(result_of(server.address), self.expected)  # init begins again
         self.assertFalse((self.folder / "socket").exists())
 
     def test_a_class_serves_runs_at_the_same_time(self):

@@ -214,4 +214,5 @@ def main():
     print("\n" + json.dumps(result))
 
 
-main()
+if __name__ == "__main__":
+    main()

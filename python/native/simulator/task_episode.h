@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,6 +40,10 @@ class TaskEpisode {
   /// interpreter's lock.
   StepResult Now();
   StepResult Step(std::span<const double> action);
+
+  /// How long the last step took: a hint how to share out the next ones, of which no result
+  /// depends.
+  std::chrono::steady_clock::duration last_step_time{};
 
  private:
   StepResult Measure(const sim::Simulation& simulation);

@@ -560,8 +560,8 @@ TEST_F(BrainProcessTest, RefusesWhatIsNoBrain) {
   const std::string root = root_.string();
   EXPECT_EQ(error_for(root_ / "nothing"),
             root +
-                "/nothing: no such brain, expected a folder with agentBehavior.m, a Python file "
-                "or a program");
+                "/nothing: no such brain, expected a folder with agentBehavior.m, a Python file, a "
+                "program, or an address, tcp://HOST:PORT or unix:PATH");
   EXPECT_EQ(error_for(root_), root + ": the folder has no agentBehavior.m");
   WriteFile(root_ / "notes.txt", "hello");
   EXPECT_EQ(error_for(root_ / "notes.txt"),

@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/bench_scratch.h"
 #include "app/interrupt.h"
 #include "base/files.h"
 #include "base/json.h"
+#include "bench/scratch_folder.h"
 #include "process/child_process.h"
 
 namespace smile::app {
@@ -28,7 +28,7 @@ struct Output {
 /// Runs `smile bench` to its end. A shell keeps its two outputs apart, in files.
 Output RunBench(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                 std::vector<std::pair<std::string, std::string>> environment) {
-  const ScratchFolder folder;
+  const bench::ScratchFolder folder;
   std::vector<std::string> words{"/bin/sh", "-c", R"(exec "$0" bench "$@" >out 2>err)",
                                  program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());

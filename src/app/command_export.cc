@@ -9,6 +9,7 @@
 #include "app/exit_code.h"
 #include "app/open_recording.h"
 #include "app/options.h"
+#include "app/python_datasets.h"
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/wording.h"
@@ -21,11 +22,40 @@ namespace smile::app {
 namespace {
 
 struct ExportOptions {
-  std::string demo, format, out, part = "all";
+  std::vector<std::string> runs;
+  std::string format, out, part = "all";
   recording::TimeRange range;
   double rate = sim::kTicksPerSecond;
   bool no_grippers = false, slow_down = false, allow_breaches = false;
 };
+
+/// Options of datasets, which the Python package smile.datasets makes; all are optional.
+struct DatasetOptions {
+  std::vector<std::string> cameras;
+  std::string size, fps, action, task, parts;
+  bool include_failed = false, drop_constant = false, no_extras = false;
+
+  /// Returns them as arguments of the package.
+  std::vector<std::string> arguments() const {
+    std::vector<std::string> words;
+    for (const std::string& camera : cameras) words.insert(words.end(), {"--camera", camera});
+    for (const auto& [name, value] :
+         {std::pair{"--size", &size}, std::pair{"--fps", &fps}, std::pair{"--action", &action},
+          std::pair{"--task", &task}, std::pair{"--parts", &parts}}) {
+      if (!value->empty()) words.insert(words.end(), {name, *value});
+    }
+    for (const auto& [name, is_set] :
+         {std::pair{"--include-failed", include_failed},
+          std::pair{"--drop-constant", drop_constant}, std::pair{"--no-extras", no_extras}}) {
+      if (is_set) words.emplace_back(name);
+    }
+    return words;
+  }
+};
+
+/// Formats of datasets (docs/datasets.md).
+constexpr std::array<std::string_view, 5> kDatasetFormats{"lerobot-v3.0", "lerobot-v2.1",
+                                                          "robomimic", "zarr", "csv"};
 
 /// Trajectory with the limits of its robot.
 struct Motion {
@@ -55,6 +85,7 @@ const Format& FormatOf(const ExportOptions& options) {
     if (options.format == format.name) return format;
     names.emplace_back(format.name);
   }
+  names.insert(names.end(), kDatasetFormats.begin(), kDatasetFormats.end());
   throw std::invalid_argument("--to is " + Quoted(options.format) + ", expected " + OneOf(names));
 }
 
@@ -130,10 +161,15 @@ void RequireReadable(const motion::JointTrajectory& trajectory, const std::strin
   }
 }
 
-int Export(const ExportOptions& options) {
+int ExportMotion(const ExportOptions& options) {
   const Format& format = FormatOf(options);
+  if (options.runs.size() > 1) {
+    throw std::invalid_argument(options.format + " is of one recording, found " +
+                                std::to_string(options.runs.size()));
+  }
+  const std::string& demo = options.runs.front();
   RequireOutsideOfRecordings(options.out);
-  const recording::Recording recording = OpenAndReport(options.demo);
+  const recording::Recording recording = OpenAndReport(demo);
   Motion motion;
   if (recording.robot()) motion.channels = ChosenChannels(recording.robot()->model, options);
   if (recording.robot() && motion.channels.empty()) {
@@ -141,18 +177,18 @@ int Export(const ExportOptions& options) {
     const robot::RobotModel& model = recording.robot()->model;
     if (model.head) parts.push_back("head");
     for (const robot::Arm& arm : model.arms) parts.push_back(arm.name);
-    throw std::invalid_argument("the robot of " + Quoted(options.demo) + " has no " +
+    throw std::invalid_argument("the robot of " + Quoted(demo) + " has no " +
                                 Printable(options.part) + ", expected " + OneOf(parts));
   }
   motion.trajectory = JointMotionOf(recording, motion.channels, options.range, options.rate);
   const double factor = options.slow_down ? SlowDown(&motion) : 1;
-  RequireReadable(motion.trajectory, options.demo);
-  const bool is_refused = ReportBreaches(motion, options.demo);
+  RequireReadable(motion.trajectory, demo);
+  const bool is_refused = ReportBreaches(motion, demo);
   if (is_refused && !options.allow_breaches) {
     std::fprintf(
         stderr,
         "%s: the motion exceeds the limits of the robot; see --slow-down and --allow-breaches\n",
-        options.demo.c_str());
+        demo.c_str());
     return kInputWrong;
   }
   WriteFile(options.out, format.text_of(motion.trajectory));
@@ -162,19 +198,64 @@ int Export(const ExportOptions& options) {
   return kDone;
 }
 
+int Export(const ExportOptions& options, const DatasetOptions& dataset) {
+  const std::vector<std::string> arguments = dataset.arguments();
+  if (std::ranges::find(kDatasetFormats, options.format) != kDatasetFormats.end()) {
+    RequireOutsideOfRecordings(options.out);
+    std::vector<std::string> words{"export"};
+    words.insert(words.end(), options.runs.begin(), options.runs.end());
+    words.insert(words.end(), {"--to", options.format, "--out", options.out});
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    ContinueAsPythonDatasets(words);
+  }
+  if (!arguments.empty()) {
+    throw std::invalid_argument(arguments.front() + " is for datasets, and --to is " +
+                                Quoted(options.format));
+  }
+  return ExportMotion(options);
+}
+
+void AddDatasetOptions(CLI::App* command, DatasetOptions* options) {
+  CLI::Option_group* group = command->add_option_group("Datasets");
+  Repeatable(group->add_option("--camera", options->cameras,
+                               "NAME[:WxH]: camera of robot or scene, or view for people; may be "
+                               "repeated; `none`: no pictures (default: eye)"));
+  group->add_option("--size", options->size, "size of pictures (default: 320x240)");
+  group->add_option("--fps", options->fps, "frames per second, a divisor of 60 (default: 30)");
+  group->add_option("--action", options->action,
+                    "joint_position (default), joint_velocity or end_effector");
+  group->add_option("--task", options->task, "what is to be done (default: the title of the run)");
+  group->add_option("--parts", options->parts,
+                    "episodes of a part: an interrupted export continues after its last part");
+  group->add_flag("--include-failed", options->include_failed, "also runs that failed");
+  group->add_flag("--drop-constant", options->drop_constant, "no joints that never move");
+  group->add_flag("--no-extras", options->no_extras, "no copies of the recordings");
+}
+
 }  // namespace
 
 void AddExport(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<ExportOptions>();
+  auto dataset = std::make_shared<DatasetOptions>();
   CLI::App* command =
-      program->add_subcommand("export", "Export the robot's motion of a recording to a file");
-  command->add_option("DEMO", options->demo, "directory of a recording")->required();
+      program->add_subcommand("export",
+                              "Export the robot's motion of a recording to a file, or runs as a "
+                              "dataset for learners (docs/datasets.md)");
+  command
+      ->add_option("DEMO", options->runs,
+                   "directory of a recording; for a dataset several, also of imitations, and "
+                   "generations")
+      ->required();
   std::string formats;
   for (const Format& format : kFormats) {
     formats += (formats.empty() ? "" : "; ") + std::string(format.name) + ": " + format.meaning;
   }
+  formats += "; datasets:";
+  for (const std::string_view format : kDatasetFormats) formats += " " + std::string(format);
   command->add_option("--to", options->format, formats)->required();
-  command->add_option("--out", options->out, "file to write")->required()->check(NotEmpty());
+  command->add_option("--out", options->out, "file to write, or directory of the dataset")
+      ->required()
+      ->check(NotEmpty());
   command->add_option("--from", options->range.from,
                       "start [s] (default: the start of the recording)");
   command->add_option("--to-time", options->range.to,
@@ -193,7 +274,8 @@ void AddExport(CLI::App* program, ExitAnswer answer) {
                     "stretch the time until no joint exceeds its velocity limit");
   command->add_flag("--allow-breaches", options->allow_breaches,
                     "write the file even if the motion exceeds the limits of the robot");
-  command->callback([options, answer] { *answer = Export(*options); });
+  AddDatasetOptions(command, dataset.get());
+  command->callback([=] { *answer = Export(*options, *dataset); });
 }
 
 }  // namespace smile::app

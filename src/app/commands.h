@@ -21,6 +21,7 @@ void AddCheckout(CLI::App* program, ExitAnswer answer);
 void AddEdit(CLI::App* program, ExitAnswer answer);
 void AddImport(CLI::App* program, ExitAnswer answer);
 void AddExport(CLI::App* program, ExitAnswer answer);
+void AddDoctor(CLI::App* program, ExitAnswer answer);
 void AddRerender(CLI::App* program, ExitAnswer answer);
 void AddRender(CLI::App* program, ExitAnswer answer);
 void AddLayout(CLI::App* program, ExitAnswer answer);

@@ -74,6 +74,7 @@ experiment::EvaluationPlan PlanOf(const EvaluateOptions& options) {
   OpenAndReport(options.demo);
   EyeSpecOf(options.eye);
   ParseNoise(options.noise);
+  const experiment::Shard shard = experiment::ParseShard(options.pool.shard);
   experiment::EvaluationPlan plan{
       .demonstration = options.demo,
       .scene_name = options.scene,
@@ -85,7 +86,7 @@ experiment::EvaluationPlan PlanOf(const EvaluateOptions& options) {
       .has_symbols = !options.no_symbols,
       .num_scenes = options.scenes,
       .first_seed = options.seed,
-      .shard = experiment::ParseShard(options.pool.shard),
+      .shard = shard,
       .jobs = options.pool.jobs,
       .wall_seconds = options.pool.wall_seconds,
       .keep = kKeepWords.at(options.keep),

@@ -12,6 +12,15 @@
 namespace smile::app {
 namespace {
 
+void RequireOrder(const experiment::VariationChoices& choices) {
+  for (const experiment::Range& range : {choices.joints, choices.image, choices.depth}) {
+    if (range.low > range.high) {
+      throw std::invalid_argument("noise: found the range " + NumberText(range.low) + ".." +
+                                  NumberText(range.high) + ", expected the lower number first");
+    }
+  }
+}
+
 /// Parses `joints=0..0.01,image=0.02`: a range or a value for each kind of noise.
 void ParseNoiseRanges(const std::string& text, experiment::VariationChoices* choices) {
   std::string low, high;
@@ -31,12 +40,7 @@ void ParseNoiseRanges(const std::string& text, experiment::VariationChoices* cho
   choices->joints = {least.joints, most.joints};
   choices->image = {least.image, most.image};
   choices->depth = {least.depth, most.depth};
-  for (const experiment::Range& range : {choices->joints, choices->image, choices->depth}) {
-    if (range.low > range.high) {
-      throw std::invalid_argument("noise: found the range " + NumberText(range.low) + ".." +
-                                  NumberText(range.high) + ", expected the lower number first");
-    }
-  }
+  RequireOrder(*choices);
 }
 
 /// Returns the noise as the argument of `--noise`; empty for none.
@@ -85,6 +89,7 @@ experiment::GenerationPlan PlanOf(const GenerateOptions& options) {
     EyeSpecOf({.camera = eye, .size = options.settings.size});
   }
   const auto robot = PlaceRobot(options.settings.robot, options.settings.path);
+  const experiment::Shard shard = experiment::ParseShard(options.pool.shard);
   experiment::GenerationPlan plan{
       .demonstration = options.demo,
       .robot = robot->files,
@@ -93,7 +98,7 @@ experiment::GenerationPlan PlanOf(const GenerateOptions& options) {
       .count = options.count,
       .tries = options.tries,
       .first_seed = options.seed,
-      .shard = experiment::ParseShard(options.pool.shard),
+      .shard = shard,
       .jobs = options.pool.jobs,
       .wall_seconds = options.pool.wall_seconds,
       .out = out,

@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
   app::AddEdit(&program, &answer);
   app::AddImport(&program, &answer);
   app::AddExport(&program, &answer);
+  app::AddDoctor(&program, &answer);
   app::AddRender(&program, &answer);
   app::AddLayout(&program, &answer);
   app::AddRerender(&program, &answer);

@@ -15,6 +15,7 @@
 
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "brain/python_command.h"
 
 namespace smile::brain {
 namespace {
@@ -141,16 +142,14 @@ std::string PythonPath() {
 }
 
 void UsePython(const fs::path& file, BrainProgram* program) {
-  const std::string python = FindPython().string();
+  program->command = PythonCommand();
+  const std::string python = program->command.arguments.front();
   // Unbuffered (-u), since a pipe would otherwise hold back the output until the end.
-  // PYTHONSAFEPATH keeps the working directory off the module path: a file there named like a
-  // standard module would replace it.
-  program->command.arguments = {python, "-u", "-m", "smile.brain"};
+  program->command.arguments.insert(program->command.arguments.end(), {"-u", "-m", "smile.brain"});
   program->debug_arguments = {python, "-m", "pdb", "-m", "smile.brain"};
   program->debug_hint = kPythonHint + file.string() + ":1  and then  c";
-  program->command.environment = {{"SMILE_BRAIN_PROGRAM", file.string()},
-                                  {"PYTHONPATH", PythonPath()},
-                                  {"PYTHONSAFEPATH", "1"}};
+  program->command.environment.emplace(program->command.environment.begin(), "SMILE_BRAIN_PROGRAM",
+                                       file.string());
 }
 
 void UseExecutable(const fs::path& file, BrainTransport transport, BrainProgram* program) {
@@ -181,6 +180,14 @@ fs::path Tidy(const fs::path& path) {
 }
 
 }  // namespace
+
+process::ChildCommand PythonCommand() {
+  // PYTHONSAFEPATH keeps the working directory off the module path: a file there named like a
+  // standard module would replace it.
+  return {.arguments = {FindPython().string()},
+          .environment = {{"PYTHONPATH", PythonPath()}, {"PYTHONSAFEPATH", "1"}},
+          .working_directory = {}};
+}
 
 BrainProgram FindBrainProgram(const fs::path& brain, BrainTransport transport) {
   std::error_code error;

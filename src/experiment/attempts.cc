@@ -76,21 +76,23 @@ Json ToJson(const EndedAttempt& ended) {
 
 EndedAttempt EndedAttemptIn(const JsonNode& node) {
   node.ExpectObject();
-  EndedAttempt ended{.attempt = {.episode = node.Member("episode").Whole(0, kMaxAttemptSeed),
-                                 .number = node.Member("try").Whole(1, kMaxAttemptSeed),
-                                 .seed = node.Member("seed").Whole(0, kMaxAttemptSeed),
-                                 .variation = VariationIn(node.Member("variation"))},
-                     .outcome = OutcomeIn(node.Member("outcome")),
-                     .score = node.Member("score").Number(0, 1),
-                     .has_recording = !node.Member("recording").IsNull(),
-                     .recording_hash = TextOrEmpty(node.Member("hash")),
-                     .result_hash = TextOrEmpty(node.Member("result_hash")),
-                     .state_hash = TextOrEmpty(node.Member("state_hash"))};
+  // By assignments: GCC 12 destroys members of an aggregate twice if a later one throws.
+  EndedAttempt ended;
+  ended.attempt.episode = node.Member("episode").Whole(0, kMaxAttemptSeed);
+  ended.attempt.number = node.Member("try").Whole(1, kMaxAttemptSeed);
+  ended.attempt.seed = node.Member("seed").Whole(0, kMaxAttemptSeed);
+  ended.attempt.variation = VariationIn(node.Member("variation"));
+  ended.outcome = OutcomeIn(node.Member("outcome"));
+  ended.score = node.Member("score").Number(0, 1);
   if (!node.Member("seconds").IsNull()) ended.seconds = node.Member("seconds").Number();
+  ended.has_recording = !node.Member("recording").IsNull();
+  ended.recording_hash = TextOrEmpty(node.Member("hash"));
+  ended.result_hash = TextOrEmpty(node.Member("result_hash"));
+  ended.state_hash = TextOrEmpty(node.Member("state_hash"));
   if (const JsonNode cause = node.Member("cause"); !cause.IsNull()) {
-    ended.cause =
-        task::FailureReason{.code = cause.Member("word").ShortString(kMaxAttemptWordBytes),
-                            .text = cause.Member("text").ShortString(kMaxCauseBytes)};
+    ended.cause.emplace();
+    ended.cause->code = cause.Member("word").ShortString(kMaxAttemptWordBytes);
+    ended.cause->text = cause.Member("text").ShortString(kMaxCauseBytes);
   }
   return ended;
 }

@@ -95,6 +95,19 @@ void KeepShard(const EvaluationPlan& plan, std::vector<std::uint64_t>* seeds) {
   *seeds = std::move(kept);
 }
 
+/// Returns why no brain could show anything in a layout; empty if one could.
+std::string ReasonOfImpossibility(const EvaluationPlan& plan, const task::Structure& structure,
+                                  std::uint64_t seed) {
+  try {
+    if (plan.layout) task::RequireSomethingToDo(structure, plan.layout(seed));
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 /// Lays out the scene for each seed. A layout that is not possible, or in which everything is done
 /// already, says nothing about a brain and would be a failure in every run.
 /// @throws InputError if none is possible.
@@ -102,14 +115,7 @@ Seeds SeedsOf(const EvaluationPlan& plan, const Callbacks& callbacks) {
   const task::Structure structure = task::StructureOf(recording::OpenRecording(plan.demonstration));
   Seeds seeds;
   for (std::uint64_t seed = plan.first_seed; seed < plan.first_seed + plan.num_scenes; ++seed) {
-    std::string reason;
-    try {
-      if (plan.layout) task::RequireSomethingToDo(structure, plan.layout(seed));
-    } catch (const std::invalid_argument& error) {
-      reason = error.what();
-    } catch (const InputError& error) {
-      reason = error.what();
-    }
+    const std::string reason = ReasonOfImpossibility(plan, structure, seed);
     if (reason.empty()) {
       seeds.possible.push_back(seed);
     } else {
@@ -122,7 +128,6 @@ Seeds SeedsOf(const EvaluationPlan& plan, const Callbacks& callbacks) {
                       "no layout is possible of " + std::to_string(plan.num_scenes) + ": " +
                           seeds.impossible.front().reason});
   }
-  KeepShard(plan, &seeds.possible);
   return seeds;
 }
 
@@ -209,6 +214,7 @@ class Evaluator {
     // in the same folder stops before it moves results aside.
     const Json depends_on = CheckAndDescribe(plan);
     seeds_ = SeedsOf(plan, callbacks.common);
+    KeepShard(plan, &seeds_.possible);
     // Locked before anything is written, but after the plan was checked.
     lock_.emplace(plan.out);
     const std::vector<Showing> showings = ShowingsOf(plan, depends_on, callbacks.common);

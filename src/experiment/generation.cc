@@ -33,16 +33,21 @@ constexpr const char* kRunning = "running";
 Json RangeJson(const Range& range) { return {range.low, range.high}; }
 
 /// Finds errors of the plan before any run.
-/// @returns everything the attempts depend on.
-Json CheckAndDescribe(const GenerationPlan& plan, const task::Structure& structure) {
+void Check(const GenerationPlan& plan, const task::Structure& structure) {
   if (plan.count < 1 || plan.count > kMaxEpisodes || plan.tries < 1) {
     throw std::invalid_argument("generation: no episode is wanted, or more than " +
                                 std::to_string(kMaxEpisodes));
   }
   brain::BrainProcess{plan.brain};
-  Json scenes = Json::array();
   for (const GenerationScene& scene : plan.scenes) {
     task::RequireSomethingToDo(structure, scene.spec);
+  }
+}
+
+/// Returns everything that attempts depend on.
+Json KeyOf(const GenerationPlan& plan) {
+  Json scenes = Json::array();
+  for (const GenerationScene& scene : plan.scenes) {
     scenes.push_back({{"name", scene.name}, {"content", ContentOf(scene.spec)}});
   }
   return {{"format", 1},
@@ -102,7 +107,8 @@ class Generator {
         callbacks_(callbacks),
         structure_(task::StructureOf(recording::OpenRecording(plan.demonstration))) {
     // An invalid plan leaves no folder.
-    const Json key = CheckAndDescribe(plan, structure_);
+    Check(plan, structure_);
+    const Json key = KeyOf(plan);
     lock_.emplace(plan.out, "generation");
     RequireSameGeneration(plan.out, key, plan.shard);
     for (std::size_t episode = 0; episode < plan.count; ++episode) {
@@ -182,13 +188,18 @@ class Generator {
     std::ranges::sort(missing_);
   }
 
-  void RunAttempts(const std::vector<Attempt>& open, std::vector<std::size_t>* failed) {
+  std::vector<ImitationRun> RunsOf(const std::vector<Attempt>& attempts) const {
     std::vector<ImitationRun> runs;
-    for (const Attempt& attempt : open) {
+    for (const Attempt& attempt : attempts) {
       const fs::path folder = plan_.out / kRunning / FolderNameOf(attempt.seed);
       runs.push_back(
           {.seed = attempt.seed, .folder = folder, .arguments = plan_.arguments(attempt, folder)});
     }
+    return runs;
+  }
+
+  void RunAttempts(const std::vector<Attempt>& open, std::vector<std::size_t>* failed) {
+    const std::vector<ImitationRun> runs = RunsOf(open);
     std::set<std::size_t> with_result;
     const auto on_end = [&](std::size_t index, report::EvaluatedRun run) {
       clock_.Count();

@@ -9,6 +9,26 @@
 namespace smile::experiment {
 namespace {
 
+/// Returns the run of an imitation.
+RunPlan RunPlanOf(const ImitationPlan& plan, const task::Structure& goal) {
+  return {.scene = plan.scene,
+          .robot = plan.robot,
+          .brain = plan.brain,
+          .brain_function = plan.brain_function,
+          .callback_seconds = plan.callback_seconds,
+          .is_attached = plan.is_attached,
+          .demonstration = plan.demonstration,
+          .max_seconds = plan.max_seconds,
+          .seconds_after_brain = plan.hold_seconds,
+          .record = plan.record,
+          .recording = {.title = plan.task + ", imitated"},
+          .has_pictures = plan.has_pictures,
+          .eye = plan.eye,
+          .noise = plan.noise,
+          .label = "the robot builds",
+          .goal = &goal};
+}
+
 /// Replays the recording of an imitation and adds `replay` to its result. One that differs is no
 /// success.
 void AddReplay(const std::filesystem::path& record, const Callbacks& callbacks, Json* result) {
@@ -32,23 +52,7 @@ ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
   // Made before the run, so that an impossible task fails at once.
   const task::ImitationTask imitation_task =
       task::MakeImitationTask(plan.task, recording::OpenRecording(plan.demonstration), plan.scene);
-  const RunResult run = Run({.scene = plan.scene,
-                             .robot = plan.robot,
-                             .brain = plan.brain,
-                             .brain_function = plan.brain_function,
-                             .callback_seconds = plan.callback_seconds,
-                             .is_attached = plan.is_attached,
-                             .demonstration = plan.demonstration,
-                             .max_seconds = plan.max_seconds,
-                             .seconds_after_brain = plan.hold_seconds,
-                             .record = plan.record,
-                             .recording = {.title = plan.task + ", imitated"},
-                             .has_pictures = plan.has_pictures,
-                             .eye = plan.eye,
-                             .noise = plan.noise,
-                             .label = "the robot builds",
-                             .goal = &imitation_task.structure},
-                            callbacks);
+  const RunResult run = Run(RunPlanOf(plan, imitation_task.structure), callbacks);
   // Scored from the recording, so that anyone can repeat the score. The recording is also what
   // people check a score against; state that only lived in memory would escape them.
   const task::Episode outcome = task::EpisodeOf(recording::OpenRecording(plan.record));

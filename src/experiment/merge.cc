@@ -49,8 +49,24 @@ void RequireEqual(const Json& expected, const Json& found, const fs::path& expec
 }
 
 /// Returns the shards in order.
+/// @param shards  by number; not empty.
+/// @throws InputError if one is missing.
+std::vector<MarkedFolder> InOrder(const std::map<std::size_t, MarkedFolder>& shards) {
+  std::vector<MarkedFolder> ordered;
+  for (const auto& [index, shard] : shards) ordered.push_back(shard);
+  const std::size_t count = ordered.front().mark.shard.count;
+  for (std::size_t index = 1; index <= count; ++index) {
+    if (shards.contains(index)) continue;
+    FailAt(ordered.front().folder, "shard " + ToString(Shard{.index = index, .count = count}) +
+                                       " is missing, expected all of them");
+  }
+  return ordered;
+}
+
+/// Returns the shards in folders, in order.
 /// @throws InputError unless they are all shards of one job, each once.
 std::vector<MarkedFolder> ShardsIn(const std::vector<fs::path>& folders) {
+  if (folders.empty()) throw std::invalid_argument("merge: there are no shards");
   std::map<std::size_t, MarkedFolder> shards;
   for (const fs::path& folder : folders) {
     const std::optional<ShardMark> mark = ReadMark(folder);
@@ -70,17 +86,7 @@ std::vector<MarkedFolder> ShardsIn(const std::vector<fs::path>& folders) {
              "is shard " + ToString(mark->shard) + " again, as " + it->second.folder.string());
     }
   }
-  std::vector<MarkedFolder> ordered;
-  for (const auto& [index, shard] : shards) ordered.push_back(shard);
-  if (ordered.empty()) throw std::invalid_argument("merge: there are no shards");
-  const std::size_t count = ordered.front().mark.shard.count;
-  for (std::size_t index = 1; index <= count; ++index) {
-    if (!shards.contains(index)) {
-      FailAt(ordered.front().folder, "shard " + ToString({.index = index, .count = count}) +
-                                         " is missing, expected all of them");
-    }
-  }
-  return ordered;
+  return InOrder(shards);
 }
 
 void CopyInto(const fs::path& from, const fs::path& to) {
@@ -205,26 +211,28 @@ std::string MergeEvaluations(const std::vector<MarkedFolder>& shards, const fs::
   return report::ToText(whole);
 }
 
+std::string MergeInto(const fs::path& out, const std::vector<MarkedFolder>& shards,
+                      const Callbacks& callbacks) {
+  const std::string& kind = shards.front().mark.kind;
+  if (kind == "generation") return MergeGenerations(shards, out, callbacks);
+  if (kind == "evaluation") return MergeEvaluations(shards, out, callbacks);
+  FailAt(shards.front().folder,
+         "is a shard of " + Quoted(kind) + ", expected one of a generation or an evaluation");
+}
+
 }  // namespace
 
 std::string Merge(const std::vector<fs::path>& folders, const fs::path& out,
                   const Callbacks& callbacks) {
   const std::vector<MarkedFolder> shards = ShardsIn(folders);
   if (fs::exists(out)) throw std::runtime_error(out.string() + ": exists, expected a new folder");
-  fs::path partial = out.lexically_normal();
-  if (!partial.has_filename()) partial = partial.parent_path();
-  const fs::path target = partial;
+  const fs::path target = out.has_filename() ? out : out.parent_path();
+  fs::path partial = target;
   partial += ".partial";
   fs::remove_all(partial);
   MakeDirectories(partial);
   try {
-    const std::string kind = shards.front().mark.kind;
-    if (kind != "generation" && kind != "evaluation") {
-      FailAt(shards.front().folder,
-             "is a shard of " + Quoted(kind) + ", expected one of a generation or an evaluation");
-    }
-    std::string text = kind == "generation" ? MergeGenerations(shards, partial, callbacks)
-                                            : MergeEvaluations(shards, partial, callbacks);
+    std::string text = MergeInto(partial, shards, callbacks);
     fs::rename(partial, target);
     return text;
   } catch (...) {

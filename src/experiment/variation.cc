@@ -58,13 +58,15 @@ Json ToJson(const Variation& variation) {
 
 Variation VariationIn(const JsonNode& node) {
   const JsonNode noise = node.Member("noise");
-  return {.scene = node.Member("scene").ShortString(kMaxNameBytes),
-          .level = node.Member("level").ShortString(kMaxNameBytes),
-          .eye = node.Member("eye").ShortString(kMaxNameBytes),
-          .noise = {.joints = noise.Member("joints").Number(0, kMostNoise),
-                    .image = noise.Member("image").Number(0, kMostNoise),
-                    .depth = noise.Member("depth").Number(0, kMostNoise),
-                    .seed = noise.Member("seed").Whole(0, kMostSeed)}};
+  Variation variation;
+  variation.scene = node.Member("scene").ShortString(kMaxNameBytes);
+  variation.level = node.Member("level").ShortString(kMaxNameBytes);
+  variation.eye = node.Member("eye").ShortString(kMaxNameBytes);
+  variation.noise.joints = noise.Member("joints").Number(0, kMostNoise);
+  variation.noise.image = noise.Member("image").Number(0, kMostNoise);
+  variation.noise.depth = noise.Member("depth").Number(0, kMostNoise);
+  variation.noise.seed = noise.Member("seed").Whole(0, kMostSeed);
+  return variation;
 }
 
 }  // namespace smile::experiment

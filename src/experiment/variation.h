@@ -16,13 +16,13 @@ struct Range {
   bool operator==(const Range&) const = default;
 };
 
-/// Choices from which the circumstances of each generated episode are drawn. No list is empty.
+/// Choices from which the conditions of each generated episode are drawn. No list is empty.
 struct VariationChoices {
   std::vector<std::string> scenes, levels, eyes;
   Range joints, image, depth;  ///< standard deviations of the noise, see brain::SensorNoise
 };
 
-/// Circumstances of an attempt, beside the layout.
+/// Conditions of an attempt, beside the layout.
 struct Variation {
   std::string scene;  ///< as the user wrote it
   std::string level;  ///< of the layout
@@ -32,7 +32,7 @@ struct Variation {
   bool operator==(const Variation&) const = default;
 };
 
-/// Draws the circumstances of a seed. Each one depends on the seed and its own choices only: to
+/// Draws the conditions of a seed. Each one depends on the seed and its own choices only: to
 /// add a level changes no noise.
 Variation DrawVariation(const VariationChoices& choices, std::uint64_t seed);
 

@@ -35,17 +35,18 @@ std::string OptionalText(const JsonNode& node, const std::string& name) {
 }
 
 EvaluatedRun EvaluatedRunIn(const JsonNode& node) {
-  EvaluatedRun run{.seed = HasValue(node, "seed") ? node.Member("seed").Whole(0, kMaxReadSeed) : 0,
-                   .has_succeeded = node.Member("success").Flag(),
-                   .score = OptionalNumber(node, "score").value_or(0),
-                   .gain = OptionalNumber(node, "gain"),
-                   .error_mm = OptionalNumber(node, "error_mm"),
-                   .error_degrees = OptionalNumber(node, "error_degrees"),
-                   .seconds = OptionalNumber(node, "seconds"),
-                   .grasps = OptionalCount(node, "grasps"),
-                   .retries = OptionalCount(node, "retries"),
-                   .realtime_factor = OptionalNumber(node, "realtime_factor"),
-                   .recording = OptionalText(node, "recording")};
+  EvaluatedRun run;
+  run.seed = HasValue(node, "seed") ? node.Member("seed").Whole(0, kMaxReadSeed) : 0;
+  run.has_succeeded = node.Member("success").Flag();
+  run.score = OptionalNumber(node, "score").value_or(0);
+  run.gain = OptionalNumber(node, "gain");
+  run.error_mm = OptionalNumber(node, "error_mm");
+  run.error_degrees = OptionalNumber(node, "error_degrees");
+  run.seconds = OptionalNumber(node, "seconds");
+  run.grasps = OptionalCount(node, "grasps");
+  run.retries = OptionalCount(node, "retries");
+  run.realtime_factor = OptionalNumber(node, "realtime_factor");
+  run.recording = OptionalText(node, "recording");
   if (HasValue(node, "claim")) {
     const JsonNode claim = node.Member("claim");
     run.claim = task::ClaimEnd{.is_done = claim.Member("done").Flag(),
@@ -61,10 +62,10 @@ EvaluatedRun EvaluatedRunIn(const JsonNode& node) {
 }
 
 EvaluatedBrain BrainIn(const JsonNode& node) {
-  EvaluatedBrain brain{.name = node.Member("name").ShortString(kMaxNameBytes),
-                       .brain = OptionalText(node, "brain"),
-                       .runs = {},
-                       .demonstrator = OptionalText(node, "demonstrator")};
+  EvaluatedBrain brain;
+  brain.name = node.Member("name").ShortString(kMaxNameBytes);
+  brain.brain = OptionalText(node, "brain");
+  brain.demonstrator = OptionalText(node, "demonstrator");
   for (const JsonNode& run : node.Member("runs").ItemsUpTo(kMaxRuns)) {
     brain.runs.push_back(EvaluatedRunIn(run));
   }
@@ -72,30 +73,37 @@ EvaluatedBrain BrainIn(const JsonNode& node) {
   return brain;
 }
 
+std::vector<std::string> OptionsIn(const JsonNode& node) {
+  std::vector<std::string> options;
+  if (!HasValue(node, "options")) return options;
+  for (const JsonNode& option : node.Member("options").ItemsUpTo(kMaxOptions)) {
+    options.push_back(option.ShortString(kMaxReasonBytes));
+  }
+  return options;
+}
+
+std::vector<ImpossibleLayout> ImpossibleLayoutsIn(const JsonNode& node) {
+  std::vector<ImpossibleLayout> layouts;
+  if (!HasValue(node, "impossible_layouts")) return layouts;
+  for (const JsonNode& layout : node.Member("impossible_layouts").ItemsUpTo(kMaxRuns)) {
+    layouts.push_back({.seed = layout.Member("seed").Whole(0, kMaxReadSeed),
+                       .reason = OptionalText(layout, "reason")});
+  }
+  return layouts;
+}
+
 Evaluation EvaluationIn(const JsonNode& node) {
   node.ExpectObject();
   node.Member("format").Number(kReadFormat, kReadFormat);
-  Evaluation evaluation{.program = OptionalText(node, "program"),
-                        .demo = OptionalText(node, "demo"),
-                        .scene = node.Member("scene").ShortString(kMaxReasonBytes),
-                        .level = OptionalText(node, "level"),
-                        .options = {},
-                        .brains = {},
-                        .impossible = {},
-                        .again = ""};
-  if (HasValue(node, "options")) {
-    for (const JsonNode& option : node.Member("options").ItemsUpTo(kMaxOptions)) {
-      evaluation.options.push_back(option.ShortString(kMaxReasonBytes));
-    }
-  }
+  Evaluation evaluation;
+  evaluation.program = OptionalText(node, "program");
+  evaluation.demo = OptionalText(node, "demo");
+  evaluation.scene = node.Member("scene").ShortString(kMaxReasonBytes);
+  evaluation.level = OptionalText(node, "level");
+  evaluation.options = OptionsIn(node);
+  evaluation.impossible = ImpossibleLayoutsIn(node);
   for (const JsonNode& brain : node.Member("brains").ItemsUpTo(kMaxBrains)) {
     evaluation.brains.push_back(BrainIn(brain));
-  }
-  if (HasValue(node, "impossible_layouts")) {
-    for (const JsonNode& layout : node.Member("impossible_layouts").ItemsUpTo(kMaxRuns)) {
-      evaluation.impossible.push_back({.seed = layout.Member("seed").Whole(0, kMaxReadSeed),
-                                       .reason = OptionalText(layout, "reason")});
-    }
   }
   return evaluation;
 }

@@ -134,7 +134,7 @@ TEST(Architecture, EveryLibraryHasOneHome) {
       {"EGL/", "camera"},       {"png.h", "image"},
       {"urdf_", "robot"},       {"libav", "video"},
       {"libsw", "video"},       {"CLI/", "app"},
-      {"benchmark/", "app"},    {"nlohmann/", "base"},
+      {"benchmark/", "bench"},  {"nlohmann/", "base"},
       {"assimp/", "mesh"},      {"archive", "library"},
       {"boost/", "web_server"}, {"openssl/", "web_server"},
   };

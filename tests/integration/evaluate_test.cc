@@ -197,7 +197,8 @@ TEST_F(Evaluate, ImpossiblePlansAreReportedBeforeAnyRun) {
     EXPECT_NE(answer.err.find(message), std::string::npos) << answer.err;
   }
   const std::string idle = "evaluate lifted --scene falls.xml --brain idle/idle.py --out ev ";
-  for (const char* arguments : {"--scenes 0", "--no-symbols", "--demonstrators absent"}) {
+  for (const char* arguments :
+       {"--scenes 0", "--no-symbols", "--demonstrators absent", "--shard 3/2"}) {
     EXPECT_EQ(Smile(idle + arguments).exit_code, 2) << arguments;
   }
   EXPECT_FALSE(Exists("ev"));

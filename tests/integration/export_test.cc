@@ -154,9 +154,13 @@ TEST_F(Exports, ReportErrors) {
   ASSERT_EQ(Smile("run pair.xml --no-robot --seconds 0 --record demo --no-pictures").exit_code, 0);
   EXPECT_EQ(Smile("export demo --to trajectory-csv --out x.csv").err,
             "demo: was made without a robot\n");
-  const Answer unknown = Smile("export demo --to csv --out x.csv");
+  const Answer unknown = Smile("export demo --to cvs --out x.csv");
   EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_EQ(unknown.err, "smile: --to is \"csv\", expected trajectory-csv or ros-trajectory\n");
+  EXPECT_EQ(unknown.err,
+            "smile: --to is \"cvs\", expected trajectory-csv, ros-trajectory, lerobot-v3.0, "
+            "lerobot-v2.1, robomimic, zarr or csv\n");
+  EXPECT_EQ(Smile("export demo --to trajectory-csv --fps 10 --out x.csv").err,
+            "smile: --fps is for datasets, and --to is \"trajectory-csv\"\n");
   Write("broken.csv", "time,left_s0\n0,0.25\n1,half\n");
   EXPECT_EQ(Smile("run pair.xml --trajectory broken.csv").err,
             "broken.csv:3: found \"half\", expected a number of at most 1e6\n");
@@ -165,6 +169,20 @@ TEST_F(Exports, ReportErrors) {
   EXPECT_EQ(fast.exit_code, 1);
   EXPECT_EQ(fast.err,
             "fast.csv: at 0 s, left_s0: velocity is -5 rad/s, expected at least -1.5 rad/s\n");
+}
+
+// Python makes the datasets, with packages that may be missing.
+TEST_F(Exports, DatasetsSayWhichPackageIsMissing) {
+  Write("missing/pyarrow.py", "raise ImportError(\"No module named 'pyarrow'\")");
+  for (const char* command : {"export demo --to lerobot-v3.0 --out dataset", "doctor dataset"}) {
+    const Answer answer = Shell("PYTHONPATH=$PWD/missing smile " + std::string(command));
+    EXPECT_EQ(answer.exit_code, 3) << command;
+    EXPECT_NE(answer.err.find("datasets need a Python package: No module named 'pyarrow'"),
+              std::string::npos)
+        << answer.err;
+    EXPECT_NE(answer.err.find("-m pip install pyarrow"), std::string::npos) << answer.err;
+  }
+  EXPECT_FALSE(Exists("dataset"));
 }
 
 }  // namespace

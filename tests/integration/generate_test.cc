@@ -9,7 +9,7 @@ class Generate : public ProgramTest {
  protected:
   Generate() {
     EXPECT_EQ(Smile("run " + Shipped("scenes/tower.xml") + " --commands " +
-                    Shipped("examples/tower.jsonl") + " --record shown --no-pictures")
+                    Shipped("examples/tower.jsonl") + " --record shown --size 320x240")
                   .exit_code,
               0);
   }

@@ -30,7 +30,7 @@ def um(program):
 
 
 def stacks(num_cubes, cubes_a_stack, edge=0.1, gap=0.1):
-    """Stacks of cubes on a square grid; src/app/bench_scenes.cc makes the same."""
+    """Stacks of cubes on a square grid; src/bench/scenes.cc makes the same."""
     num_stacks = math.ceil(num_cubes / cubes_a_stack)
     num_columns = math.ceil(math.sqrt(num_stacks))
     blocks = []

@@ -8,7 +8,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from smile.datasets import ACTIONS, FORMATS, examine, export
+from smile.datasets import ACTIONS, FORMATS, examine, export, merge
 from smile.datasets.exporting import RATES
 
 WRONG = 2
@@ -18,6 +18,7 @@ def main(arguments: Sequence[str]) -> int:
     parser = argparse.ArgumentParser(prog="python3 -m smile.datasets", description=__doc__)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     _add_export(commands)
+    _add_merge(commands)
     _add_doctor(commands)
     options = parser.parse_args(arguments)
     try:
@@ -26,7 +27,8 @@ def main(arguments: Sequence[str]) -> int:
         print(f"error: {_words_of(error)}", file=sys.stderr)
         return WRONG
     except KeyboardInterrupt:
-        print("interrupted: nothing was written", file=sys.stderr)
+        kept = "the finished parts are kept" if getattr(options, "parts", None) else "nothing was written"
+        print(f"interrupted: {kept}", file=sys.stderr)
         return 130
 
 
@@ -40,8 +42,8 @@ def _add_export(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -
     parser = commands.add_parser(
         "export", help="make a dataset of runs",
         description="Makes a dataset of runs, an episode for each: recordings of demonstrations or of robots, and "
-                    "folders that `smile imitate`, `experiment` and `evaluate` wrote.")
-    parser.add_argument("runs", nargs="+", metavar="RUN", help="folder of a recording or an imitation")
+                    "folders that `smile imitate`, `experiment`, `evaluate` and `generate` wrote.")
+    parser.add_argument("runs", nargs="+", metavar="RUN", help="folder of a recording, an imitation or a generation")
     parser.add_argument("--to", choices=FORMATS, default=FORMATS[0], help="format (default %(default)s)")
     parser.add_argument("--out", required=True, metavar="DIR", help="folder to be made")
     parser.add_argument("--camera", action="append", metavar="NAME[:WxH]", default=None,
@@ -57,6 +59,9 @@ def _add_export(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -
     parser.add_argument("--include-failed", action="store_true", help="export imitations that failed, too")
     parser.add_argument("--drop-constant", action="store_true", help="leave out joints that never move")
     parser.add_argument("--no-extras", action="store_true", help="do not copy the recordings into the dataset")
+    parser.add_argument("--parts", type=int, metavar="N",
+                        help="make the dataset in parts of N episodes: an interrupted export continues after its "
+                             "last part (lerobot-v3.0)")
     parser.set_defaults(run=_export)
 
 
@@ -76,11 +81,28 @@ def _export(options: argparse.Namespace) -> int:
             cameras[sized[1] if sized else word] = (int(sized[2]), int(sized[3])) if sized else options.size
     report = export(options.runs, options.out, format=options.to, cameras=cameras, fps=options.fps,
                     action=options.action, task=options.task, include_failed=options.include_failed,
-                    drop_constant=options.drop_constant, extras=not options.no_extras,
+                    drop_constant=options.drop_constant, extras=not options.no_extras, parts=options.parts,
                     progress=lambda line: print(line, file=sys.stderr, flush=True))
     for feature, names in report.constant.items():
         print(f"note: {feature} has dimensions that never change: {', '.join(names)}; see --drop-constant",
               file=sys.stderr)
+    print(f"{report.folder}: {report.episodes} episodes, {report.frames} frames")
+    return 0
+
+
+def _add_merge(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "merge", help="join datasets",
+        description="Joins datasets that were exported as lerobot-v3.0 with the same options, in this order. "
+                    "Episodes are numbered again, and statistics are those of all frames.")
+    parser.add_argument("datasets", nargs="+", metavar="DATASET", help="folder of a dataset")
+    parser.add_argument("--out", required=True, metavar="DIR", help="folder to be made")
+    parser.set_defaults(run=_merge)
+
+
+def _merge(options: argparse.Namespace) -> int:
+    report = merge(options.datasets, options.out,
+                   progress=lambda line: print(line, file=sys.stderr, flush=True))
     print(f"{report.folder}: {report.episodes} episodes, {report.frames} frames")
     return 0
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import json
 import os
 import shutil
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -18,7 +19,7 @@ from smile.datasets.episode import (
     ACTIONS, Column, Episode, Sampling, channels_of, positions_of, read_episode, rows_at)
 from smile.datasets.features import Camera
 from smile.datasets.lerobot import FilmFiles, Row, Writer, WriterOfVersion2, write_json
-from smile.datasets.sources import Source, find_source
+from smile.datasets.sources import Source, find_sources
 from smile.datasets.target import new_folder, refuse_existing
 from smile.native import load
 from smile.simulation import TICKS_PER_SECOND, picture_size
@@ -32,6 +33,8 @@ FORMATS = ("lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr", "csv")
 RATES = tuple(fps for fps in range(1, TICKS_PER_SECOND + 1) if TICKS_PER_SECOND % fps == 0)
 # Statistics of colors are of at most as many pictures of an episode.
 _SAMPLED_PICTURES = 100
+
+META = "meta/smile.json"
 
 Path_ = str | os.PathLike[str]
 
@@ -47,7 +50,17 @@ class Report(NamedTuple):
     deviation"""
 
 
-class _Plan(NamedTuple):
+class Options(NamedTuple):
+    """How episodes are written."""
+
+    format: str
+    task: str | None
+    extras: bool
+
+
+class Plan(NamedTuple):
+    """What is written."""
+
     sources: list[Source]
     sampling: Sampling
     cameras: list[Camera]
@@ -59,7 +72,8 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
            cameras: Sequence[str] | Mapping[str, tuple[int, int]] = ("eye",),
            size: tuple[int, int] = (320, 240), fps: int = 30, action: str = "joint_position",
            task: str | None = None, include_failed: bool = False, drop_constant: bool = False,
-           extras: bool = True, progress: Callable[[str], None] | None = None) -> Report:
+           extras: bool = True, parts: int | None = None,
+           progress: Callable[[str], None] | None = None) -> Report:
     """Exports runs as a dataset, an episode for each, in the order given.
 
     runs            recordings, or folders of imitations (docs/datasets.md)
@@ -73,6 +87,8 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
     include_failed  whether imitations that failed are exported, too
     drop_constant   whether joints that never move are left out
     extras          whether the recordings are copied into the dataset
+    parts           number of episodes of a part: an export that was interrupted continues after its
+                    last part; only of lerobot-v3.0
     progress        called with a line for each step
 
     Raises ValueError if the runs cannot be exported in this way, FileExistsError if there is such a
@@ -80,27 +96,37 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
     """
     say = progress if progress is not None else lambda _: None
     target = Path(folder)
-    _check_words(format, action, fps)
+    _check_words(format, action, fps, parts)
     refuse_existing(target)
     plan = _plan(_sources(runs, include_failed), _cameras(cameras, size), fps, action, drop_constant)
+    options = Options(format, task, extras)
+    if parts is None:
+        return _write(plan, options, target, say)
+    # Imported late: it needs this module.
+    from smile.datasets.parts import write_in_parts
+    return write_in_parts(plan, options, target, parts, _write, say)
+
+
+def _write(plan: Plan, options: Options, target: Path, say: Callable[[str], None]) -> Report:
     with new_folder(target) as partial:
         writer: Writer | None = None
         intrinsics: dict[str, Any] = {}
+        fps = plan.sampling.fps
         try:
             for number, source in enumerate(plan.sources):
                 episode = read_episode(source, smile.open(source.recording), plan.sampling)
                 if not plan.has_success:
                     episode.columns.pop("next.success", None)
                 if writer is None:
-                    writer = _writer_of(format)(partial, fps, plan.cameras, _columns_before_drawing(
+                    writer = _writer_of(options.format)(partial, fps, plan.cameras, _columns_before_drawing(
                         episode, plan.cameras), plan.robot)
                 say(f"episode {number + 1} of {len(plan.sources)}: {source.path}, {len(episode)} frames")
                 drawn = _draw(episode, writer.films)
                 episode.columns.update(_pose_columns(plan.cameras, drawn.poses))
-                writer.add(episode.columns, task if task is not None else _task_of(episode), drawn.films,
-                           drawn.pixels, _more_about(episode, fps))
+                writer.add(episode.columns, options.task if options.task is not None else _task_of(episode),
+                           drawn.films, drawn.pixels, _more_about(episode, fps))
                 intrinsics.update(drawn.intrinsics)
-                if extras:
+                if options.extras:
                     _copy_recording(source, partial / f"extras/episode_{number:06d}")
             assert writer is not None
             totals = writer.finish()
@@ -108,13 +134,22 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
             if writer is not None:
                 writer.abandon()
             raise
-        constant = _constant(writer.features, totals)
-        write_json(partial / ("meta/smile.json" if format.startswith("lerobot") else "smile.json"),
-                   {"format": 1, "action": action if plan.sampling.has_robot else None,
-                    "intrinsics": intrinsics, "constant": constant,
-                    "dropped": sorted(plan.sampling.dropped)})
+        constant = constant_of(writer.features, totals)
+        is_lerobot = options.format.startswith("lerobot")
+        about = {"format": 1, "action": plan.sampling.action if plan.sampling.has_robot else None,
+                 "intrinsics": intrinsics, "constant": constant, "dropped": sorted(plan.sampling.dropped)}
+        if is_lerobot:
+            about["pixels"] = pixels_of(writer)
+        write_json(partial / (META if is_lerobot else "smile.json"), about)
         say("completing the files")
     return Report(target, writer.num_episodes, writer.num_frames, constant)
+
+
+def pixels_of(writer: Writer) -> dict[str, Any]:
+    """Returns how often each level of each color occurs, by camera: from this, statistics of several
+    datasets are exact."""
+    return {key: {"pictures": film.pixels.num_pictures, "counts": film.pixels.counts.tolist()}
+            for key, film in writer.films.items()}
 
 
 def _writer_of(format: str) -> type[Writer]:
@@ -126,13 +161,15 @@ def _writer_of(format: str) -> type[Writer]:
     return WriterOfVersion2 if format == "lerobot-v2.1" else Writer
 
 
-def _check_words(format: str, action: str, fps: int) -> None:
+def _check_words(format: str, action: str, fps: int, parts: int | None) -> None:
     for name, value, known in (("format", format, FORMATS), ("action", action, ACTIONS)):
         if value not in known:
             raise ValueError(f"{name} is {value!r}, expected {' or '.join(known)}")
     if isinstance(fps, bool) or fps not in RATES:
         raise ValueError(f"fps is {fps!r}, expected one of {', '.join(map(str, RATES))}: recordings have "
                          f"{TICKS_PER_SECOND} ticks per second")
+    if parts is not None and (parts < 1 or format != FORMATS[0]):
+        raise ValueError(f"parts is {parts} and format {format!r}, expected at least 1 and {FORMATS[0]}")
 
 
 def _cameras(cameras: Sequence[str] | Mapping[str, tuple[int, int]],
@@ -154,7 +191,7 @@ def _cameras(cameras: Sequence[str] | Mapping[str, tuple[int, int]],
 def _sources(runs: Iterable[Path_], include_failed: bool) -> list[Source]:
     if isinstance(runs, (str, os.PathLike)):
         raise ValueError(f"runs is {os.fspath(runs)!r}, expected a list of folders")
-    sources = [find_source(Path(run)) for run in runs]
+    sources = [source for run in runs for source in find_sources(Path(run), include_failed)]
     if not sources:
         raise ValueError("there are no runs, expected one at least")
     failed = [source for source in sources if source.is_success is False]
@@ -167,7 +204,7 @@ def _sources(runs: Iterable[Path_], include_failed: bool) -> list[Source]:
 
 
 def _plan(sources: list[Source], cameras: list[Camera], fps: int, action: str,
-          drop_constant: bool) -> _Plan:
+          drop_constant: bool) -> Plan:
     """Looks at all runs before anything is written: they must have the same robot, objects and
     cameras."""
     first = smile.open(sources[0].recording)
@@ -195,7 +232,7 @@ def _plan(sources: list[Source], cameras: list[Camera], fps: int, action: str,
     sampling = Sampling(fps, action, has_robot, frozenset(dropped if has_robot else []))
     robot = sources[0].robot_name() if has_robot else "none"
     has_success = not has_robot or all(source.result is not None for source in sources)
-    return _Plan(sources, sampling, cameras, robot, has_success)
+    return Plan(sources, sampling, cameras, robot, has_success)
 
 
 def _task_of(episode: Episode) -> str:
@@ -255,7 +292,8 @@ def _more_about(episode: Episode, fps: int) -> Row:
     source, recording = episode.source, episode.recording
     row: Row = {"smile/recording_sha256": source.digest(), "smile/state_hash": f"{recording.hashes[-1]:016x}",
                 "smile/seed": source.seed, "smile/success": source.is_success, "smile/cause": source.cause,
-                "smile/source": source.path.name}
+                "smile/source": source.path.name,
+                "smile/variation": json.dumps(source.variation) if source.variation is not None else ""}
     for kind in ("sparse", "dense"):
         row.update({
             f"{kind}_subtask_names": [part.name for part in episode.subtasks],
@@ -272,8 +310,9 @@ def _copy_recording(source: Source, folder: Path) -> None:
         shutil.copy(source.recording.parent / "result.json", folder.with_suffix(".result.json"))
 
 
-def _constant(features: Mapping[str, Any], totals: Mapping[str, statistics.Statistics]
-              ) -> dict[str, list[str]]:
+def constant_of(features: Mapping[str, Any], totals: Mapping[str, statistics.Statistics]
+                ) -> dict[str, list[str]]:
+    """Returns the dimensions of states and actions that never change, by feature."""
     constant = {}
     for name in ("observation.state", "action"):
         if name in features:

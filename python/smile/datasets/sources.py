@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +21,9 @@ class Source:
     result: dict[str, Any] | None
     """`result.json` of an imitation (docs/results.md)"""
     seed: int | None
-    """of its layout, if an evaluation made it"""
+    """of its layout, if an evaluation or a generation made it"""
+    variation: dict[str, Any] | None = None
+    """circumstances that a generation drew (docs/generation.md)"""
 
     @property
     def is_success(self) -> bool | None:
@@ -50,6 +52,30 @@ class Source:
             whole.update(f"{name} {len(content)}\n".encode())
             whole.update(content)
         return whole.hexdigest()
+
+
+def find_sources(path: Path, include_failed: bool) -> list[Source]:
+    """Finds the recordings of a run, see find_source(), or of a folder that `smile generate` wrote: its
+    episodes, and its failures only if asked for.
+
+    Raises ValueError if it is neither.
+    """
+    manifest = path / "manifest.jsonl"
+    if not manifest.exists():
+        if (path / "generation.json").exists():
+            raise ValueError(f"{path}: is a generation that is not complete; continue it with the same command")
+        return [find_source(path)]
+    sources = []
+    for number, line in enumerate(manifest.read_text().splitlines(), 1):
+        try:
+            attempt = json.loads(line)
+            is_wanted = attempt["outcome"] == "success" or include_failed
+            if is_wanted and attempt["recording"] is not None and attempt["result_hash"] is not None:
+                source = find_source(path / Path(attempt["recording"]).parent)
+                sources.append(replace(source, variation=attempt["variation"]))
+        except (KeyError, TypeError, json.JSONDecodeError) as error:
+            raise ValueError(f"{manifest}:{number}: is no attempt ({error!r}); see `smile generate --help`") from None
+    return sources
 
 
 def find_source(path: Path) -> Source:

@@ -16,7 +16,8 @@ Statistics = dict[str, Any]
 
 def of_rows(rows: npt.NDArray[Any]) -> Statistics:
     """Returns the statistics of a feature, (frames,) or (frames, dimensions)."""
-    values = rows.reshape(len(rows), -1).astype(np.float64)
+    # In one order, whatever that of `rows`: sums of the same numbers in another order differ.
+    values = rows.reshape(len(rows), -1).astype(np.float64, order="C")
     result: dict[str, npt.NDArray[np.float64]] = {
         "min": values.min(axis=0), "max": values.max(axis=0),
         "mean": values.mean(axis=0), "std": values.std(axis=0)}

@@ -181,6 +181,12 @@ TEST_F(GenerationTest, ContinuesToMoreEpisodesAndRepairsDamage) {
   Generate(PlanOf(2));
   EXPECT_EQ(Started(), "1\n");
   EXPECT_EQ(Read("out/episodes/seed-0001/imitation/trace.bin"), "trace of 1\n");
+  for (const char* text :
+       {"", "{", R"({"episode":0,"try":1,"seed":1,"variation":{"scene":"a"}})"}) {
+    Write("out/episodes/seed-0001/attempt.json", text);
+    Generate(PlanOf(2));
+    EXPECT_EQ(Started(), "1\n") << text;
+  }
   EXPECT_NE(MessageOf([&] { Generate(PlanOf(1)); }).find("belongs to none of the 1 episodes"),
             std::string::npos);
 }

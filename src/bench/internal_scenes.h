@@ -3,22 +3,32 @@
 #include <benchmark/benchmark.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
-#include "app/options.h"
 #include "physics/world.h"
 #include "scene/scene_spec.h"
 #include "sim/simulation.h"
 #include "world/tabletop.h"
 
-namespace smile::app {
+namespace smile::bench {
 
 // Scenes that several benchmarks measure.
+
+/// Robot of a benchmark.
+struct BenchRobot {
+  bool is_missing = false;
+  std::string name = "baxter", gripper = {};  ///< empty gripper: the default of the robot
+  bool is_kinematic = false;
+};
+
+/// Returns the robot with its placement; nullopt if it is missing.
+std::optional<sim::RobotPlacement> Place(const BenchRobot& robot);
 
 /// Returns the scene `um`: ten blocks and two planks.
 scene::SceneSpec UmScene();
 /// Returns a simulation of the scene `um` that has had three simulated seconds to come to rest.
-std::unique_ptr<sim::Simulation> MakeUm(const RobotOptions& robot);
+std::unique_ptr<sim::Simulation> MakeUm(const BenchRobot& robot);
 
 /// Duration of a swing, and how far it turns each joint [rad].
 inline constexpr int kSwingTicks = sim::kTicksPerSecond / 2;
@@ -69,4 +79,4 @@ struct AwakeWorld {
 /// Reports simulated seconds per second of the time that the benchmark measures.
 void ReportRealTime(benchmark::State& state, double seconds_per_iteration);
 
-}  // namespace smile::app
+}  // namespace smile::bench

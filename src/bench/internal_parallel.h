@@ -1,8 +1,8 @@
 #pragma once
 
-namespace smile::app {
+namespace smile::bench {
 
 /// Adds the benchmarks of several simulations in one process.
 void RegisterParallelBenchmarks();
 
-}  // namespace smile::app
+}  // namespace smile::bench

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace smile::app {
+namespace smile::bench {
 
 /// Adds the benchmarks of cost against the number of objects.
 void RegisterGrowthBenchmarks();
 
-}  // namespace smile::app
+}  // namespace smile::bench

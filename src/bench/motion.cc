@@ -1,4 +1,4 @@
-#include "app/bench_motion.h"
+#include "bench/internal_motion.h"
 
 #include <benchmark/benchmark.h>
 
@@ -12,7 +12,7 @@
 #include "motion/path_check.h"
 #include "robot/urdf_reader.h"
 
-namespace smile::app {
+namespace smile::bench {
 namespace {
 
 using motion::ArmKinematics;
@@ -113,4 +113,4 @@ void RegisterMotionBenchmarks() {
   RegisterBenchmark("self-collision check", &SelfCollisionCheck)->Unit(benchmark::kMicrosecond);
 }
 
-}  // namespace smile::app
+}  // namespace smile::bench

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace smile::app {
+namespace smile::bench {
 
 /// Adds the benchmarks of kinematics and planned motions.
 void RegisterMotionBenchmarks();
 
-}  // namespace smile::app
+}  // namespace smile::bench

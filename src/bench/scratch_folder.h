@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace smile::app {
+namespace smile::bench {
 
 /// Temporary folder, removed with this object.
 class ScratchFolder {
@@ -28,4 +28,4 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace smile::app
+}  // namespace smile::bench

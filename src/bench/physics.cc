@@ -3,7 +3,7 @@
 // of them may sleep, and how well a robot follows. tools/measure_performance.py simulates the same
 // scenes in other simulators.
 
-#include "app/bench_physics.h"
+#include "bench/internal_physics.h"
 
 #include <benchmark/benchmark.h>
 
@@ -11,9 +11,9 @@
 #include <cmath>
 #include <vector>
 
-#include "app/bench_scenes.h"
+#include "bench/internal_scenes.h"
 
-namespace smile::app {
+namespace smile::bench {
 namespace {
 
 constexpr int kSettlingSeconds = 3;
@@ -76,7 +76,7 @@ void MinuteAwake(benchmark::State& state, const AwakeScene& scene) {
 
 /// Measures a simulated minute in which all blocks of `um` sleep.
 void MinuteAsleep(benchmark::State& state) {
-  const auto simulation = MakeUm({.no_robot = true});
+  const auto simulation = MakeUm({.is_missing = true});
   const Positions settled = PositionsOf(simulation->physics(), simulation->tabletop());
   Positions placed;
   for (const auto& object : simulation->scene().objects)
@@ -152,4 +152,4 @@ void RegisterPhysicsBenchmarks() {
       ->Unit(benchmark::kMillisecond);
 }
 
-}  // namespace smile::app
+}  // namespace smile::bench

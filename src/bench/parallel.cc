@@ -2,7 +2,7 @@
 // work of one. Each iteration does the same work on one thread and then on two, so that both see
 // the same machine.
 
-#include "app/bench_parallel.h"
+#include "bench/internal_parallel.h"
 
 #include <benchmark/benchmark.h>
 #include <time.h>
@@ -16,9 +16,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/bench_scenes.h"
+#include "bench/internal_scenes.h"
 
-namespace smile::app {
+namespace smile::bench {
 namespace {
 
 /// What one thread does.
@@ -151,4 +151,4 @@ void RegisterParallelBenchmarks() {
   }
 }
 
-}  // namespace smile::app
+}  // namespace smile::bench

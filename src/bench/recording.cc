@@ -1,4 +1,4 @@
-#include "app/bench_recording.h"
+#include "bench/internal_recording.h"
 
 #include <benchmark/benchmark.h>
 #include <malloc.h>
@@ -9,10 +9,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/bench_scenes.h"
-#include "app/bench_scratch.h"
-#include "app/options.h"
 #include "base/files.h"
+#include "bench/internal_scenes.h"
+#include "bench/scratch_folder.h"
 #include "library/playback.h"
 #include "recorder/recorder.h"
 #include "recording/trace_reader.h"
@@ -20,7 +19,7 @@
 #include "sim/script.h"
 #include "sim/simulation.h"
 
-namespace smile::app {
+namespace smile::bench {
 namespace {
 
 using sim::HandName;
@@ -171,7 +170,7 @@ void RememberActions(benchmark::State& state) {
 void ReplayUm(benchmark::State& state, bool with_robot) {
   const ScratchFolder folder;
   const auto demo = folder.path() / "demo";
-  sim::Simulation simulation(UmScene(), PlaceRobot({.no_robot = !with_robot}));
+  sim::Simulation simulation(UmScene(), Place({.is_missing = !with_robot}));
   {
     recorder::Recorder recorder(demo, {}, nullptr, simulation);
     simulation.AddListener(&recorder);
@@ -214,4 +213,4 @@ void RegisterRecordingBenchmarks() {
   }
 }
 
-}  // namespace smile::app
+}  // namespace smile::bench

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace smile::app {
+namespace smile::bench {
 
 /// Adds the benchmarks of recording, undo and replay.
 void RegisterRecordingBenchmarks();
 
-}  // namespace smile::app
+}  // namespace smile::bench

@@ -1,13 +1,14 @@
-#include "app/bench_scenes.h"
+#include "bench/internal_scenes.h"
 
 #include <chrono>
 #include <cmath>
 #include <string>
 
 #include "base/files.h"
+#include "catalog/placed_robot.h"
 #include "scene_xml/scene_reader.h"
 
-namespace smile::app {
+namespace smile::bench {
 namespace {
 
 /// Returns a scene of equal objects on a square grid, and on each other from a given number on.
@@ -43,8 +44,15 @@ void SetTimeSince(std::chrono::steady_clock::time_point start, benchmark::State*
 
 scene::SceneSpec UmScene() { return scene_xml::LoadScene(DataFile("scenes/um.xml")); }
 
-std::unique_ptr<sim::Simulation> MakeUm(const RobotOptions& robot) {
-  auto simulation = std::make_unique<sim::Simulation>(UmScene(), PlaceRobot(robot));
+std::optional<sim::RobotPlacement> Place(const BenchRobot& robot) {
+  if (robot.is_missing) return std::nullopt;
+  return catalog::PlaceRobot(
+             robot.name, {.gripper = robot.gripper, .body = {.is_kinematic = robot.is_kinematic}})
+      .placement;
+}
+
+std::unique_ptr<sim::Simulation> MakeUm(const BenchRobot& robot) {
+  auto simulation = std::make_unique<sim::Simulation>(UmScene(), Place(robot));
   for (int i = 0; i < 3 * sim::kTicksPerSecond; ++i) simulation->Tick();
   return simulation;
 }
@@ -130,4 +138,4 @@ void ReportRealTime(benchmark::State& state, double seconds_per_iteration) {
       seconds_per_iteration * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
 
-}  // namespace smile::app
+}  // namespace smile::bench

@@ -1,7 +1,7 @@
 // How the cost of what a program does in each tick grows with the number of objects of which none,
 // one or all move.
 
-#include "app/bench_growth.h"
+#include "bench/internal_growth.h"
 
 #include <benchmark/benchmark.h>
 
@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/bench_scenes.h"
+#include "bench/internal_scenes.h"
 #include "sim/simulation.h"
 
-namespace smile::app {
+namespace smile::bench {
 namespace {
 
 /// Edge of each cube [m].
@@ -203,4 +203,4 @@ void RegisterGrowthBenchmarks() {
   RegisterBenchmark("growth: stacks of five awake, per step", &StacksAwake, 5)->Apply(cubes);
 }
 
-}  // namespace smile::app
+}  // namespace smile::bench

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace smile::app {
+namespace smile::bench {
 
 /// Two processes that exchange bytes over a socket, as simulator and brain do, and nothing
 /// else: the machine's own time for a round trip.
@@ -26,4 +26,4 @@ class Echo {
   pid_t child_ = -1;
 };
 
-}  // namespace smile::app
+}  // namespace smile::bench

@@ -1,4 +1,4 @@
-#include "app/bench_echo.h"
+#include "bench/internal_echo.h"
 
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace smile::app {
+namespace smile::bench {
 namespace {
 
 /// Sends all bytes; false if the other end is closed.
@@ -67,4 +67,4 @@ void Echo::RoundTrip() {
     FailEcho("the echo process has ended");
 }
 
-}  // namespace smile::app
+}  // namespace smile::bench

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace smile::app {
+namespace smile::bench {
 
 /// Adds the benchmarks of what physics costs and what it is worth.
 void RegisterPhysicsBenchmarks();
 
-}  // namespace smile::app
+}  // namespace smile::bench

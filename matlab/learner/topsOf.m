@@ -7,7 +7,7 @@ function rows = topsOf(notes)
       it = blocks(i);
       rows(end + 1, :) = [k, i > numel(notes(k).expected), it.position(1:2), ...
                           it.position(3) + it.size(3) / 2, it.size(1:2), it.yaw, ...
-                          isfield(it, 'isRound') && it.isRound];
+                          isRound(it)];
     end
   end
 end

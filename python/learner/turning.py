@@ -16,7 +16,7 @@ from execution import Action, Grasp
 from motion_planning import (
     at_height, avoids_torso, has_failed, is_arm_clear, move_joints, move_line)
 from resting import turned
-from temporary_places import can_reach, free_placements, is_in_view
+from temporary_places import can_reach, free_placements
 
 
 def plan_turn(arms, eye, block, held, then, others, sites, sensor, failures, unexplained):
@@ -40,10 +40,8 @@ def plan_turn(arms, eye, block, held, then, others, sites, sensor, failures, une
     for site in sites if grasps else []:
         reason = "there is no free place on the table where an arm can turn it"
         num_tried = 0
-        for place in free_placements(arms, like, others + site, None, unexplained):
-            continues = is_in_view(place, eye) and (
-                can_reach(arms, place) if then is None else can_turn(arms, place, then, others))
-            if not continues:
+        for place in free_placements(arms, eye, like, others + site, None, unexplained):
+            if not (can_reach(arms, place) if then is None else can_turn(arms, place, then, others)):
                 continue
             num_tried += 1
             if num_tried > TASK_PLANNING.max_place_attempts:

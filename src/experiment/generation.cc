@@ -38,7 +38,7 @@ void Check(const GenerationPlan& plan, const task::Structure& structure) {
     throw std::invalid_argument("generation: no episode is wanted, or more than " +
                                 std::to_string(kMaxEpisodes));
   }
-  brain::BrainProcess{plan.brain};
+  const brain::BrainProcess checked(plan.brain);  // throws unless it is a brain
   for (const GenerationScene& scene : plan.scenes) {
     task::RequireSomethingToDo(structure, scene.spec);
   }

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
         Description, Deviation, Difference, Edit, Evaluation, Imitation, Replay, analyze, describe,
         edit, evaluate, imitate, replay)
     from smile.picture import Picture
-    from smile.recording import Action, Moment, Recording, open
+    from smile.recording import Action, CommandDifference, Moment, Recording, open
     from smile.serving import BrainServer, serve_brain
     from smile.simulation import Event, Model, Simulation, State, data_file, load
     from smile.task import Comparison, ObjectError, Task
@@ -34,7 +34,7 @@ _HOMES = {
     **dict.fromkeys(("Description", "Deviation", "Difference", "Edit", "Evaluation", "Imitation",
                      "Replay", "analyze", "describe", "edit", "evaluate", "imitate", "replay"), "experiment"),
     "Picture": "picture",
-    "Action": "recording", "Moment": "recording", "Recording": "recording", "open": "recording",
+    "Action": "recording", "CommandDifference": "recording", "Moment": "recording", "Recording": "recording", "open": "recording",
     "BrainServer": "serving", "serve_brain": "serving",
     "Event": "simulation", "Model": "simulation", "Simulation": "simulation", "State": "simulation",
     "data_file": "simulation", "load": "simulation",
@@ -42,10 +42,11 @@ _HOMES = {
     "Studio": "viewer", "studio": "viewer",
 }
 
-__all__ = ["Action", "BrainServer", "Comparison", "Description", "Deviation", "Diagnostic", "Difference", "Edit",
-           "Evaluation", "Event", "Imitation", "Model", "Moment", "ObjectError", "Picture", "Recording",
-           "Refused", "Replay", "SceneError", "Simulation", "State", "Studio", "Task", "analyze", "data_file",
-           "describe", "edit", "evaluate", "imitate", "load", "open", "replay", "serve_brain", "studio"]
+__all__ = ["Action", "BrainServer", "CommandDifference", "Comparison", "Description", "Deviation",
+           "Diagnostic", "Difference", "Edit", "Evaluation", "Event", "Imitation", "Model", "Moment",
+           "ObjectError", "Picture", "Recording", "Refused", "Replay", "SceneError", "Simulation", "State",
+           "Studio", "Task", "analyze", "data_file", "describe", "edit", "evaluate", "imitate", "load",
+           "open", "replay", "serve_brain", "studio"]
 
 
 def __getattr__(name: str) -> Any:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import base64
 import html
+import json
 import math
 import os
 import tempfile
 from functools import cached_property
+from itertools import zip_longest
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -37,6 +39,17 @@ class Action(NamedTuple):
     """tick at which the next one began, or the recording ended"""
     words: str
     """for example `left hand takes RedBlock`"""
+
+
+class CommandDifference(NamedTuple):
+    """The first command in which two recordings differ."""
+
+    line: int
+    """of `commands.jsonl`, the first is 1"""
+    command: dict[str, Any] | None
+    """with its `tick`, in units of the scene; None if the recording has no more commands"""
+    other: dict[str, Any] | None
+    """the same of the other recording"""
 
 
 class Moment:
@@ -208,6 +221,20 @@ class Recording:
         difference = self._native.first_difference()
         if difference is not None:
             raise AssertionError(f"{self.directory}: {difference}")
+
+    def first_difference(self, other: Recording) -> CommandDifference | None:
+        """Returns the first command in which another recording differs; None if all are equal.
+
+        A simulation does the same everywhere. A policy may not, where its arithmetic depends on the
+        machine: of two runs of it, this is the first action that differs.
+        """
+        with (self.directory / "commands.jsonl").open() as mine, \
+                (other.directory / "commands.jsonl").open() as others:
+            for number, (line, theirs) in enumerate(zip_longest(mine, others), 1):
+                if line != theirs:
+                    return CommandDifference(number, *(None if text is None else json.loads(text)
+                                                       for text in (line, theirs)))
+        return None
 
     def __repr__(self) -> str:
         return f"<Recording {self.directory}>"

@@ -103,6 +103,20 @@ class BrainTest(ExperimentTest):
         self.assertEqual(json.loads((here.directory / "result.json").read_text())["score"], here.score)
         self.assertFalse(here.is_success)
 
+    def test_the_first_action_that_differs_is_named(self):
+        def pushes(speed):
+            def step(sensor, motor, aux):
+                motor.arms[0].velocities[:] = 0.1 if sensor.simTime < 0.5 else speed
+                aux.exit = sensor.simTime > 0.7
+            return step
+
+        first, same, other = (self.imitate(pushes(speed), f"speed{k}").recording
+                              for k, speed in enumerate((0.2, 0.2, 0.201)))
+        self.assertIsNone(first.first_difference(same))
+        difference = first.first_difference(other)
+        self.assertEqual(difference.command["tick"], 30)
+        self.assertEqual((difference.command["left"][0], difference.other["left"][0]), (0.2, 0.201))
+
     def test_what_a_function_raises_is_raised_and_the_recording_whole(self):
         class Failing:
             steps = 0

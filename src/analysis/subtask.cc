@@ -35,12 +35,15 @@ class HoldingHands {
   std::set<sim::HandName> hands_;
 };
 
-/// Adds an action to a subtask.
-void Append(const recording::Segment& action, Subtask* subtask) {
+/// Adds an action to a subtask, which then ends with it.
+/// @param start  tick at which the demonstration starts.
+void Append(const recording::Segment& action, std::uint64_t start, Subtask* subtask) {
   const std::string words = recording::WordsOf(action);
   const bool takes = action.summary && action.summary->kind == sim::ActionKind::kTake;
   if (!takes) subtask->words += (subtask->words.empty() ? "" : ", ") + words;
   subtask->actions.push_back(words);
+  subtask->last = subtask->first + static_cast<int>(subtask->actions.size()) - 1;
+  subtask->end = action.end.tick - start;
 }
 
 }  // namespace
@@ -57,9 +60,7 @@ std::vector<Subtask> SubtasksOf(const recording::Recording& recording) {
       subtasks.push_back(
           {.first = static_cast<int>(number), .begin = segment.begin.tick - start, .actions = {}});
     }
-    subtasks.back().last = static_cast<int>(number);
-    subtasks.back().end = segment.end.tick - start;
-    Append(segment, &subtasks.back());
+    Append(segment, start, &subtasks.back());
     if (segment.summary) hands.Follow(*segment.summary);
     is_open = !hands.is_empty();
   }

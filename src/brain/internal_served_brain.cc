@@ -101,29 +101,22 @@ Connected ConnectToHost(const ServerAddress& address, const process::WaitLimit& 
   return result;
 }
 
-}  // namespace
-
-bool IsServedBrain(const std::filesystem::path& brain) {
-  const std::string& text = brain.native();
-  return text.starts_with(kTcp) || text.starts_with(kUnix);
+/// Parses `unix:PATH`.
+ServerAddress AddressOfPath(const std::string& brain) {
+  ServerAddress address{.text = brain, .host = {}, .port = {}, .path = brain.substr(kUnix.size())};
+  constexpr std::size_t kLongest = sizeof(sockaddr_un::sun_path) - 1;
+  if (address.path.empty() || address.path.size() > kLongest) {
+    RejectAddress(brain, "the path has " + std::to_string(address.path.size()) +
+                             " letters, expected unix:PATH with 1 to " + std::to_string(kLongest));
+  }
+  return address;
 }
 
-std::optional<ServerAddress> ParseServerAddress(const std::string& brain) {
-  if (!IsServedBrain(brain)) return std::nullopt;
-  ServerAddress address{.text = brain, .host = {}, .port = {}, .path = {}};
-  if (brain.starts_with(kUnix)) {
-    address.path = brain.substr(kUnix.size());
-    constexpr std::size_t kLongest = sizeof(sockaddr_un::sun_path) - 1;
-    if (address.path.empty() || address.path.size() > kLongest) {
-      RejectAddress(brain, "the path has " + std::to_string(address.path.size()) +
-                               " letters, expected unix:PATH with 1 to " +
-                               std::to_string(kLongest));
-    }
-    return address;
-  }
+/// Parses `tcp://HOST:PORT`.
+ServerAddress AddressOfHost(const std::string& brain) {
   const std::string rest = brain.substr(kTcp.size());
   const std::size_t colon = rest.rfind(':');
-  address.host = rest.substr(0, colon);
+  ServerAddress address{.text = brain, .host = rest.substr(0, colon), .port = {}, .path = {}};
   // Addresses of version 6 contain colons, and stand in brackets.
   const bool has_brackets = address.host.starts_with('[') && address.host.ends_with(']');
   if (has_brackets) address.host = address.host.substr(1, address.host.size() - 2);
@@ -133,6 +126,18 @@ std::optional<ServerAddress> ParseServerAddress(const std::string& brain) {
     RejectAddress(brain, "not an address, expected tcp://HOST:PORT with a port from 1 to 65535");
   }
   return address;
+}
+
+}  // namespace
+
+bool IsServedBrain(const std::filesystem::path& brain) {
+  const std::string& text = brain.native();
+  return text.starts_with(kTcp) || text.starts_with(kUnix);
+}
+
+std::optional<ServerAddress> ParseServerAddress(const std::string& brain) {
+  if (!IsServedBrain(brain)) return std::nullopt;
+  return brain.starts_with(kUnix) ? AddressOfPath(brain) : AddressOfHost(brain);
 }
 
 Connected ConnectTo(const ServerAddress& address, const process::WaitLimit& limit) {

@@ -21,7 +21,7 @@ struct Overlay {
 /// the same tick, those of the first come first. The result is cut at all actions; it has no
 /// pauses.
 /// @param num_lines  of the first demonstration's log: the lines of the other one count from there.
-/// @throws std::invalid_argument if one hand shall do what both hands did, or the other
+/// @throws std::invalid_argument if one hand must do what both hands did, or the other
 ///         demonstration has no command of a hand.
 recording::Demonstration Overlaid(const recording::Demonstration& first, const Overlay& overlay,
                                   std::size_t num_lines);

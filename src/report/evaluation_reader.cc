@@ -34,6 +34,12 @@ std::string OptionalText(const JsonNode& node, const std::string& name) {
   return HasValue(node, name) ? node.Member(name).ShortString(kMaxReasonBytes) : "";
 }
 
+task::ClaimEnd ClaimIn(const JsonNode& node) {
+  return {.is_done = node.Member("done").Flag(),
+          .is_right = node.Member("right").Flag(),
+          .reason = node.Member("reason").ShortString(kMaxReasonBytes)};
+}
+
 EvaluatedRun EvaluatedRunIn(const JsonNode& node) {
   EvaluatedRun run;
   run.seed = HasValue(node, "seed") ? node.Member("seed").Whole(0, kMaxReadSeed) : 0;
@@ -47,12 +53,7 @@ EvaluatedRun EvaluatedRunIn(const JsonNode& node) {
   run.retries = OptionalCount(node, "retries");
   run.realtime_factor = OptionalNumber(node, "realtime_factor");
   run.recording = OptionalText(node, "recording");
-  if (HasValue(node, "claim")) {
-    const JsonNode claim = node.Member("claim");
-    run.claim = task::ClaimEnd{.is_done = claim.Member("done").Flag(),
-                               .is_right = claim.Member("right").Flag(),
-                               .reason = claim.Member("reason").ShortString(kMaxReasonBytes)};
-  }
+  if (HasValue(node, "claim")) run.claim = ClaimIn(node.Member("claim"));
   if (const JsonNode cause = node.Member("cause"); !cause.IsNull()) {
     run.failure_reason =
         task::FailureReason{.code = cause.Member("word").ShortString(kMaxNameBytes),

@@ -636,7 +636,7 @@ function check_clearing()
 end
 
 function check_resting()
-  plank = struct('size', [3, 1, 0.5], 'isRound', false);
+  plank = newBlock([1, 0, 0], [3, 1, 0.5], [0, 0, 0], 0);
   cases = {[0, 0, 30], [3, 1, 0.5], 30; [90, 0, 30], [3, 0.5, 1], 30; [0, -90, 20], [1, 0.5, 3], 110; ...
            [45, 0, 0], [3, 1, 0.5], 0};
   for k = 1:size(cases, 1)

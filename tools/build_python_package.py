@@ -16,7 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 WORK = ROOT / "build/package"
 SOURCE = WORK / "source"
-KEPT = "build"  # within SOURCE, what was compiled
+KEPT = SOURCE / "build/package"  # what was compiled
 
 
 def pip(*arguments):
@@ -49,7 +49,7 @@ def unpack(archive):
             path.write_bytes(content)
             path.chmod(member.mode | 0o600)
     for path in SOURCE.rglob("*"):
-        if path.is_file() and path not in files and path.relative_to(SOURCE).parts[0] != KEPT:
+        if path.is_file() and path not in files and KEPT not in path.parents:
             path.unlink()
 
 

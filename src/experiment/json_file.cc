@@ -8,9 +8,9 @@
 namespace smile::experiment {
 
 Json ReadJsonFile(const std::filesystem::path& file) {
-  constexpr std::size_t kMaxBytes = 16 << 20;
+  constexpr std::size_t kMaxJsonBytes = 16 << 20;
   try {
-    return ParseJson(ReadFile(file, kMaxBytes));
+    return ParseJson(ReadFile(file, kMaxJsonBytes));
   } catch (const std::invalid_argument& error) {
     // Line 0: the file as a whole is no JSON.
     throw InputError({file.string(), 0, "", error.what()});

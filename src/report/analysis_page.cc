@@ -16,7 +16,7 @@ namespace smile::report {
 namespace {
 
 // Sizes of the graph, in the units of its viewBox.
-constexpr double kBoxWidth = 238, kBoxHeight = 34, kColumn = 274, kRow = 48, kEdge = 6;
+constexpr double kBoxWidth = 238, kBoxHeight = 34, kColumnWidth = 274, kRowHeight = 48, kEdge = 6;
 /// Letters that fit into a box.
 constexpr std::size_t kLetters = 36;
 
@@ -57,8 +57,8 @@ std::vector<BoxPlace> PlacesOf(const std::vector<std::size_t>& columns) {
   std::vector<BoxPlace> places;
   std::vector<std::size_t> heights(columns.size() + 1, 0);
   for (const std::size_t column : columns) {
-    places.push_back({kEdge + kColumn * static_cast<double>(column),
-                      kEdge + kRow * static_cast<double>(heights[column]++)});
+    places.push_back({kEdge + kColumnWidth * static_cast<double>(column),
+                      kEdge + kRowHeight * static_cast<double>(heights[column]++)});
   }
   return places;
 }
@@ -67,7 +67,7 @@ std::vector<BoxPlace> PlacesOf(const std::vector<std::size_t>& columns) {
 Markup EdgeOf(const BoxPlace& from, const BoxPlace& to) {
   const double x0 = from.x + kBoxWidth, y0 = from.y + kBoxHeight / 2;
   const double x1 = to.x, y1 = to.y + kBoxHeight / 2;
-  const double middle = (kColumn - kBoxWidth) / 2;
+  const double middle = (kColumnWidth - kBoxWidth) / 2;
   const std::string path = "M" + At(x0) + " " + At(y0) + " C" + At(x0 + middle) + " " + At(y0) +
                            " " + At(x1 - middle) + " " + At(y1) + " " + At(x1) + " " + At(y1);
   return Element("path", {{"class", "edge"}, {"d", path}});

@@ -78,9 +78,10 @@ void WatchedSimulation::Pace() {
   const double speed = speed_;
   if (!(speed > 0)) return;
   // The wall clock only delays ticks; what they compute does not depend on it.
-  using Clock = std::chrono::steady_clock;
+  using std::chrono::steady_clock;
   const std::chrono::duration<double> period(1.0 / (sim::kTicksPerSecond * speed));
-  due_ = std::max(due_ + std::chrono::duration_cast<Clock::duration>(period), Clock::now());
+  due_ = std::max(due_ + std::chrono::duration_cast<steady_clock::duration>(period),
+                  steady_clock::now());
   std::this_thread::sleep_until(due_);
 }
 

@@ -24,6 +24,13 @@ function it = block(color, size, x, y, bottom, yaw)
   it = newBlock(color, size, [x, y, bottom + size(3) / 2], yaw);
 end
 
+function now = updateBeliefs(known, seen, picture, eye, heights)
+% Returns the known blocks after a look at a picture.
+  if nargin < 5, heights = []; end
+  tolerance = constants().blocks.position_tolerance;
+  now = corrected(seen, verdictsOn(known, seen, picture, eye, heights, tolerance));
+end
+
 function [picture, heights] = pictureOf(blocks)
 % Renders blocks as the eye sees them, lower ones first: 480x640x3; and the height of what each pixel shows,
 % 480x640 [units].

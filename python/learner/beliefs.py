@@ -5,12 +5,6 @@ from dataclasses import replace
 import numpy as np
 
 from constants import BELIEFS as C
-from verdicts import verdicts_on
-
-
-def update_beliefs(known, seen, picture, eye, heights=None):
-    """Returns the known blocks after an observation: see corrected and verdicts_on."""
-    return corrected(seen, verdicts_on(known, seen, picture, eye, heights))
 
 
 def corrected(seen, verdicts):

@@ -2,7 +2,8 @@
 
     smile imitate DEMO SCENE --brain python/learner/learner.py
 
-docs/learner.md describes its twin in Octave, matlab/learner; both choose the same actions.
+docs/learner.md describes it and its twin in Octave, matlab/learner; where Octave does a task, both choose
+the same actions.
 
 smile: imitates
 """

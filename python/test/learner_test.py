@@ -15,7 +15,7 @@ import numpy as np
 from PIL import Image
 
 from balls import ball_color
-from beliefs import update_beliefs
+from beliefs import corrected
 from blocks import Block, yaw_difference
 from building_site import choose_site, shifted
 from clearance import container_walls, footprint, grasp_yaws, held_part, is_grasp_blocked, overlap
@@ -64,6 +64,11 @@ def block(color, size, x, y, bottom=0.0, yaw=0.0):
 
 def step(it, on):
     return Step(it.color, it.size, it.position, it.yaw, "step", on)
+
+
+def update_beliefs(known, seen, picture, eye, heights=None):
+    """Returns the known blocks after a look at a picture."""
+    return corrected(seen, verdicts_on(known, seen, picture, eye, heights))
 
 
 def picture_of(blocks):

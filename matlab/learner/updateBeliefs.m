@@ -1,6 +1,0 @@
-function now = updateBeliefs(known, seen, picture, eye, heights)
-% Returns the known blocks after an observation: see corrected and verdictsOn.
-  if nargin < 5, heights = []; end
-  tolerance = constants().blocks.position_tolerance;
-  now = corrected(seen, verdictsOn(known, seen, picture, eye, heights, tolerance));
-end

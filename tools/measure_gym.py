@@ -3,8 +3,9 @@
 
     PYTHONPATH=python:build/release/python:build/gymnasium /usr/bin/python3 tools/measure_gym.py [--seconds S]
 
-Each row: one environment, then a VectorEnv of 8 worlds with 1 and with 2 threads, in turns; of three rounds
-the best counts, since other programs only make it slower. `times` is 2 threads against 1.
+Each row: one environment, then a VectorEnv of 8 worlds with 1 and with 2 threads, which do the same actions in
+turns. Of many short rounds, the best of each counts, since other programs only make it slower. `times` is 2
+threads against 1.
 """
 
 import argparse
@@ -20,19 +21,20 @@ ROWS = (("smile/Tower-v0", "tern", "joint_velocities"), ("smile/Tower-v0", "tern
 WORLDS = 8
 
 
-def rate(envs, actions, seconds, worlds):
-    """Steps per second of wall clock and of CPU time."""
-    start, cpu, count = time.perf_counter(), time.process_time(), 0
-    while time.perf_counter() - start < seconds:
-        envs.step(actions[count % len(actions)])
-        count += 1
-    return worlds * count / (time.perf_counter() - start), worlds * count / (time.process_time() - cpu)
+def rates(envs, actions, worlds):
+    """Resets, does all actions, and returns steps per second of wall clock and of CPU time."""
+    envs.reset(seed=1)
+    start, cpu = time.perf_counter(), time.process_time()
+    for action in actions:
+        envs.step(action)
+    count = worlds * len(actions)
+    return count / (time.perf_counter() - start), count / (time.process_time() - cpu)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--seconds", type=float, default=2, help="for each figure (default 2)")
-    seconds = parser.parse_args().seconds
+    parser.add_argument("--rounds", type=int, default=12, help="of 50 steps each (default 12)")
+    rounds = parser.parse_args().rounds
     print("id, robot, control: steps/s of one; of 8 with 1 thread; with 2 threads; times; steps/CPU s of one")
     for id, robot, control in ROWS:
         arguments = {"robot": robot, "control": control}
@@ -40,15 +42,11 @@ def main():
         vectors = [smile.gym.VectorEnv(WORLDS, threads=threads, task=single.task, **arguments)
                    for threads in (1, 2)]
         rng = np.random.default_rng(1)
-        actions = rng.uniform(-1, 1, (200, *vectors[0].action_space.shape)).astype(np.float32)
+        actions = rng.uniform(-1, 1, (50, *vectors[0].action_space.shape)).astype(np.float32)
         best = np.zeros(4)
-        for _ in range(3):
-            single.reset(seed=1)
-            figures = list(rate(single, actions[:, 0], seconds, 1))
-            for envs in vectors:
-                envs.reset(seed=1)
-                figures.append(rate(envs, actions, seconds, WORLDS)[0])
-            best = np.maximum(best, [figures[0], figures[2], figures[3], figures[1]])
+        for _ in range(rounds):
+            one, one_cpu = rates(single, actions[:, 0], 1)
+            best = np.maximum(best, [one, *(rates(envs, actions, WORLDS)[0] for envs in vectors), one_cpu])
         print(f"{id}, {robot}, {control}: {best[0]:.0f}; {best[1]:.0f}; {best[2]:.0f}; "
               f"{best[2] / best[1]:.2f}; {best[3]:.0f}", flush=True)
 

@@ -250,7 +250,7 @@ class GoalsTest(Environments):
                         continue
                     perform(env.simulation, line)
                     scores.add(score := judge.compare().score)
-                    self.assertEqual(env._told(env._episode.now())[1]["score"], score, (task, line))
+                    self.assertEqual(env._told()[1]["score"], score, (task, line))
                 self.assertGreater(len(scores), 2)
                 observation, reward, terminated, _, info = env.step(np.zeros(env.action_space.shape))
                 self.assertTrue(terminated and info["is_success"], task)

@@ -5,6 +5,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <exception>
@@ -66,12 +67,32 @@ Array CompareRows(const task::GoalSpace& space, const Array& achieved, const Arr
   return scores;
 }
 
-/// (observation, achieved goal, (score, relations, closeness), refusal or None)
-py::tuple TupleOf(StepResult result) {
+/// Copies numbers of each result into a row of an array.
+template <typename Numbers>
+Array RowsOf(const std::vector<StepResult>& results, Numbers&& numbers_of) {
+  const auto columns = static_cast<py::ssize_t>(std::size(numbers_of(results.front())));
+  Array rows({static_cast<py::ssize_t>(results.size()), columns});
+  double* out = rows.mutable_data();
+  for (const StepResult& result : results) out = std::ranges::copy(numbers_of(result), out).out;
+  return rows;
+}
+
+/// @returns a row for each result: observations (n, k), achieved goals (n, g), scores (n, 3) of
+/// score, relations and closeness; and the refusals, a text or None each.
+py::tuple TupleOf(const std::vector<StepResult>& results) {
+  if (results.empty()) throw std::invalid_argument("episodes is empty, expected one or more");
+  std::vector<std::optional<std::string>> refusals;
+  for (const StepResult& result : results) refusals.push_back(result.refusal);
   return py::make_tuple(
-      ArrayOf(result.observation), ArrayOf(result.achieved),
-      py::make_tuple(result.score.score, result.score.relations, result.score.closeness),
-      result.refusal);
+      RowsOf(
+          results, [](const StepResult& r) -> auto& { return r.observation; }),
+      RowsOf(
+          results, [](const StepResult& r) -> auto& { return r.achieved; }),
+      RowsOf(results,
+             [](const StepResult& r) {
+               return std::array{r.score.score, r.score.relations, r.score.closeness};
+             }),
+      refusals);
 }
 
 /// Performs an action in each of several episodes, which share nothing: so the results do not
@@ -111,8 +132,8 @@ std::vector<StepResult> StepAll(const std::vector<TaskEpisode*>& episodes, const
   return results;
 }
 
-py::list StepEpisodes(const std::vector<TaskEpisode*>& episodes, const Array& actions,
-                      int num_threads) {
+py::tuple StepEpisodes(const std::vector<TaskEpisode*>& episodes, const Array& actions,
+                       int num_threads) {
   if (actions.ndim() != 2 || actions.shape(0) != static_cast<py::ssize_t>(episodes.size())) {
     throw std::invalid_argument("actions has shape " + ShapeText(actions) + ", expected (" +
                                 std::to_string(episodes.size()) + ", n)");
@@ -127,9 +148,7 @@ py::list StepEpisodes(const std::vector<TaskEpisode*>& episodes, const Array& ac
     const py::gil_scoped_release release;
     results = StepAll(episodes, numbers, size, num_threads);
   }
-  py::list list;
-  for (StepResult& result : results) list.append(TupleOf(std::move(result)));
-  return list;
+  return TupleOf(results);
 }
 
 void BindGoals(py::module_& m) {
@@ -197,7 +216,7 @@ void BindEpisode(py::module_& m) {
                              [](const TaskEpisode& episode) { return episode.control().names(); })
       .def_property_readonly("desired",
                              [](const TaskEpisode& episode) { return ArrayOf(episode.desired()); })
-      .def("now", [](TaskEpisode& episode) { return TupleOf(episode.Now()); });
+      .def("now", [](TaskEpisode& episode) { return TupleOf({episode.Now()}); });
   m.def("step_episodes", &StepEpisodes);
 }
 

@@ -11,13 +11,14 @@
 #include <utility>
 #include <vector>
 
-#include "eye_of_any_thread.h"
+#include "picture/rendered_eye.h"
 #include "recorder/recording_controller.h"
 #include "sim/command_json.h"
 #include "sim/per_action.h"
 #include "sim/simulation.h"
 #include "studio/watched_simulation.h"
 #include "task/episode.h"
+#include "thread_renderer.h"
 #include "values.h"
 
 namespace smile::python {
@@ -168,7 +169,7 @@ class Handle {
     eye_.reset();
     if (eye) {
       sim::EyeView(*use, *eye);  // throws if there is no such camera
-      eye_.emplace(*eye);
+      eye_.emplace(*eye, &RendererOfThread);
     }
     recording_.emplace(&*use, recorder::RecordingController::Options{
                                   .recording = options, .eye = eye_ ? &*eye_ : nullptr});
@@ -220,7 +221,7 @@ class Handle {
   std::unique_ptr<sim::Simulation> simulation_;  ///< null once it is closed
   std::vector<Observation> observations_;
   std::shared_ptr<studio::WatchedSimulation> watched_;  ///< null unless it is watched
-  std::optional<EyeOfAnyThread> eye_;                   ///< of the recording
+  std::optional<picture::RenderedEye> eye_;             ///< of the recording
   std::optional<recorder::RecordingController> recording_;
 };
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "camera/renderer.h"
-#include "eye_of_any_thread.h"
 #include "picture/viewpoint.h"
+#include "thread_renderer.h"
 
 namespace smile::python {
 namespace {

@@ -6,7 +6,7 @@ import json
 import os
 import struct
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import gymnasium
 import numpy as np
@@ -46,6 +46,21 @@ def _number(name: str, value: Any, low: float, high: float) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not low < value <= high:
         raise ValueError(f"{name} is {value!r}, expected a number above {low:g}, at most {high:g}")
     return float(value)
+
+
+class Measured(NamedTuple):
+    """What is the case in some episodes, a row for each."""
+
+    observations: Floats  # (n, k), see Environment.observation_names
+    achieved: Floats      # (n, g), see Environment.goal_names
+    scores: Floats        # (n, 3): score, share of the relations, closeness
+    refusals: list[str | None]  # what of the actions was impossible
+
+    def infos(self) -> dict[str, Any]:
+        """Returns what the infos tell of each episode, (n) each."""
+        score, relations, closeness = self.scores.T
+        return {"is_success": score == 1, "score": score, "relations": relations,
+                "closeness": closeness}
 
 
 class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
@@ -127,7 +142,7 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
             self._studio.show(simulation)
 
     def _make_spaces(self) -> None:
-        observation, achieved, _, _ = self._episode.now()
+        observation, achieved = (rows[0] for rows in self._episode.now()[:2])
         self._num_robot_numbers: int = self._episode.num_robot_numbers
         every: dict[str, spaces.Space[Any]]
         if self._observe == "goal":
@@ -136,24 +151,29 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
         else:
             every = {"agent_pos": _box((self._num_robot_numbers,)),
                      "environment_state": _box((len(observation) - self._num_robot_numbers,))}
+        self._picture_space = self._make_picture_space()
+        self.observation_space = spaces.Dict({**every, **self._picture_space})
+        self.action_space = spaces.Box(-1, 1, (len(self._episode.action_names),), np.float32)
+
+    def _make_picture_space(self) -> spaces.Dict:
+        width, height = self._camera_size
+        unknown = set(self._cameras) - set(self._base.camera_names)
+        if unknown:
+            raise ValueError(f"cameras has {sorted(unknown)}, expected some of "
+                             f"{', '.join(self._base.camera_names)}")
+
+        def each(space: spaces.Space[Any]) -> spaces.Dict:
+            return spaces.Dict({camera: space for camera in self._cameras})
+
+        every: dict[str, spaces.Space[Any]] = {}
+        if self._cameras and self._has("rgb"):
+            every["pixels"] = each(spaces.Box(0, 255, (height, width, 3), np.uint8))
+        if self._cameras and self._has("depth"):
+            every["depth"] = each(spaces.Box(0, np.inf, (height, width), np.float32))
         if self._cameras:
-            width, height = self._camera_size
-            unknown = set(self._cameras) - set(self._base.camera_names)
-            if unknown:
-                raise ValueError(f"cameras has {sorted(unknown)}, expected some of "
-                                 f"{', '.join(self._base.camera_names)}")
-
-            def each(space: spaces.Space[Any]) -> spaces.Dict:
-                return spaces.Dict({camera: space for camera in self._cameras})
-
-            if self._has("rgb"):
-                every["pixels"] = each(spaces.Box(0, 255, (height, width, 3), np.uint8))
-            if self._has("depth"):
-                every["depth"] = each(spaces.Box(0, np.inf, (height, width), np.float32))
             every["intrinsics"] = each(_box((3, 3)))
             every["extrinsics"] = each(_box((4, 4)))
-        self.observation_space = spaces.Dict(every)
-        self.action_space = spaces.Box(-1, 1, (len(self._episode.action_names),), np.float32)
+        return spaces.Dict(every)
 
     def _has(self, channel: str) -> bool:
         return self._channels[CHANNELS.index(channel)]
@@ -189,6 +209,10 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
 
         options  `level`: of the layout, for this episode
         """
+        self._restart(seed, options)
+        return self._told()
+
+    def _restart(self, seed: int | None = None, options: dict[str, Any] | None = None) -> None:
         super().reset(seed=seed)
         unknown = set(options or {}) - {"level"}
         if unknown:
@@ -207,7 +231,6 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
         if self.render_mode == "human" and self._studio is None:
             self._studio = Studio(self._simulation, speed=1)
             self._studio.open()
-        return self._told(self._episode.now())
 
     def _laid_out(self, seed: int | None, level: str) -> Model:
         return self._base if seed is None else self._base.laid_out(seed, level)
@@ -215,29 +238,37 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
     def step(self, action: npt.ArrayLike) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """Carries out an action (docs/gym.md)."""
         row = np.asarray(action, float).reshape(1, -1)
-        return self._answer(_native.step_episodes([self._episode], row, 1)[0])
+        measured = Measured(*_native.step_episodes([self._episode], row, 1))
+        observation, info = self._told(measured)
+        return observation, float(self._rewards(measured)[0]), info["is_success"], False, info
 
-    def _answer(self, result: Any) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
-        observation, info = self._told(result)
-        return observation, self._reward_of(*result[2]), info["is_success"], False, info
+    def _measure(self) -> Measured:
+        """Returns what is the case now."""
+        return Measured(*self._episode.now())
 
-    def _told(self, result: Any) -> tuple[Observation, dict[str, Any]]:
+    def _told(self, measured: Measured | None = None) -> tuple[Observation, dict[str, Any]]:
         """Returns an observation and an info."""
-        numbers, achieved, (score, relations, closeness), refusal = result
-        observation: Observation
-        if self._observe == "goal":
-            observation = {"observation": numbers, "achieved_goal": achieved,
-                           "desired_goal": self._episode.desired}
-        else:
-            observation = {"agent_pos": numbers[:self._num_robot_numbers],
-                           "environment_state": numbers[self._num_robot_numbers:]}
+        rows = measured or self._measure()
+        observation = {name: values[0] for name, values in
+                       self._numbers(rows, self._episode.desired[None]).items()}
         if self._cameras:
             observation.update(self._pictures())
-        info = {"is_success": score == 1, "score": score, "relations": relations,
-                "closeness": closeness}
-        if refusal is not None:
-            info["refused"] = refusal
+        info = {name: values[0].item() for name, values in rows.infos().items()}
+        if rows.refusals[0] is not None:
+            info["refused"] = rows.refusals[0]
         return observation, info
+
+    def _numbers(self, measured: Measured, desired: Floats) -> Observation:
+        """Returns the observation without pictures, a row for each episode."""
+        if self._observe == "goal":
+            return {"observation": measured.observations, "achieved_goal": measured.achieved,
+                    "desired_goal": desired}
+        robot, others = np.split(measured.observations, [self._num_robot_numbers], axis=1)
+        return {"agent_pos": robot, "environment_state": others}
+
+    def _rewards(self, measured: Measured) -> Floats:
+        rewards: Floats = self._reward_of(*measured.scores.T)
+        return rewards
 
     def _pictures(self) -> Observation:
         pictures = {camera: Picture(*self._simulation._native.render(
@@ -318,7 +349,7 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
             raise
         self._layout = layout
         self.np_random = generator
-        return self._told(self._episode.now())
+        return self._told()
 
     def render(self) -> npt.NDArray[np.uint8] | None:
         """Returns a picture (height, width, 3) in the mode `rgb_array`.

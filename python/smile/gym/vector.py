@@ -13,7 +13,7 @@ import numpy.typing as npt
 from gymnasium.vector import AutoresetMode
 from gymnasium.vector.utils import batch_space, concatenate, create_empty_array
 
-from smile.gym.environment import MAX_EPISODE_STEPS, Environment
+from smile.gym.environment import MAX_EPISODE_STEPS, Environment, Measured
 from smile.native import load
 
 if TYPE_CHECKING:
@@ -81,11 +81,12 @@ class VectorEnv(gymnasium.vector.VectorEnv[dict[str, Any], npt.NDArray[np.float3
             seeds = list(seed)
         if len(seeds) != self.num_envs:
             raise ValueError(f"seed has {len(seeds)} numbers, expected {self.num_envs}")
-        answers = list(self._pool.map(lambda env, one: env.reset(seed=one, options=options),
-                                      self.envs, seeds))
+        list(self._pool.map(lambda env, one: env._restart(one, options), self.envs, seeds))
+        self._desired = np.array([env._episode.desired for env in self.envs])
         self._steps[:] = 0
         self._has_ended[:] = False
-        return self._batched([answer[0] for answer in answers], [answer[1] for answer in answers])
+        measured = _in_order(range(self.num_envs), [env._measure() for env in self.envs])
+        return self._told(measured)
 
     def step(self, actions: npt.ArrayLike) -> tuple[dict[str, Any], npt.NDArray[np.float64], Flags,
                                                      Flags, dict[str, Any]]:
@@ -93,39 +94,43 @@ class VectorEnv(gymnasium.vector.VectorEnv[dict[str, Any], npt.NDArray[np.float3
         rows = np.asarray(actions, float)
         if rows.shape != self.action_space.shape:
             raise ValueError(f"actions has shape {rows.shape}, expected {self.action_space.shape}")
-        going = np.flatnonzero(~self._has_ended)
-        resets = {int(i): self._pool.submit(self.envs[i].reset)
-                  for i in np.flatnonzero(self._has_ended)}
-        results = _native.step_episodes([self.envs[i]._episode for i in going], rows[going],
-                                        self._threads)
-        steps = dict(zip(going.tolist(), results))
-
-        def told(i: int) -> tuple[dict[str, Any], float, bool, bool, dict[str, Any]]:
-            if i in resets:
-                observation, info = resets[i].result()
-                return observation, 0.0, False, False, info
-            return self.envs[i]._answer(steps[i])
-
-        # Pictures are drawn by threads, too.
-        has_pictures = bool(self.envs[0]._cameras)
-        answers = list((self._pool.map if has_pictures else map)(told, range(self.num_envs)))
+        going, ended = np.flatnonzero(~self._has_ended), np.flatnonzero(self._has_ended)
+        resets = [self._pool.submit(self.envs[i]._restart) for i in ended]
+        parts = []
+        if going.size > 0:
+            parts.append(Measured(*_native.step_episodes([self.envs[i]._episode for i in going],
+                                                         rows[going], self._threads)))
+        for i, reset in zip(ended, resets):
+            reset.result()
+            parts.append(self.envs[i]._measure())
+            self._desired[i] = self.envs[i]._episode.desired
+        measured = parts[0] if ended.size == 0 else _in_order([*going, *ended], parts)
+        rewards = np.where(self._has_ended, 0.0, self.envs[0]._rewards(measured))
+        terminated = (measured.scores[:, 0] == 1) & ~self._has_ended
         self._steps = np.where(self._has_ended, 0, self._steps + 1)
-        terminated = np.array([answer[2] for answer in answers])
         truncated = self._steps >= self._max_episode_steps
         self._has_ended = terminated | truncated
-        observations, infos = self._batched([answer[0] for answer in answers],
-                                            [answer[4] for answer in answers])
-        rewards = np.array([answer[1] for answer in answers])
+        observations, infos = self._told(measured)
         return observations, rewards, terminated, truncated, infos
 
-    def _batched(self, observations: list[dict[str, Any]],
-                 infos: list[dict[str, Any]]) -> tuple[dict[str, Any], dict[str, Any]]:
-        batch: Any = create_empty_array(self.single_observation_space, self.num_envs)
-        all_infos: dict[str, Any] = {}
-        for i, info in enumerate(infos):
-            all_infos = self._add_info(all_infos, info, i)
-        batched: Any = concatenate(self.single_observation_space, observations, batch)
-        return batched, all_infos
+    def _told(self, measured: Measured) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Returns the observations and infos of all environments."""
+        first = self.envs[0]
+        observations = first._numbers(measured, self._desired.copy())
+        if first._cameras:
+            # Threads draw the pictures, too.
+            pictures = list(self._pool.map(lambda env: env._pictures(), self.envs))
+            space = first._picture_space
+            batch: Any = create_empty_array(space, self.num_envs)
+            batched: Any = concatenate(space, pictures, batch)
+            observations.update(batched)
+        infos: dict[str, Any] = {}
+        for name, values in measured.infos().items():
+            infos.update({name: values, f"_{name}": np.ones(self.num_envs, bool)})
+        for i, refusal in enumerate(measured.refusals):
+            if refusal is not None:
+                infos = self._add_info(infos, {"refused": refusal}, i)
+        return observations, infos
 
     def call(self, name: str, *args: Any, **kwargs: Any) -> tuple[Any, ...]:
         """Calls a method of each environment, or gets an attribute."""
@@ -146,3 +151,13 @@ class VectorEnv(gymnasium.vector.VectorEnv[dict[str, Any], npt.NDArray[np.float3
         for env in self.envs:
             env.close()
         self._pool.shutdown()
+
+
+def _in_order(indices: Sequence[int], parts: list[Measured]) -> Measured:
+    """Joins what was measured of some environments, in the order of their indices."""
+    order = np.argsort(indices)
+    refusals = [refusal for part in parts for refusal in part.refusals]
+    return Measured(np.concatenate([part.observations for part in parts])[order],
+                    np.concatenate([part.achieved for part in parts])[order],
+                    np.concatenate([part.scores for part in parts])[order],
+                    [refusals[i] for i in order])

@@ -137,7 +137,7 @@ class Evaluation(NamedTuple):
         """All runs, each with the name of its `brain`, its `seed`, `success`, `score` and so on."""
         return [{"brain": one["name"], **run} for one in self.result["brains"] for run in one["runs"]]
 
-    def frame(self) -> pandas.DataFrame:
+    def table(self) -> pandas.DataFrame:
         """Returns the runs as a table, one row each. Needs pandas."""
         import pandas
         return pandas.json_normalize(self.runs)
@@ -162,12 +162,13 @@ def describe(demo: Recording | PathLike) -> Description:
     return Description(words, json.loads(structure))
 
 
-def analyze(demo: Recording | PathLike, *, jobs: int | None = None, progress: Progress | None = None) -> Json:
+def analyze(demo: Recording | PathLike, *, jobs: int | None = None,
+            progress: bool | Progress = False) -> Json:
     """Finds out which subtasks of a demonstration matter, and in which order, by simulating it without them
     and in other orders. Returns `analysis.json` (docs/analysis.md).
 
     jobs      number of simulations at the same time; None: one for each core
-    progress  called with `simulating`, the number of finished simulations, and of all at most
+    progress  reports `simulating`, the number of finished simulations, and of all at most
 
     Raises SceneError if it has no commands, achieves nothing, or what it achieves does not stand.
     """
@@ -175,7 +176,8 @@ def analyze(demo: Recording | PathLike, *, jobs: int | None = None, progress: Pr
         jobs = os.cpu_count() or 1
     elif isinstance(jobs, bool) or not 1 <= jobs <= 256:
         raise ValueError(f"jobs is {jobs!r}, expected 1 to 256")
-    analysis: Json = json.loads(_native.analyze(_recording(demo)._native, jobs, progress))
+    with _reports(progress, unit="simulations") as report:
+        analysis: Json = json.loads(_native.analyze(_recording(demo)._native, jobs, report))
     return analysis
 
 
@@ -311,12 +313,15 @@ def _python_of_brains() -> Iterator[None]:
 
 
 @contextlib.contextmanager
-def _reports(progress: bool | Progress) -> Iterator[Progress | None]:
-    """Returns the function that is called with the progress; of True, one that draws a bar with tqdm."""
+def _reports(progress: bool | Progress, unit: str = "s") -> Iterator[Progress | None]:
+    """Returns the function that is called with the progress; of True, one that draws a bar with tqdm.
+
+    unit  of what is done
+    """
     if not isinstance(progress, bool):
         yield progress
         return
-    bar = _bar() if progress else None
+    bar = _bar(unit) if progress else None
     if bar is None:
         yield None
         return
@@ -330,10 +335,10 @@ def _reports(progress: bool | Progress) -> Iterator[Progress | None]:
         yield show
 
 
-def _bar() -> Any:
+def _bar(unit: str) -> Any:
     """Returns a progress bar; None without tqdm."""
     try:
         from tqdm.auto import tqdm
     except ImportError:
         return None
-    return tqdm(unit="s", bar_format="{desc}: {n:.1f} of {total} s, {elapsed} passed")
+    return tqdm(unit=unit, bar_format="{desc}: {n:.4g} of {total} {unit}, {elapsed} passed")

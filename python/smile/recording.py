@@ -8,10 +8,11 @@ import json
 import math
 import os
 import tempfile
+from collections.abc import Sequence
 from functools import cached_property
 from itertools import zip_longest
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -21,6 +22,8 @@ from smile.picture import Picture
 from smile.simulation import TICKS_PER_SECOND, Event, Floats, Model, channel_flags, picture_size
 
 if TYPE_CHECKING:
+    import pandas
+
     from smile import smile_simulator_native as _native
 else:
     _native = load("smile_simulator_native")
@@ -81,6 +84,44 @@ class Moment:
 
     def _repr_png_(self) -> bytes:
         return self.render("close", (480, 360)).to_png()
+
+
+class Frames(Sequence[npt.NDArray[np.uint8]]):
+    """What the robot's eye recorded, a picture (height, width, 3) in each frame.
+
+    Pictures are files of the recording, and are read when asked for. A frame in which no object has
+    changed has none of its own: there the one before is still valid, in which only the robot can be
+    elsewhere. (`Moment.render()` draws any moment exactly.)
+    """
+
+    def __init__(self, directory: Path, frames: list[tuple[int, str]], start_tick: int) -> None:
+        self._directory = directory
+        self.ticks = np.array([tick for tick, _ in frames], np.uint64)
+        """(F,) ticks of the simulation's clock"""
+        self.times = (self.ticks.astype(float) - start_tick) / TICKS_PER_SECOND
+        """(F,) since the recording began [s]"""
+        # Of each frame, the file that is valid.
+        self._files: list[str] = []
+        for _, file in frames:
+            self._files.append(file or (self._files[-1] if self._files else ""))
+
+    def __len__(self) -> int:
+        return len(self._files)
+
+    @overload
+    def __getitem__(self, index: int) -> npt.NDArray[np.uint8]: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> list[npt.NDArray[np.uint8]]: ...
+
+    def __getitem__(self, index: int | slice) -> npt.NDArray[np.uint8] | list[npt.NDArray[np.uint8]]:
+        if isinstance(index, slice):
+            return [self[i] for i in range(*index.indices(len(self)))]
+        if not -len(self) <= index < len(self):
+            raise IndexError(f"index is {index}, expected less than {len(self)} frames")
+        if not self._files[index]:
+            raise ValueError(f"{self._directory}: was recorded without pictures")
+        return _native.read_picture(self._directory / self._files[index])
 
 
 class Recording:
@@ -169,6 +210,33 @@ class Recording:
     def actions(self) -> list[Action]:
         """What the demonstrator did, in order."""
         return [Action(*one) for one in self._native.actions()]
+
+    @cached_property
+    def frames(self) -> Frames:
+        """The pictures that the robot's eye recorded, read when asked for."""
+        return Frames(self.directory, self._native.frames(), self._native.start_tick)
+
+    @property
+    def video(self) -> npt.NDArray[np.uint8]:
+        """(F, height, width, 3): all `frames`, read at once"""
+        frames = self.frames
+        video = np.empty((len(frames), *(frames[0].shape if len(frames) > 0 else (0, 0, 3))), np.uint8)
+        for i, picture in enumerate(frames):
+            video[i] = picture
+        return video
+
+    def table(self) -> pandas.DataFrame:
+        """Returns `times`, `poses` and `joints` as a table with a row for each tick. Needs pandas.
+
+        Columns are `time` [s], `Red1.x` and so on for `y`, `z`, `qw`, `qx`, `qy`, `qz`, and the
+        names of joints; `tick` is the index.
+        """
+        import pandas
+        names = [f"{id}.{number}" for id in self.object_ids
+                 for number in ("x", "y", "z", "qw", "qx", "qy", "qz")]
+        numbers = np.column_stack([self.times, self.poses.reshape(len(self), len(names)), self.joints])
+        return pandas.DataFrame(numbers, columns=["time", *names, *self.joint_names],
+                                index=pandas.Index(self.ticks, name="tick"))
 
     def at(self, seconds: float) -> Moment:
         """Returns the tick nearest to a time since the recording began [s]."""

@@ -5,7 +5,7 @@ import numpy.typing
 import os
 import pathlib
 import typing
-__all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'VideoWriter', 'Viewer', 'analyze', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'film', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'program_name', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
+__all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'VideoWriter', 'Viewer', 'analyze', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'film', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'program_name', 'read_picture', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
 class Model:
     """
     A scene with a robot, compiled once. It never changes; threads and simulations share it.
@@ -200,6 +200,8 @@ class Recording:
         ...
     def first_difference(self) -> str | None:
         ...
+    def frames(self) -> list[tuple[int, str]]:
+        ...
     def render(self, arg0: typing.SupportsInt | typing.SupportsIndex, arg1: str, arg2: typing.SupportsInt | typing.SupportsIndex, arg3: typing.SupportsInt | typing.SupportsIndex, arg4: bool, arg5: bool, arg6: bool) -> tuple:
         ...
     @property
@@ -370,6 +372,8 @@ def load(arg0: os.PathLike | str | bytes, arg1: str | None, arg2: collections.ab
 def open(arg0: os.PathLike | str | bytes) -> Recording:
     ...
 def program_name() -> str:
+    ...
+def read_picture(arg0: os.PathLike | str | bytes) -> numpy.typing.NDArray[numpy.uint8]:
     ...
 def record_demonstration(arg0: str, arg1: str, arg2: os.PathLike | str | bytes) -> None:
     ...

@@ -47,6 +47,13 @@ class ColumnsTest(Exported):
                                       self.recording.poses[rows].astype(np.float32))
         np.testing.assert_array_equal(self.column("observation.state", 1), state)
 
+    def test_a_recording_is_a_pandas_table(self):
+        table = self.recording.table()
+        self.assertEqual(table.index.name, "tick")
+        id, joint = self.recording.object_ids[1], self.recording.joint_names[2]
+        np.testing.assert_array_equal(table[[f"{id}.x", f"{id}.qz"]], self.recording.poses[:, 1, [0, 6]])
+        np.testing.assert_array_equal(table[joint], self.recording.joints[:, 2])
+
     def test_times_are_exact_and_a_frame_apart(self):
         ticks = self.column("sim.tick")
         self.assertEqual(set(np.diff(ticks)), {60 // FPS})

@@ -152,6 +152,12 @@ class RecordingTest(unittest.TestCase):
                                           sim.render(size=(40, 30)).rgb)
             with self.assertRaisesRegex(ValueError, "expected a number from 0 to"):
                 demo.at(1000)
+            # The robot stands still, so that each frame shows its moment.
+            for time, picture in zip(demo.frames.times, demo.video, strict=True):
+                np.testing.assert_array_equal(picture, demo.at(time).render(size=(64, 48)).rgb)
+            np.testing.assert_array_equal(demo.frames[-2:], demo.video[-2:])
+            with self.assertRaisesRegex(IndexError, "expected less than"):
+                demo.frames[len(demo.frames)]
 
     def test_what_is_no_recording_is_refused(self):
         with self.assertRaisesRegex(smile.SceneError, "demo.json"):

@@ -8,9 +8,14 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "arrays.h"
 #include "bindings.h"
+#include "classic/frame_index.h"
+#include "image/png.h"
 #include "recording/recording_history.h"
 #include "recording/time_range.h"
 #include "recording/trace_reader.h"
@@ -82,6 +87,25 @@ py::list ActionsOf(const Recording& recording) {
   return actions;
 }
 
+/// The frames of the classic view: (tick, file of its picture or empty).
+std::vector<std::pair<std::uint64_t, std::string>> FramesOf(const Recording& recording) {
+  const py::gil_scoped_release release;
+  std::vector<std::pair<std::uint64_t, std::string>> frames;
+  for (const auto& frame : classic::ReadFrameIndex(recording.directory / "frames.csv")) {
+    frames.emplace_back(frame.tick, frame.image);
+  }
+  return frames;
+}
+
+py::array_t<std::uint8_t> ReadPicture(const std::filesystem::path& png) {
+  Image image;
+  {
+    const py::gil_scoped_release release;
+    image = ReadPng(png);
+  }
+  return OwnedArray(std::move(image.color), {image.height_px, image.width_px, 3});
+}
+
 /// The first difference of a replay, in words; None if there is none.
 std::optional<std::string> FirstDifference(const Recording& recording) {
   const py::gil_scoped_release release;
@@ -124,8 +148,10 @@ void BindRecording(py::module_& m) {
       .def("arrays", &ArraysOf)
       .def("events", &EventsOf)
       .def("actions", &ActionsOf)
+      .def("frames", &FramesOf)
       .def("first_difference", &FirstDifference)
       .def("render", &RenderAt);
+  m.def("read_picture", &ReadPicture);
   m.def("open", [](const std::filesystem::path& directory) {
     const py::gil_scoped_release release;
     return recording::OpenRecording(directory);

@@ -95,23 +95,35 @@ Markup HeaderOf(const ExperimentOutcome& outcome) {
   return Element("header", {}, header);
 }
 
-/// Returns what the brain claimed about its run, and whether this is true; nullopt if it claimed
-/// nothing, and in results of older versions.
-std::optional<std::string> ClaimText(const Json& result) {
+/// Returns what the brain claimed about its run; nullptr if it claimed nothing, and in results of
+/// older versions.
+const Json* ClaimIn(const Json& result) {
   const Json& brain = result.at("brain");
-  if (!brain.contains("claim") || brain.at("claim").is_null()) return std::nullopt;
-  const Json& claim = brain.at("claim");
-  std::string text = claim.at("done").get<bool>() ? "done" : "gave up";
-  const auto reason = claim.at("reason").get<std::string>();
-  if (!reason.empty()) text += ": " + reason;
-  return text + (result.at("claim_right").get<bool>() ? " (right)" : " (wrong)");
+  return brain.contains("claim") && brain.at("claim").is_object() ? &brain.at("claim") : nullptr;
+}
+
+/// Returns a claim in a few words, and whether it is true.
+std::string ClaimText(const Json& claim, const Json& result) {
+  return std::string(claim.at("done").get<bool>() ? "done" : "gave up") +
+         (result.at("claim_right").get<bool>() ? " (right)" : " (wrong)");
+}
+
+/// Returns a section with the reason that the brain gave for its claim, if it gave one.
+Markup ClaimOf(const Json& result) {
+  const Json* claim = ClaimIn(result);
+  if (claim == nullptr || claim->at("reason") == "") return {};
+  const auto reason = claim->at("reason").get<std::string>();
+  return Section("What it claims",
+                 Element("p", {{"class", "lead"}}, ClaimText(*claim, result) + ": " + reason));
 }
 
 /// Returns the score, the mean errors and the duration.
 Markup Numbers(const Json& result) {
   const auto number = [&result](const char* name) { return result.at(name).get<double>(); };
   Markup facts = Fact("Structure in place", Percent(number("score")));
-  if (const auto claim = ClaimText(result)) facts += Fact("The brain's claim", *claim);
+  if (const Json* claim = ClaimIn(result)) {
+    facts += Fact("The brain's claim", ClaimText(*claim, result));
+  }
   facts += Fact("Mean error", Fixed(number("mean_error_mm"), 1) + " mm");
   if (result.contains("mean_error_degrees") && !result.at("mean_error_degrees").is_null()) {
     facts += Fact("Mean rotation error", Fixed(number("mean_error_degrees"), 1) + "°");
@@ -266,7 +278,8 @@ std::string PageOf(const ExperimentOutcome& outcome) {
   body += Numbers(outcome.result);
   body += Section("The demonstration", PicturesOf(outcome.demonstration, "The demonstration"));
   body += Section("The imitation", PicturesOf(outcome.imitation, "The imitation"));
-  body += AccountOf(outcome.imitation, ClaimText(outcome.result));
+  body += AccountOf(outcome.imitation);
+  body += ClaimOf(outcome.result);
   body += Places(outcome);
   body += EffectsOf(outcome.result);
   body += Work(outcome);

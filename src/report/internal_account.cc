@@ -218,7 +218,7 @@ Markup ActionsOf(const std::vector<RecordedNote>& notes, const recording::Record
 
 }  // namespace
 
-Markup AccountOf(const recording::Recording& imitation, const std::optional<std::string>& claim) {
+Markup AccountOf(const recording::Recording& imitation) {
   const std::vector<RecordedNote> notes = NotesOf(imitation);
   if (notes.empty()) return {};
   Markup account;
@@ -228,7 +228,6 @@ Markup AccountOf(const recording::Recording& imitation, const std::optional<std:
   AccountPictures pictures(imitation);
   account += PlanOf(notes, &pictures);
   account += ActionsOf(notes, imitation, &pictures);
-  if (claim) account += Section("What it claims", Element("p", {{"class", "lead"}}, *claim));
   return account;
 }
 

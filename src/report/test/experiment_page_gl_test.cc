@@ -82,7 +82,8 @@ TEST_F(ExperimentPage, ShowsPicturesPlacesAndErrors) {
   EXPECT_NE(page.find("1.00, 0.00, 0.50"), std::string::npos);
   EXPECT_NE(page.find("too far"), std::string::npos);
   EXPECT_NE(page.find("100.0"), std::string::npos);  // one unit off [mm]
-  EXPECT_NE(page.find("done: see &lt;img src=http://x&gt; (wrong)"), std::string::npos);
+  EXPECT_NE(page.find("<dd>done (wrong)</dd>"), std::string::npos);
+  EXPECT_NE(page.find("done (wrong): see &lt;img src=http://x&gt;"), std::string::npos);
 }
 
 TEST_F(ExperimentPage, QuotesWhatTheBrainPrinted) {

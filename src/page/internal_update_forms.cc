@@ -158,7 +158,8 @@ std::vector<UpdateForm> MakeUpdateForms() {
            .Called("ScoreMessage"),
        "see docs/results.md"},
       {"progress", progress,
-       "`what`: `do` of the request; `done` and `total` in seconds, equal at the end"},
+       "`what`: `do` of the request; `done` and `total` in seconds, of `analyze` in simulations; "
+       "equal at the end"},
       {"control_wanted",
        ObjectShape({KindMember("control_wanted"), {"by", NumberShape()}})
            .Called("ControlWantedMessage"),

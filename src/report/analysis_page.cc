@@ -86,7 +86,7 @@ Markup BoxOf(const BoxPlace& place, std::size_t subtask, const analysis::Subtask
   return Element("g", {}, box);
 }
 
-Markup GraphOf(const analysis::Analysis& analysis) {
+Markup SvgOf(const analysis::Analysis& analysis) {
   const std::vector<BoxPlace> places = PlacesOf(ColumnsOf(analysis));
   double width = 0, height = 0;
   for (const BoxPlace& place : places) {
@@ -102,15 +102,16 @@ Markup GraphOf(const analysis::Analysis& analysis) {
   }
   // In its own size, so that letters stay readable; the frame around it scrolls.
   const std::string style = "width:" + At(width) + "px;max-width:none";
-  const Markup svg = Element("svg",
-                             {{"viewBox", "0 0 " + At(width) + " " + At(height)},
-                              {"style", style},
-                              {"role", "img"},
-                              {"aria-label",
-                               "Graph of the order of subtasks; the tables below contain "
-                               "the same"}},
-                             drawing);
-  Markup content = Element("div", {{"class", "scroll"}}, svg);
+  return Element("svg",
+                 {{"viewBox", "0 0 " + At(width) + " " + At(height)},
+                  {"style", style},
+                  {"role", "img"},
+                  {"aria-label", "Graph of the order of subtasks; the text contains the same"}},
+                 drawing);
+}
+
+Markup GraphSection(const analysis::Analysis& analysis) {
+  Markup content = Element("div", {{"class", "scroll"}}, SvgOf(analysis));
   content +=
       Element("p", {{"class", "note"}},
               "A line leads from a subtask to one that must come after it. Subtasks without a "
@@ -158,6 +159,8 @@ std::string Headline(const analysis::Analysis& analysis) {
 
 }  // namespace
 
+std::string GraphOf(const analysis::Analysis& analysis) { return SvgOf(analysis).html(); }
+
 std::string PageOf(const analysis::Analysis& analysis, std::string_view name) {
   Markup header = Element("p", {{"class", "eyebrow"}}, "What mattered in " + std::string(name));
   header += Element("h1", {}, Headline(analysis));
@@ -173,7 +176,7 @@ std::string PageOf(const analysis::Analysis& analysis, std::string_view name) {
                           analysis::NumbersOf(analysis.sufficient) + ".");
   }
   Markup body = Element("header", {}, header);
-  body += GraphOf(analysis);
+  body += GraphSection(analysis);
   body += SubtaskTable(analysis);
   body += OrderTable(analysis);
   return Page("What mattered in " + std::string(name), body);

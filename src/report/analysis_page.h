@@ -12,4 +12,7 @@ namespace smile::report {
 /// @param name  of the demonstration.
 std::string PageOf(const analysis::Analysis& analysis, std::string_view name);
 
+/// Returns the graph alone, as SVG with the classes `subtask`, `redundant` and `edge`.
+std::string GraphOf(const analysis::Analysis& analysis);
+
 }  // namespace smile::report

@@ -1,19 +1,25 @@
 #include "studio/library_requests.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "analysis/analysis.h"
+#include "analysis/analysis_json.h"
 #include "editing/edit_json.h"
 #include "editing/edit_previews.h"
 #include "page/request_fields.h"
 #include "picture/rendered_eye.h"
+#include "recording/recording.h"
 #include "recording/recording_names.h"
+#include "report/analysis_page.h"
 
 // Requests about recordings on disk. They do not touch the live world: handlers run in the
 // session's thread, and whatever reads or simulates much runs as a background job.
@@ -99,6 +105,26 @@ void AddTidying(const library::Library* library, page::RequestTable* table) {
   }};
 }
 
+/// Adds the request that analyzes a demonstration, in the background.
+void AddAnalysis(const library::Library* library, BackgroundJobs* jobs, page::RequestTable* table) {
+  table->requests["analyze"] = {[library, jobs](const page::Request& request) {
+    const auto work = [directory = library->DirectoryOf(TextOf(request, "recording"))](
+                          const recording::Progress& progress) -> Json {
+      const auto report = [&](std::size_t done, std::size_t at_most) {
+        return progress(static_cast<double>(done), static_cast<double>(at_most));
+      };
+      // One core remains for the live world.
+      const unsigned threads = std::max(2u, std::thread::hardware_concurrency()) - 1;
+      const auto analysis = analysis::Analyze(recording::OpenRecording(directory),
+                                              {.num_threads = threads, .progress = report});
+      return {{"analysis", ToJson(analysis)}, {"graph", report::GraphOf(analysis)}};
+    };
+    jobs->Begin(
+        {.request = request, .work = work, .replaces_older = true, .can_be_canceled = true});
+    return page::AnswersLater();
+  }};
+}
+
 /// Adds the requests about edits. Edits are simulated in the background.
 void AddEditing(const library::Library* library, BackgroundJobs* jobs, page::RequestTable* table) {
   // Shared by the table and running jobs, either of which may be destroyed first.
@@ -166,6 +192,7 @@ void AddLibraryRequests(const library::Library* library, BackgroundJobs* jobs,
                         page::RequestTable* table) {
   AddLookUps(library, jobs, table);
   AddTidying(library, table);
+  AddAnalysis(library, jobs, table);
   AddEditing(library, jobs, table);
   table->deferred.emplace_back([jobs] { return jobs->TakeDeferred(); });
   table->deferred.emplace_back(

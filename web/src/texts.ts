@@ -351,6 +351,7 @@ export const texts = {
     openWhy: "Show its timeline, play it, edit it",
     show: "Show the end",
     imitate: "Imitate with the robot",
+    analyze: "What mattered",
     rename: "Title and notes",
     name: "Title",
     notes: "Notes",
@@ -393,6 +394,24 @@ export const texts = {
     of: (seconds: number, length: number) => `${seconds.toFixed(1)} of ${length.toFixed(1)} s`,
     recording: "Recording",
     fold: "Timeline",
+  },
+
+  analysis: {
+    title: (recording: string) => `What mattered in “${recording}”`,
+    about:
+      "The demonstration is simulated again without each of its subtasks, and with subtasks in the opposite order. " +
+      "What counts is what it achieved at the end.",
+    simulating: "Simulating the demonstration in other ways…",
+    subtask: (number: number, what: string, without: string | null) =>
+      `${number}. ${capital(what)}: ${without === null ? "redundant." : `necessary; without it, ${without}.`}`,
+    order: (after: number, before: number, otherwise: string) =>
+      `${after} must come after ${before}; otherwise ${otherwise}.`,
+    anyOrder: (isAll: boolean) => `${isAll ? "All" : "Other"} subtasks can be done in any order.`,
+    enough: (numbers: number[]) => `The same is achieved with fewer subtasks: ${numbers.join(", ")}.`,
+    subtasks: "Subtasks",
+    orders: "Order",
+    shorten: "Save without the rest",
+    nameOf: (recording: string) => `${recording}, shortened`,
   },
 
   edit: {

@@ -84,6 +84,32 @@ test("a recording is shown, played, edited, renamed, binned and taken back", asy
   }
 });
 
+test("what mattered in a recording is found out, and kept", async (t) => {
+  const { studio, page, person } = await browser.workplace(t, { studio: ["--no-robot", "--no-pictures"] });
+  await person.record(async () => {
+    // The first one comes down where it was.
+    for (const [block, x] of [["BlueBlock", null], ["RedBlock", -1]]) {
+      await person.grasp(block);
+      await person.dragTo(block, [x, null, 0.8]);
+      await person.release();
+    }
+  });
+  await person.showPanel("Library");
+  await person.press(/^Actions for/);
+  await page.getByRole("menuitem", { name: "What mattered" }).click();
+  const dialog = page.getByRole("dialog");
+  await dialog.getByRole("listitem").filter({ hasText: /^2\./ }).waitFor();
+  assert.equal(await dialog.locator(".order-graph .subtask").count(), 2);
+  assert.equal(await dialog.locator(".order-graph .redundant").count(), 1);
+  await dialog.getByText("The same is achieved with fewer subtasks: 2.").waitFor();
+  await person.press("Save without the rest", dialog);
+  await dialog.waitFor({ state: "detached" });
+  const made = readdirSync(studio.recordings).filter((name) => name.includes("shortened"));
+  assert.equal(made.length, 1, `${made}`);
+  assert.ok(replay(join(studio.recordings, made[0])).identical);
+  assert.equal(await person.segments.count(), 3, "the beginning, taking and releasing the red block");
+});
+
 test("recordings that come or go by other means are seen without a reload", async (t) => {
   const { studio, page, person } = await browser.workplace(t, { studio: ["--no-robot", "--no-pictures"] });
   const id = await person.record(async () => {

@@ -91,6 +91,16 @@ TEST_F(LibraryRequestsTest, TryEditReportsTheEffectAndWritesNothing) {
   EXPECT_EQ(last->message["done"], last->message["total"]);
 }
 
+TEST_F(LibraryRequestsTest, AnalyzeSaysWhatMatteredAndDrawsIt) {
+  Record();
+  const Json answer = Ask("analyze", {{"recording", "demo"}});
+  ASSERT_EQ(answer["ok"], true) << answer;
+  EXPECT_EQ(answer["analysis"]["subtasks"].size(), 1u);
+  EXPECT_EQ(answer["analysis"]["subtasks"][0]["necessary"], true);
+  EXPECT_NE(answer["graph"].get<std::string>().find("class=\"subtask\""), std::string::npos);
+  EXPECT_EQ(Ask("analyze", {{"recording", "other"}})["ok"], false);
+}
+
 TEST_F(LibraryRequestsTest, AnEditIsANewRecordingThatReplays) {
   Record();
   const Json edits = {{{"do", "max_pause"}, {"seconds", 0.25}}, {{"do", "speed"}, {"factor", 2}}};

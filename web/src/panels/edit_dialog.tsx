@@ -1,16 +1,15 @@
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect } from "preact/hooks";
 import { useSignal, type Signal } from "@preact/signals";
-import { ask, cancelableRequest, notify, progress } from "../studio";
-import type { Requests } from "../protocol";
+import { cancelableRequest } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Dialog } from "../ui/dialog";
 import { Slider } from "../ui/slider";
-import { openRecording, refreshRecordings, titleOf } from "./recordings";
+import { titleOf } from "./recordings";
+import { type Edits, useSaving, Waiting } from "./simulated";
 
 const { edit: words } = texts;
 export type EditKind = "drop" | "trim";
-type Edits = Requests["edit"]["fields"]["edits"];
 
 /** What becomes of a recording by an edit, as docs/editing.md has it. */
 interface Report {
@@ -45,22 +44,11 @@ function sentencesOf(report: Report): string[] {
   return [...sentences.slice(0, MAX_SENTENCES), words.andMore(sentences.length - MAX_SENTENCES)];
 }
 
-/** That a request takes its time, and how far it is as soon as that is known. */
-function Bar({ what, label }: { what: "try_edit" | "edit"; label: string }) {
-  const known = progress.value?.what === what ? progress.value : null;
-  return (
-    <p class="hint">
-      <span class="spinner" /> {label}
-      <progress aria-label={label} value={known?.done} max={known?.total} />
-    </p>
-  );
-}
-
 type Trial = { state: "trying" } | { state: "refused"; error: string } | { state: "simulated"; report: Report };
 
 function Effect({ trial }: { trial: Trial }) {
   if (trial.state === "trying") {
-    return <Bar what="try_edit" label={words.trying} />;
+    return <Waiting what="try_edit" label={words.trying} />;
   }
   if (trial.state === "refused") return <p class="trouble">{trial.error}</p>;
   const { report } = trial;
@@ -99,36 +87,6 @@ function useTrial(recording: string, edits: Edits, from: number, to: number) {
     };
   }, [from, to]);
   return trial;
-}
-
-/** Saves an edit as a new recording and shows it; can be canceled until it is there. */
-function useSaving(onSaved: () => void) {
-  const isSaving = useSignal(false);
-  /** null unless it is being saved. */
-  const cancelSaving = useRef<(() => void) | null>(null);
-  const save = async (recording: string, edits: Edits, name: string) => {
-    isSaving.value = true;
-    const saving = cancelableRequest("edit", { recording, edits, name });
-    cancelSaving.current = saving.cancel;
-    try {
-      const { recording: made } = await saving.answer;
-      cancelSaving.current = null;
-      await refreshRecordings();
-      await openRecording(made);
-      await ask("show", { recording: made, seconds: 0 });
-      notify(words.saved(titleOf(made)));
-      onSaved();
-    } catch (error) {
-      // Who canceled it knows why it failed.
-      if (cancelSaving.current !== null) notify((error as Error).message, true);
-    }
-    isSaving.value = false;
-  };
-  const cancel = () => {
-    cancelSaving.current?.();
-    cancelSaving.current = null;
-  };
-  return { isSaving, save, cancel };
 }
 
 /** Where a trimmed segment begins and ends [s]. */
@@ -201,7 +159,7 @@ export function EditDialog(props: {
         <h3>{words.effect}</h3>
         <Effect trial={trial.value} />
       </section>
-      {isSaving.value && <Bar what="edit" label={words.saving} />}
+      {isSaving.value && <Waiting what="edit" label={words.saving} />}
       <label class="field">
         <span class="field-label">{words.name}</span>
         <input type="text" value={name.value} maxLength={200} onInput={(event) => (name.value = event.currentTarget.value)} />

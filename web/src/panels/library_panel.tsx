@@ -6,7 +6,7 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Empty, isFound, Picture, SearchField } from "../ui/card";
 import { MenuButton, type MenuEntry } from "../ui/menu";
-import { isTimelineOpen, renamed, sheet, showPanel, toImitate } from "./page";
+import { analyzed, isTimelineOpen, renamed, sheet, showPanel, toImitate } from "./page";
 import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf } from "./recordings";
 
 const { library: words } = texts;
@@ -66,6 +66,7 @@ function entriesOf(recording: LibraryEntry): MenuEntry[] {
   return [
     { label: words.show, icon: "eye", ...unless(may("show")), onChoose: () => void showEnd(id) },
     { label: words.imitate, icon: "robot", onChoose: () => imitate(id) },
+    { label: words.analyze, icon: "search", ...unless(may("analyze")), onChoose: () => (analyzed.value = id) },
     { label: words.rename, icon: "pencil", ...unless(may("rename")), onChoose: () => (renamed.value = id) },
     { label: words.download, icon: "download", onChoose: () => download(id) },
     { label: words.toBin, icon: "trash", isDanger: true, ...unless(may("bin")), onChoose: () => void bin(id) },

@@ -58,6 +58,8 @@ export const draft = preference<SceneText | null>(
 );
 /** The recording whose title and notes are changed. */
 export const renamed = signal<string | null>(null);
+/** The recording that is analyzed. */
+export const analyzed = signal<string | null>(null);
 /** What is chosen to be imitated. */
 export const toImitate = signal<string | null>(null);
 

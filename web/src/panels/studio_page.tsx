@@ -3,6 +3,7 @@ import { useSignalEffect } from "@preact/signals";
 import { isConnected, notify, numLibraryUpdates, scene } from "../studio";
 import { texts } from "../texts";
 import { isSmall } from "../ui/media";
+import { AnalysisDialog } from "./analysis_dialog";
 import { Banners } from "./banners";
 import { BrainPanel } from "./brain_panel";
 import { ContextMenu } from "./context_menu";
@@ -13,7 +14,7 @@ import { Help } from "./help";
 import { LibraryPanel } from "./library_panel";
 import { isRecording, isWatched, recordingId, shownRecording } from "./derived_signals";
 import { ObjectsPanel } from "./objects_panel";
-import { editedScene, isHelpOpen, isLeftOpen, isRightOpen, leftTab, LEFT_TABS, renamed, rightTab, RIGHT_TABS, sheet } from "./page";
+import { analyzed, editedScene, isHelpOpen, isLeftOpen, isRightOpen, leftTab, LEFT_TABS, renamed, rightTab, RIGHT_TABS, sheet } from "./page";
 import { onRecordingFinished, onRecordingShown, refreshRecordings } from "./recordings";
 import { RenameDialog } from "./rename_dialog";
 import { RobotPanel } from "./robot_panel";
@@ -109,6 +110,7 @@ export function StudioPage() {
       {isHelpOpen.value && <Help />}
       {editedScene.value && <SceneEditor key={editedScene.value.name} />}
       {renamed.value !== null && <RenameDialog id={renamed.value} />}
+      {analyzed.value !== null && <AnalysisDialog recording={analyzed.value} />}
     </div>
   );
 }

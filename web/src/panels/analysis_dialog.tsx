@@ -1,0 +1,111 @@
+import { useEffect } from "preact/hooks";
+import { useSignal } from "@preact/signals";
+import { may } from "../allowed";
+import { cancelableRequest } from "../studio";
+import { texts } from "../texts";
+import { Button } from "../ui/buttons";
+import { Dialog } from "../ui/dialog";
+import { analyzed } from "./page";
+import { titleOf } from "./recordings";
+import { type Edits, useSaving, Waiting } from "./simulated";
+
+const { analysis: words } = texts;
+
+/** What matters in a recording, as docs/analysis.md has it. */
+interface Analysis {
+  subtasks: { number: number; segments: [number, number]; words: string; without: string | null }[];
+  order: { before: number; after: number; otherwise: string }[];
+  sufficient: number[];
+}
+type Trial =
+  | { state: "simulating" }
+  | { state: "refused"; error: string }
+  | { state: "analyzed"; analysis: Analysis; graph: string };
+
+function useAnalysis(recording: string) {
+  const trial = useSignal<Trial>({ state: "simulating" });
+  useEffect(() => {
+    const { answer, cancel } = cancelableRequest("analyze", { recording });
+    answer.then(
+      ({ analysis, graph }) => (trial.value = { state: "analyzed", analysis: analysis as Analysis, graph }),
+      (error: Error) => (trial.value = { state: "refused", error: error.message }),
+    );
+    return cancel;
+  }, [recording]);
+  return trial;
+}
+
+/** Deletes what is not sufficient, the last first: numbers of segments before it stay as they are. */
+function shorteningOf({ subtasks, sufficient }: Analysis): Edits {
+  const rest = subtasks.filter(({ number }) => !sufficient.includes(number));
+  return rest.reverse().map(({ segments: [first, last] }) => ({ do: "drop", first, last }));
+}
+
+function Findings({ analysis, graph }: { analysis: Analysis; graph: string }) {
+  const { subtasks, order, sufficient } = analysis;
+  return (
+    <>
+      {/* The program drew it, with all texts escaped. */}
+      <div class="order-graph" tabIndex={0} dangerouslySetInnerHTML={{ __html: graph }} />
+      <section>
+        <h3>{words.subtasks}</h3>
+        <ul>
+          {subtasks.map(({ number, words: what, without }) => (
+            <li key={number}>{words.subtask(number, what, without)}</li>
+          ))}
+        </ul>
+        {sufficient.length < subtasks.length && <p>{words.enough(sufficient)}</p>}
+      </section>
+      <section>
+        <h3>{words.orders}</h3>
+        <ul>
+          {order.map(({ before, after, otherwise }) => (
+            <li key={`${before} ${after}`}>{words.order(after, before, otherwise)}</li>
+          ))}
+        </ul>
+        <p>{words.anyOrder(order.length === 0)}</p>
+      </section>
+    </>
+  );
+}
+
+/** Simulates a recording in other ways, and shows which of its subtasks mattered, and in which order. */
+export function AnalysisDialog({ recording }: { recording: string }) {
+  const trial = useAnalysis(recording);
+  const { isSaving, save, cancel } = useSaving(() => (analyzed.value = null));
+  const close = () => {
+    cancel();
+    analyzed.value = null;
+  };
+  const { value } = trial;
+  const edits = value.state === "analyzed" ? shorteningOf(value.analysis) : [];
+  return (
+    <Dialog
+      title={words.title(titleOf(recording))}
+      class="is-wide"
+      isForReading
+      onClose={close}
+      actions={
+        <>
+          {edits.length > 0 && (
+            <Button
+              label={words.shorten}
+              isBusy={isSaving.value}
+              disabled={may("edit") !== true}
+              onClick={() => void save(recording, edits, words.nameOf(titleOf(recording)))}
+            />
+          )}
+          <Button label={texts.close} kind="accent" onClick={close} />
+        </>
+      }
+    >
+      <p class="hint">{words.about}</p>
+      <div class="findings" role="status">
+        {value.state === "simulating" && <Waiting what="analyze" label={words.simulating} />}
+        {value.state === "refused" && <p class="trouble">{value.error}</p>}
+        {value.state === "analyzed" && <Findings analysis={value.analysis} graph={value.graph} />}
+      </div>
+      {isSaving.value && <Waiting what="edit" label={texts.edit.saving} />}
+    </Dialog>
+  );
+}

@@ -7,7 +7,8 @@
 namespace smile::studio {
 
 /// Adds the requests of a library: `library`, `rename`, `bin`, `unbin`, `open`, `analyze`,
-/// `try_edit`, `edit` and `cancel`. Slow ones are background jobs, whose deferred messages the table returns.
+/// `try_edit`, `edit` and `cancel`. Slow ones are background jobs, whose deferred messages the
+/// table returns.
 ///
 /// Both must outlive the table, and the library must outlive the jobs.
 void AddLibraryRequests(const library::Library* library, BackgroundJobs* jobs,

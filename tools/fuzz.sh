@@ -9,18 +9,19 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-# Calls python/test/fuzz_test.py with one seed after the other. The compiled half has sanitizers, Python itself has
-# not: their library is loaded before it, and Python takes each piece of memory from it.
+# Calls python/test/fuzz_test.py with one seed after the other. The simulator has sanitizers, Python itself has not:
+# their library is loaded before it, and Python takes each piece of memory from it.
 fuzz_python() {
   local seconds=$1 seed=$2 log
   install_packages test
   cd "$project"
-  build release smile_simulator_asan smile_motion_native smile_brain_native
+  build asan smile_simulator_native smile_motion_native smile_brain_native
   log=$(mktemp)
   trap "rm -f '$log'" EXIT
+  SECONDS=0
   while ((SECONDS < seconds)); do
-    if ! env PYTHONPATH=python:build/release/python_asan:build/release/python PYTHONMALLOC=malloc PYTHONDONTWRITEBYTECODE=1 \
-        LD_PRELOAD="$(g++ -print-file-name=libasan.so) $(g++ -print-file-name=libstdc++.so.6)" ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 \
+    if ! env PYTHONPATH=python:build/asan/python PYTHONMALLOC=malloc PYTHONDONTWRITEBYTECODE=1 \
+        LD_PRELOAD="$(clang -print-file-name=libclang_rt.asan-x86_64.so) $(g++ -print-file-name=libstdc++.so.6)" ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 \
         /usr/bin/python3 python/test/fuzz_test.py "$project" --seed "$seed" --calls 2000 --say >"$log" 2>&1; then
       tail -60 "$log" >&2
       say "finding: fuzz_test.py --seed $seed --calls 2000"

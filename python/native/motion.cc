@@ -3,7 +3,9 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
+#include <filesystem>
 #include <limits>
 
 #include "base/diagnostic.h"
@@ -222,8 +224,8 @@ z is the approach direction, y goes across the fingers. Arms have names; 'both' 
 arm has n joints. Where all N arms have n joints, arrays for 'both' are Nxn, otherwise the joints of
 all arms in one row.)");
   robot_class
-      .def(py::init([](const std::string& path, const std::optional<Array>& base, double unit,
-                       const std::string& gripper) {
+      .def(py::init([](const std::filesystem::path& path, const std::optional<Array>& base,
+                       double unit, const std::string& gripper) {
              return ReadPlanningRobot(
                  path,
                  base ? PoseFrom("base", *base) : Eigen::Matrix4d(Eigen::Matrix4d::Identity()),

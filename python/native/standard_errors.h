@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string_view>
 
-// Exceptions of C++ in Python. Paths in their messages may be of any bytes, which pybind11 by
-// itself turns into an exception without a message.
+// Exceptions of C++ in Python. Paths and names in their messages may be of any bytes, which
+// pybind11 by itself turns into an exception without a message.
 
 namespace smile::python {
 
@@ -45,6 +45,8 @@ inline void RegisterStandardErrors() {
       if (pointer) std::rethrow_exception(pointer);
     } catch (const pybind11::error_already_set&) {
       throw;
+    } catch (const pybind11::key_error& error) {
+      PyErr_SetObject(PyExc_KeyError, MessageText(error.what()).ptr());
     } catch (const pybind11::builtin_exception&) {
       throw;
     } catch (const std::exception& error) {

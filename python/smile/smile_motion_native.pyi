@@ -4,6 +4,7 @@ Compiled part of smile.motion.
 from __future__ import annotations
 import numpy
 import numpy.typing
+import os
 import typing
 __all__: list[str] = ['InvalidMoment', 'LineFault', 'Robot', 'Trajectory']
 class LineFault:
@@ -90,7 +91,7 @@ class Robot:
     arm has n joints. Where all N arms have n joints, arrays for 'both' are Nxn, otherwise the joints of
     all arms in one row.
     """
-    def __init__(self, path: str, *, base: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, unit: typing.SupportsFloat | typing.SupportsIndex = 1.0, gripper: str = '') -> None:
+    def __init__(self, path: os.PathLike | str | bytes, *, base: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, unit: typing.SupportsFloat | typing.SupportsIndex = 1.0, gripper: str = '') -> None:
         """
         Reads a URDF file, and the .robot.json beside it.
         

@@ -422,7 +422,9 @@ class MistakesTest(unittest.TestCase):
             worker.start()
             worker.join()
 
-    def test_messages_survive_paths_of_any_bytes(self):
+    def test_messages_survive_paths_and_names_of_any_bytes(self):
+        with self.assertRaisesRegex(KeyError, r"\\xff"):
+            tower()._native.pose(b"\xff")
         with self.assertRaisesRegex(smile.SceneError, r"\\xff\\xfe: is not a recording"):
             smile.open(b"\xff\xfe")
         with self.assertRaisesRegex(ValueError, r"\\xff\\xfe"):

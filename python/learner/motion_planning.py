@@ -162,12 +162,13 @@ def plan_path_through(arm, poses, others, q):
     return []
 
 
-def plan_parts(arm, parts, is_line, q):
+def plan_parts(arm, parts, is_line, q, is_clear):
     """Plans the paths of an arm along straight lines through the tool poses of each part, from part to part on a
     straight line or any way, and to its parking pose: a list; [] if there is none.
 
-    parts: lists of 4x4 [units]
-    q:     its joint angles [rad]
+    parts:    lists of 4x4 [units]
+    q:        its joint angles [rad]
+    is_clear: function of that list: whether nothing is in the way
     """
     for first in arm.starts:
         path = []
@@ -183,7 +184,7 @@ def plan_parts(arm, parts, is_line, q):
                 break
         if path[-1]:
             path.append(move_joints(arm, [path[-1].positions[-1], arm.parked]))
-            if all(is_path_valid(arm, move) for move in path):
+            if all(is_path_valid(arm, move) for move in path) and is_clear(path):
                 return path
     return []
 

@@ -43,9 +43,15 @@ def cells_of(mask):
 
 def changed_part(press, alignment, surface, shown):
     """Returns the Surface that the press changed in the demonstration, its colors before, and those after."""
-    row, column, inside = pixels_of(alignment.moved(surface.points), shown, press.changed)
-    part = press.changed[row, column] & inside
-    return surface.part(part), press.before[row, column][part], press.later[row, column][part]
+    part = is_changed(press, alignment, surface.points, shown)
+    row, column, _ = pixels_of(alignment.moved(surface.points[part]), shown, press.changed)
+    return surface.part(part), press.before[row, column], press.later[row, column]
+
+
+def is_changed(press, alignment, points, shown):
+    """Returns which of N points the press changed in the demonstration: N bool."""
+    row, column, inside = pixels_of(alignment.moved(points), shown, press.changed)
+    return press.changed[row, column] & inside
 
 
 def looks_pressed(press, alignment, surface, shown):

@@ -8,10 +8,12 @@ import numpy as np
 from alignment import Alignment, agreement
 from arms import can_hold, nearest_first
 from blocks import is_same_kind
+from carrying import belongs_to, load_of, surroundings_of
 from clearance import grasp_yaws, rotated
 from constants import MOTION_PLANNING, USES as C
 from execution import Action, Grasp
 from motion_planning import at_height, grip_depth, has_failed, plan_parts
+from pressing import is_changed
 
 
 def find_tool(use, known, surface, shown):
@@ -42,20 +44,31 @@ def plan_use(use, alignment, surface, state, arms, sensor):
     begin, end = (np.append(rotated(it[:2] - alignment.place, -alignment.angle), it[2])
                   for it in (use.begin, use.pose[:3]))
     turn = use.pose[3] - alignment.angle - tool.yaw
+    is_tool = belongs_to(tool, surface.points)
+    looks, around = surface.points[is_tool], surface.points[~is_tool]
+    # On the straight way to its work, the tool passes as in the demonstration, and may touch what it changes.
+    fixed = around[~is_changed(use, alignment, around, state.shown)]
+    avoided = surroundings_of(around), surroundings_of(fixed)
     for arm in nearest_first([it for it in arms if can_hold(it, tool.size[1])], tool.position[0]):
         for across in grasp_yaws(tool, others):
             attempt = Grasp(tool.position, arm.index, across)
             if has_failed(attempt, state.failures):
                 continue
-            actions = plan_arm_use(arm, tool, across, (begin, end), turn, sensor.arms[arm.index].joints)
+            actions = plan_arm_use(arm, tool, looks, across, (begin, end), turn, avoided,
+                                   sensor.arms[arm.index].joints)
             if actions:
                 return actions, attempt, None
     return [], None, "no arm brings it there and back"
 
 
-def plan_arm_use(arm, tool, across, way, turn, q):
-    """Plans a use with one arm and a yaw of the gripper; [] if that arm cannot. way: the places where the tool's
-    straight way to its work begins and ends; turn: of the tool until then [rad]"""
+def plan_arm_use(arm, tool, looks, across, way, turn, avoided, q):
+    """Plans a use with one arm and a yaw of the gripper; [] if that arm cannot.
+
+    looks:   visible points of the tool
+    way:     the places where its straight way to its work begins and ends
+    turn:    of the tool until then [rad]
+    avoided: Surroundings on the way there and back, and on that straight way
+    """
     width = tool.size[1]
     opening = min(width + MOTION_PLANNING.opening_margin, arm.opening)
     for grip, lift, is_line in product(C.grips, C.lifts, (True, False)):
@@ -66,7 +79,15 @@ def plan_arm_use(arm, tool, across, way, turn, q):
         put = at_height(start, start[2, 3] + MOTION_PLANNING.place_height_margin)
         over = at_height(start, start[2, 3] + lift)
         work = [arm.tool_pose(it + there, across + turn, width) for it in (*way, way[0])]
-        path = plan_parts(arm, [[over, start, over], work, [over, put, over]], is_line, q)
+        load = load_of(looks, tool.position[2], start)
+
+        def is_clear(path):
+            there, at_work = avoided
+            return (all(there.avoids(arm, it) for it in (path[0], path[9]))
+                    and all(there.avoids(arm, it, load) for it in (path[3], path[6]))
+                    and all(at_work.avoids(arm, it) for it in path[4:6]))
+
+        path = plan_parts(arm, [[over, start, over], work, [over, put, over]], is_line, q, is_clear)
         if path:
             moves = [Action("follow", arm, it) for it in path]
             hold = [Action("grasp", arm, width=width) for _ in range(2)]

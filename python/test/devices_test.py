@@ -12,6 +12,7 @@ from unittest.mock import patch
 import numpy as np
 
 from blocks import is_same_kind, yaw_difference
+from carrying import belongs_to, load_of, surroundings_of
 from clearance import rotated
 from demonstration import read_demonstration
 from devices import infer_devices
@@ -148,6 +149,26 @@ class UseTest(RecordingTest):
             known = [block(RED, np.array([1.8, 0.5, 0.8]), 1, -3, yaw=0.5)]
             _, found = find_tool(use, known, surface_of(picture, heights, EYE), EYE)
             self.assertAlmostEqual(math.remainder(found.yaw - yaw, 2 * math.pi), 0)
+
+    def test_what_sticks_out_of_a_carried_tool_avoids_what_the_eye_sees(self):
+        picture, heights = view_of([*self.knife(-2, -3, 0), block(BROWN, np.array([0.5, 0.5, 3]), 3, -3)])
+        points = surface_of(picture, heights, EYE).points
+        tool = block(RED, np.array([1.8, 0.5, 0.8]), -2, -3)
+        is_tool = belongs_to(tool, points)
+        self.assertAlmostEqual(points[is_tool, 0].max(), -0.3, delta=0.05)  # the blue tip
+        self.assertTrue((points[~is_tool, 0] > 2).all(), "the post is no part of it")
+        around = surroundings_of(points[~is_tool])
+
+        def pose_at(q):  # the tool points down
+            return np.array([[1, 0, 0, q[0]], [0, -1, 0, q[1]], [0, 0, -1, q[2]], [0, 0, 0, 1.0]])
+
+        arm = SimpleNamespace(forward=pose_at, reach=0.75, points=lambda q: np.array([q, q + [0, -1, 3]]))
+        load = load_of(points[is_tool], 0.4, pose_at([-2, -3, 0.6]))
+        for x, z, is_clear, is_hand_clear in ((0.5, 2, True, True), (1.5, 2, False, True), (1.5, 4, True, True),
+                                              (2.5, 3.5, True, False)):
+            path = SimpleNamespace(positions=np.linspace([-2.0, -3, 2], [x, -3, z], 20)[-1:])
+            self.assertEqual(around.avoids(arm, path, load), is_clear and is_hand_clear, (x, z))
+            self.assertEqual(around.avoids(arm, path), is_hand_clear, (x, z))
 
 
 if __name__ == "__main__":

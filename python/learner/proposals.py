@@ -19,6 +19,7 @@ class Move(NamedTuple):
     block: Block  # a known one
     goal: Optional[Step] = None  # None: a temporary placement
     turns: tuple = ()  # how it has to be turned there, and again after that: as turns_between
+    room: Optional[Block] = None  # another block, at the place that this move makes free for it
 
 
 def propose_moves(state, step, free):

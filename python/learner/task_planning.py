@@ -13,6 +13,7 @@ from constants import ARMS, TASK_PLANNING as C
 from device_planning import choose_device, forget_fixtures, locate_controls
 from execution import Action
 from eye import height_map
+from making_room import room_moves
 from motion_planning import plan_pick_and_place
 from notes import action_note, name_of, plan_notes
 from progress import assess_progress, is_moving, observe, open_steps
@@ -55,7 +56,8 @@ def choose_actions(state, sensor, eye, arms):
         return []
 
     # The next step in the demonstrated order; while that is blocked, one of the other open steps.
-    k = steps[state.num_blocked % len(steps)]
+    insisted, state.insists_on = state.insists_on, None
+    k = insisted if insisted in steps else steps[state.num_blocked % len(steps)]
     step = state.steps[k]
     reason = "no matching block is visible"
     if state.attempts[k] >= C.max_attempts:
@@ -66,7 +68,13 @@ def choose_actions(state, sensor, eye, arms):
         free = [block for block in state.known if block not in used]
         moves = uncovering_moves(state, free, eye) + propose_moves(state, step, free)
         moves += turning_moves(step, free, max(arm.opening for arm in arms) - ARMS.opening_margin)
-        for move in moves + clearing_moves(state, moves, free):
+        moves += clearing_moves(state, moves, free)
+        # When no other step can be done either: room on the table, and for fingers beside what is built.
+        is_last_resort = state.num_blocked >= len(steps) or k == insisted
+        if is_last_resort:
+            moves += room_moves(state, step, moves, free, arms, eye, sensor)
+            moves += clearing_moves(state, moves, state.known)
+        for move in moves:
             if num_failures(state, move.block) >= C.max_failed_grasps:
                 reason = f"{C.max_failed_grasps} grasps of a block failed"
                 continue
@@ -81,6 +89,7 @@ def choose_actions(state, sensor, eye, arms):
             state.known.remove(move.block)
             state.known.append(place)
             state.num_blocked = 0
+            state.insists_on = k if is_last_resort else None
             grasp = next(action for action in actions if action.kind == "grasp")
             state.grasp = grasp.grasp
             has_name = move.goal or move.turns
@@ -129,6 +138,8 @@ def plan_move(state, step, move, eye, arms, sensor):
     left = []
     if not move.goal:
         left = [it for it in [*state.left, move.block] if is_same_kind(move.block, it)]
+    if move.room:
+        sites = [site + [move.room] for site in sites]
     actions, place, reason = plan_temporary_placement(arms, eye, move.block, others, sites, sensor,
                                                       goal, state.failures, left,
                                                       state.unexplained)

@@ -38,6 +38,7 @@ class TaskState:
     num_temporary: int = 0  # number of blocks that were put at a temporary place so far
     placement_errors: dict = field(default_factory=dict)  # of a step's block: [units], [rad]
     num_blocked: int = 0  # number of successive steps for which no plan was found
+    insists_on: Optional[int] = None  # number of the step that comes next, for which others made room
     first_failure: str = ""  # why the first of them failed
     left: list = field(default_factory=list)  # Blocks at the places from which they were put aside
     grasp: Optional[Grasp] = None  # of the current actions; its block is the last of the known

@@ -36,18 +36,31 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
         tried = []
         for place in free_placements(arms, eye, block, others + site, goal, unexplained):
             has_yaw = [it for it in tried if it.yaw == place.yaw]
-            if (is_near(place, left + has_yaw) or is_grasp_blocked(place, site)
-                    or is_top_hidden(place, site, eye) or blocks_grasps(place, others)
-                    or not can_reach(arms, place)):
+            if is_near(place, left + has_yaw) or not is_suitable(place, arms, eye, others, site):
                 continue
-            if goal is None or plan_pick_and_place(arms, place, goal, others, sensor)[0]:
-                actions, reason = plan_pick_and_place(arms, block, place, others, sensor, failures)
-                if actions:
-                    return actions, place, None
+            actions, why = plan_to_place(arms, block, place, others, sensor, goal, failures)
+            if actions:
+                return actions, place, None
+            reason = why or reason
             tried.append(place)
             if len(tried) == C.max_place_attempts:
                 break
     return [], None, reason
+
+
+def is_suitable(place, arms, eye, others, site):
+    """Returns true if a block at a place blocks nothing of a site and no grasp of others, is seen, and can be taken
+    again."""
+    return not (is_grasp_blocked(place, site) or is_top_hidden(place, site, eye) or blocks_grasps(place, others)
+                or not can_reach(arms, place))
+
+
+def plan_to_place(arms, block, place, others, sensor, goal, failures):
+    """Plans the actions that bring a block to a place from which an arm can move it to a goal, if there is one.
+    Returns actions and None; or [], and the reason if it can only be moved on from there."""
+    if goal is not None and not plan_pick_and_place(arms, place, goal, others, sensor)[0]:
+        return [], None
+    return plan_pick_and_place(arms, block, place, others, sensor, failures)
 
 
 def free_placements(arms, eye, block, taken, goal, unexplained=()):
@@ -59,14 +72,7 @@ def free_placements(arms, eye, block, taken, goal, unexplained=()):
         numbers_of(*C.place_x), indexing="ij"))
     sides = np.ones_like(x)[:, None] * (block.size[:2] + C.place_margin)
     covered = np.column_stack([x, y, sides, yaw])
-    with_fingers = covered + [0, 0, 0, C.place_fingers, 0]
-    free = np.ones(len(x), bool)
-    for rectangle in footprint(taken, CLEARANCE.site_margin):
-        free &= ~overlap(rectangle, with_fingers)
-    # Square blocks can also be held across the other sides.
-    for rectangle in gripper_clearance([it for it in taken if not has_equal_sides(it)]):
-        free &= ~overlap(rectangle, covered)
-
+    free = is_free(covered, taken)
     for arm in arms:
         free &= np.hypot(x - arm.foot[0], y - arm.foot[1]) > C.foot_distance
     free[free] = ~is_unexplained(covered[free], unexplained)
@@ -81,6 +87,18 @@ def free_placements(arms, eye, block, taken, goal, unexplained=()):
     places = (replace(block, position=np.array([x[i], y[i], block.size[2] / 2]), yaw=yaw[i])
               for i in best)
     return list(islice((it for it in places if is_in_view(it, eye)), C.max_places))
+
+
+def is_free(covered, taken):
+    """Returns which of N areas, Nx5, have room between some blocks, with the fingers of both: N bool."""
+    with_fingers = covered + [0, 0, 0, C.place_fingers, 0]
+    free = np.ones(len(covered), bool)
+    for rectangle in footprint(taken, CLEARANCE.site_margin):
+        free &= ~overlap(rectangle, with_fingers)
+    # Square blocks can also be held across the other sides.
+    for rectangle in gripper_clearance([it for it in taken if not has_equal_sides(it)]):
+        free &= ~overlap(rectangle, covered)
+    return free
 
 
 def is_near(place, left):

@@ -28,6 +28,7 @@ from eye import Eye, height_map, pixel_at, to_pixel
 from joint_estimates import JointEstimates
 from knobs import find_knobs
 from landmarks import place_by_what_stays
+from making_room import room_moves
 from motion_planning import grip_depth, has_failed, plan_pick_and_place
 from notes import tops_of, verdict_notes
 from pictures import num_pictures
@@ -794,6 +795,25 @@ class TaskPlanningTest(unittest.TestCase):
         self.assertEqual(clearing_moves(state, [Move(left)], state.known), [])
         self.assertTrue(blocks_grasps(front, [middle, left, right]))
         self.assertFalse(blocks_grasps(front, [middle]))
+
+    def test_as_few_blocks_as_possible_make_room_for_a_large_one(self):
+        step = self.steps[0]
+        plank = block(BROWN, np.array([5, 1, 1]), -4, -0.2)
+        cubes = [block(GREEN, CUBE, x, y) for x in (-6, -3, 0, 3, 6) for y in (-4.5, -2.8, -1)]
+        state = TaskState(self.steps)
+        state.known = [plank, *cubes]
+        sites = self.steps
+        self.assertEqual(free_placements([], EYE, plank, cubes + sites, None), [])
+        with patch("making_room.is_suitable", return_value=True), patch("making_room.plan_to_place", return_value=(["go"], None)):
+            moves = room_moves(state, step, [Move(plank)], state.known, [], EYE, None)
+            fixed = room_moves(state, step, [Move(plank)], [plank], [], EYE, None)
+        self.assertEqual(fixed, [], "nothing may be put aside")
+        rest = [it for it in cubes if it not in [move.block for move in moves]]
+        places = free_placements([], EYE, plank, rest + sites, None)
+        self.assertIn(moves[0].room.position.tolist(), [it.position.tolist() for it in places])
+        for one in moves:
+            others = [it for it in cubes if it is one.block or it in rest]
+            self.assertEqual(free_placements([], EYE, plank, others + sites, None), [], "each is in the way")
 
     def test_a_large_block_is_put_where_the_eye_sees_all_of_it(self):
         lid = block(BROWN, np.array([2.6, 2.6, 0.2]), -4, -1, bottom=1.3)

@@ -6,7 +6,7 @@ from typing import Optional
 
 import numpy as np
 
-from constants import BLOCKS, PARTS
+from constants import BLOCKS
 
 
 @dataclass(eq=False)
@@ -38,37 +38,6 @@ class Block:
         return self.position[2] - self.size[2] / 2
 
 
-def is_same_kind(block, step):
-    """Returns true if a detected block has the color, the form and the size of a step; for things of several
-    colors, the same parts."""
-    if block.parts or step.parts:
-        return block.parts is step.parts or has_parts_of(block, step, True)
-    return same_color(step.color, block.color) and same_form(step, block)
-
-
-def has_parts_of(one, other, is_colored):
-    """Returns true if two things of several colors have the same layout of parts, also in colors if these
-    count."""
-    return bool(one.parts) and len(one.parts) == len(other.parts) and all(
-        any(np.linalg.norm(a.position - b.position) < PARTS.same_place and same_size(a.size[:2], b.size[:2])
-            and (not is_colored or same_color(a.color, b.color)) for b in other.parts) for a in one.parts)
-
-
-def same_form(a, b):
-    """Returns true if two blocks have the same form and size."""
-    return a.form == b.form and same_size(a.size, b.size)
-
-
-def same_color(wanted, color):
-    """Returns true if a color is the wanted one; None accepts any."""
-    return wanted is None or np.abs(wanted - color).max() < BLOCKS.same_color
-
-
-def same_size(a, b):
-    """Returns true if two sizes are equal within the accuracy of pictures."""
-    return np.abs(a / b - 1).max() < BLOCKS.same_size
-
-
 def has_equal_sides(block):
     """Returns true if the sides of a block's top are equal within the accuracy of pictures: then it
     looks the same every 90 degrees, and can be held either way."""
@@ -85,10 +54,3 @@ def yaw_difference(block, yaw):
         period = 2 * math.pi
     rotation = yaw - block.yaw
     return rotation - period * round(rotation / period)
-
-
-def is_in_place(block, step):
-    """Returns true if a block is in the place of a step."""
-    return (is_same_kind(block, step)
-            and np.linalg.norm(block.position - step.position) < step.tolerance
-            and abs(yaw_difference(step, block.yaw)) < BLOCKS.yaw_tolerance_rad)

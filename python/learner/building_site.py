@@ -4,10 +4,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from blocks import is_same_kind, yaw_difference
+from blocks import yaw_difference
 from clearance import container_walls, grasp_yaws, rotated
 from constants import BLOCKS, BUILDING_SITE as C, numbers_of
 from containers import detect_container
+from kinds import is_same_kind
 from landmarks import place_by_what_stays, place_of_other, turned_about
 from sites import NoSite, first_within_reach, site_cost
 from steps import is_dragged

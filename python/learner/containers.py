@@ -5,13 +5,14 @@ from dataclasses import replace
 import numpy as np
 
 from appearances import select_frames
-from blocks import same_size, yaw_difference
+from blocks import yaw_difference
 from clearance import is_inside
 from colors import color_mask, frequent_colors
 from constants import PERCEPTION as C, TASK_MODEL
 from demonstration import read_picture
 from eye import onto_plane, pixel_at
 from faces import fit_face
+from kinds import same_size
 from regions import label_regions
 from steps import Container
 

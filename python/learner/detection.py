@@ -6,11 +6,11 @@ Pictures are HxWx3, 0 to 1; row 0 is the top, column 0 the left.
 import numpy as np
 
 from balls import detect_balls
-from blocks import same_color, same_form
 from colors import color_mask, colors_to_detect, table_color
 from constants import PERCEPTION as C
 from covered import fit_covered
 from fitting import fit_blocks
+from kinds import same_color, same_form
 from layouts import detect_layouts
 from regions import is_cut, is_level, label_regions
 from sight import is_supported

@@ -4,12 +4,12 @@ from itertools import product
 
 import numpy as np
 
-from blocks import same_size
 from colors import color_mask, frequent_colors
 from constants import PERCEPTION, TASK_MODEL as C
 from demonstration import read_picture
 from eye import onto_plane
 from faces import fit_face
+from kinds import same_size
 from regions import label_regions
 from steps import Step
 

@@ -8,8 +8,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from blocks import is_same_kind
 from clearance import rotated
+from kinds import is_same_kind
 from steps import stands_on
 from unknown_objects import detect_unknown_objects
 

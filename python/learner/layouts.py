@@ -4,12 +4,13 @@ import math
 
 import numpy as np
 
-from blocks import Block, is_same_kind, same_color
+from blocks import Block
 from clearance import rotated
 from colors import color_mask
 from constants import PARTS, PERCEPTION as C
 from eye import onto_plane, pixel_at
 from faces import fit_face
+from kinds import is_same_kind, same_color
 from regions import is_level, label_regions
 
 

@@ -6,7 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from blocks import is_same_kind, yaw_difference
+from blocks import yaw_difference
+from kinds import is_same_kind
 from steps import is_dragged
 
 

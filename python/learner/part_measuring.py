@@ -5,7 +5,7 @@ from itertools import product
 
 import numpy as np
 
-from blocks import Block, same_size
+from blocks import Block
 from clearance import rotated
 from colors import color_mask, frequent_colors
 from constants import PARTS as C, PERCEPTION, TASK_MODEL
@@ -13,6 +13,7 @@ from demonstration import read_picture
 from eye import onto_plane
 from faces import fit_face
 from handles import displaced_regions
+from kinds import same_size
 from parts import whole_of
 
 

@@ -3,11 +3,12 @@
 import numpy as np
 
 from beliefs import corrected
-from blocks import is_in_place, yaw_difference
+from blocks import yaw_difference
 from clearance import with_held_parts
 from constants import BLOCKS, PERCEPTION as C
 from detection import detect_blocks
 from eye import height_map
+from kinds import is_in_place
 from knobs import add_knobs, find_knobs
 from notes import Note, verdict_notes
 from unexplained import unexplained_points

@@ -5,9 +5,10 @@ from typing import NamedTuple, Optional
 import numpy as np
 
 from beliefs import assumed_support
-from blocks import Block, is_same_kind, same_color
+from blocks import Block
 from clearance import footprint, grasp_yaws, gripper_clearance, is_grasp_blocked, overlap
 from constants import PERCEPTION, TASK_PLANNING as C
+from kinds import is_same_kind, same_color
 from resting import turns_between
 from sight import is_top_hidden
 from steps import Step

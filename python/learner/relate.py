@@ -15,8 +15,8 @@
     turned A         A is on another face than at the start
 """
 
-from blocks import same_size
 from handles import was_dragged
+from kinds import same_size
 from relations import hundredths, relations
 from resting import resting_at
 

@@ -8,8 +8,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from blocks import same_size
 from constants import TASK_MODEL as C
+from kinds import same_size
 
 
 def resting_at(appearance, pose):

@@ -2,9 +2,9 @@
 
 from arms import nearest_first
 from beliefs import assumed_support
-from blocks import is_same_kind
 from clearance import is_grasp_blocked
 from constants import BUILDING_SITE as C
+from kinds import is_same_kind
 from motion_planning import is_reachable
 from sight import is_top_hidden
 

@@ -6,10 +6,10 @@ from dataclasses import replace
 import numpy as np
 
 from appearances import measure_objects
-from blocks import same_size
 from constants import BLOCKS, TASK_MODEL as C
 from containers import measure_container
 from handles import measure_handle, was_dragged
+from kinds import same_size
 from parts import turned
 from resting import resting_at
 from steps import Step, is_above, is_dragged, stands_on

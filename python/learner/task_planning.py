@@ -6,19 +6,18 @@ from dataclasses import replace
 import numpy as np
 
 from beliefs import assumed_support
-from blocks import is_same_kind
 from building_site import choose_site
 from clearance import container_walls, grasp_yaws, is_inside, with_held_parts
 from constants import ARMS, TASK_PLANNING as C
 from device_planning import choose_device, forget_fixtures, locate_controls
 from execution import Action
 from eye import height_map
+from kinds import is_same_kind
 from making_room import room_moves
 from motion_planning import plan_pick_and_place
 from notes import action_note, name_of, plan_notes
 from progress import assess_progress, is_moving, observe, open_steps
-from proposals import (
-    clearing_moves, is_obstructing, propose_moves, turning_moves, uncovering_moves)
+from proposals import clearing_moves, is_obstructing, propose_moves, turning_moves, uncovering_moves
 from task_state import Claim, give_up, num_failures
 from temporary_places import plan_temporary_placement
 from turning import plan_turn

@@ -7,11 +7,11 @@ import numpy as np
 
 from alignment import Alignment, agreement
 from arms import can_hold, nearest_first
-from blocks import is_same_kind
 from carrying import belongs_to, load_of, surroundings_of
 from clearance import grasp_yaws, rotated
 from constants import MOTION_PLANNING, USES as C
 from execution import Action, Grasp
+from kinds import is_same_kind
 from motion_planning import at_height, grip_depth, has_failed, plan_parts
 from pressing import is_changed
 

@@ -4,10 +4,11 @@ from typing import NamedTuple, Optional
 
 import numpy as np
 
-from blocks import Block, is_same_kind, same_color, yaw_difference
+from blocks import Block, yaw_difference
 from colors import table_color
 from constants import BELIEFS as C, BLOCKS, PERCEPTION
 from eye import pixel_at
+from kinds import is_same_kind, same_color
 from sight import is_top_hidden, top_points
 
 

@@ -11,12 +11,13 @@ from unittest.mock import patch
 
 import numpy as np
 
-from blocks import is_same_kind, yaw_difference
+from blocks import yaw_difference
 from carrying import belongs_to, load_of, surroundings_of
 from clearance import rotated
 from demonstration import read_demonstration
 from devices import infer_devices
 from explain import explain
+from kinds import is_same_kind
 from layouts import detect_layouts
 from learner_test import BLUE, BROWN, EYE, GREEN, RED, RecordingTest, block, picture_of, view_of
 from motion_planning import plan_pick_and_place

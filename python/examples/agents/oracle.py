@@ -15,10 +15,11 @@ import numpy as np
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "learner"))
 import learner
-from blocks import Block, same_size
+from blocks import Block
 from colors import table_color
 from eye import height_map, onto_plane
 from faces import fit_face
+from kinds import same_size
 from learner import step
 from measuring import measure_block
 

@@ -13,9 +13,10 @@ import numpy as np
 
 from deeds import Action, continue_carrying, execute_action, fail, prepare
 
-from blocks import is_same_kind, yaw_difference
+from blocks import yaw_difference
 from detection import detect_blocks
 from eye import Eye, height_map
+from kinds import is_same_kind
 
 
 def init(aux):

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from clearance import rotated
+from areas import rotated
 from constants import ALIGNMENT as C
 from eye import onto_plane, pixels_of
 from surfaces import is_alike, references

@@ -4,14 +4,16 @@ from dataclasses import replace
 
 import numpy as np
 
+from areas import rotated
 from blocks import yaw_difference
-from clearance import container_walls, grasp_yaws, rotated
 from constants import BLOCKS, BUILDING_SITE as C, numbers_of
 from containers import detect_container
+from finger_room import grasp_yaws
 from kinds import is_same_kind
 from landmarks import place_by_what_stays, place_of_other, turned_about
 from sites import NoSite, first_within_reach, site_cost
 from steps import is_dragged
+from walls import container_walls
 
 
 def choose_site(state, arms, picture, eye):

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from clearance import footprint, overlap
+from areas import footprint, overlap
 from constants import MOTION_PLANNING, SKYLINE as C
 from skyline import Skyline, cells_of, skyline_of
 

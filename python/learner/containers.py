@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 
 from appearances import select_frames
+from areas import is_inside
 from blocks import yaw_difference
-from clearance import is_inside
 from colors import color_mask, frequent_colors
 from constants import PERCEPTION as C, TASK_MODEL
 from demonstration import read_picture

@@ -4,8 +4,8 @@ import math
 
 import numpy as np
 
+from areas import is_inside
 from blocks import Block
-from clearance import is_inside
 from constants import PERCEPTION as C
 from eye import onto_plane
 from faces import fit_face

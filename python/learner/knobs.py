@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from clearance import rotated
+from areas import rotated
 from kinds import is_same_kind
 from steps import stands_on
 from unknown_objects import detect_unknown_objects

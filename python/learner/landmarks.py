@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from areas import rotated
 from blocks import has_equal_sides, yaw_difference
-from clearance import rotated
 from constants import BUILDING_SITE as C
 from kinds import is_in_place, is_same_kind
 from sites import NoSite, first_within_reach, site_cost

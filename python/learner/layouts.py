@@ -4,8 +4,8 @@ import math
 
 import numpy as np
 
+from areas import rotated
 from blocks import Block
-from clearance import rotated
 from colors import color_mask
 from constants import PARTS, PERCEPTION as C
 from eye import onto_plane, pixel_at

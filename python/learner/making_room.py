@@ -1,8 +1,9 @@
 """Makes room on the table: if no place is free for a block, others are put aside first."""
 
+from areas import footprint
 from beliefs import assumed_support
-from clearance import footprint, with_held_parts
 from constants import TASK_PLANNING as C
+from held_parts import with_held_parts
 from proposals import Move, has_objects_on
 from temporary_places import free_placements, is_free, is_near, is_suitable, plan_to_place
 

@@ -5,8 +5,8 @@ from itertools import product
 
 import numpy as np
 
+from areas import rotated
 from blocks import Block
-from clearance import rotated
 from colors import color_mask, frequent_colors
 from constants import PARTS as C, PERCEPTION, TASK_MODEL
 from demonstration import read_picture

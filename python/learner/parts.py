@@ -9,8 +9,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from areas import rotated
 from blocks import Block
-from clearance import rotated
 from constants import PARTS as C
 
 

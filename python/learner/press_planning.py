@@ -1,9 +1,10 @@
 """Plans presses of buttons."""
 
 from arms import nearest_first
-from clearance import grasp_yaws, with_held_parts
 from constants import PRESSES as C
 from execution import Action, Grasp
+from finger_room import grasp_yaws
+from held_parts import with_held_parts
 from motion_planning import at_height, has_failed, plan_path_through
 from pressing import button_of
 

@@ -4,10 +4,10 @@ import numpy as np
 
 from beliefs import corrected
 from blocks import yaw_difference
-from clearance import with_held_parts
 from constants import BLOCKS, PERCEPTION as C
 from detection import detect_blocks
 from eye import height_map
+from held_parts import with_held_parts
 from kinds import is_in_place
 from knobs import add_knobs, find_knobs
 from notes import Note, verdict_notes

@@ -4,10 +4,11 @@ from typing import NamedTuple, Optional
 
 import numpy as np
 
+from areas import footprint, overlap
 from beliefs import assumed_support
 from blocks import Block
-from clearance import footprint, grasp_yaws, gripper_clearance, is_grasp_blocked, overlap
 from constants import PERCEPTION, TASK_PLANNING as C
+from finger_room import grasp_yaws, gripper_clearance, is_grasp_blocked
 from kinds import is_same_kind, same_color
 from resting import turns_between
 from sight import is_top_hidden

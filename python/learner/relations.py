@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from clearance import footprint, is_inside, overlap
+from areas import footprint, is_inside, overlap
 from constants import RELATE as C, TASK_MODEL
 from steps import stands_on
 

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from clearance import footprint
+from areas import footprint
 from constants import PERCEPTION as C
 from eye import pixel_at
 

@@ -2,8 +2,8 @@
 
 from arms import nearest_first
 from beliefs import assumed_support
-from clearance import is_grasp_blocked
 from constants import BUILDING_SITE as C
+from finger_room import is_grasp_blocked
 from kinds import is_same_kind
 from motion_planning import is_reachable
 from sight import is_top_hidden

@@ -5,8 +5,8 @@ from typing import Optional
 
 import numpy as np
 
+from areas import footprint, overlap
 from blocks import Block
-from clearance import footprint, overlap
 from constants import BLOCKS, TASK_MODEL as C
 
 

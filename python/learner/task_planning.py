@@ -5,13 +5,15 @@ from dataclasses import replace
 
 import numpy as np
 
+from areas import is_inside
 from beliefs import assumed_support
 from building_site import choose_site
-from clearance import container_walls, grasp_yaws, is_inside, with_held_parts
 from constants import ARMS, TASK_PLANNING as C
 from device_planning import choose_device, forget_fixtures, locate_controls
 from execution import Action
 from eye import height_map
+from finger_room import grasp_yaws
+from held_parts import with_held_parts
 from kinds import is_same_kind
 from making_room import room_moves
 from motion_planning import plan_pick_and_place
@@ -21,6 +23,7 @@ from proposals import clearing_moves, is_obstructing, propose_moves, turning_mov
 from task_state import Claim, give_up, num_failures
 from temporary_places import plan_temporary_placement
 from turning import plan_turn
+from walls import container_walls
 
 
 def choose_actions(state, sensor, eye, arms):

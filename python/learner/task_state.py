@@ -6,10 +6,10 @@ from typing import Callable, NamedTuple, Optional
 import numpy as np
 
 from blocks import Block
-from clearance import held_part
 from constants import MOTION_PLANNING
 from execution import Grasp
 from eye import Eye
+from held_parts import held_part
 from kinds import same_size
 from resting import on_each_face
 from steps import Container

@@ -6,10 +6,11 @@ from itertools import islice
 
 import numpy as np
 
+from areas import footprint, overlap
 from blocks import has_equal_sides
-from clearance import footprint, grasp_yaws, gripper_clearance, is_grasp_blocked, overlap
 from constants import CLEARANCE, TASK_PLANNING as C, numbers_of
 from eye import to_pixel
+from finger_room import grasp_yaws, gripper_clearance, is_grasp_blocked
 from motion_planning import is_reachable, plan_pick_and_place
 from proposals import is_close
 from sight import is_top_hidden

@@ -9,8 +9,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from areas import footprint, overlap
 from arms import can_hold, nearest_first
-from clearance import footprint, overlap
 from constants import ARMS, MOTION_PLANNING as C, TASK_PLANNING
 from execution import Action, Grasp
 from motion_planning import at_height, avoids_torso, has_failed, is_arm_clear, move_joints, move_line

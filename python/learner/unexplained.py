@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from clearance import footprint, overlap
+from areas import footprint, overlap
 from constants import PERCEPTION as C, TASK_PLANNING, numbers_of
 from eye import onto_plane, to_pixel
 

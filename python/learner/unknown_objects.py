@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from clearance import footprint, overlap
+from areas import footprint, overlap
 from colors import color_mask, color_of_code, frequent_colors, is_below_brighter, table_color
 from constants import PERCEPTION as C
 from eye import pixel_at

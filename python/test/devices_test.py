@@ -11,9 +11,9 @@ from unittest.mock import patch
 
 import numpy as np
 
+from areas import rotated
 from blocks import yaw_difference
 from carrying import belongs_to, load_of, surroundings_of
-from clearance import rotated
 from demonstration import read_demonstration
 from devices import infer_devices
 from explain import explain

@@ -14,17 +14,19 @@ from unittest.mock import patch
 import numpy as np
 from PIL import Image
 
+from areas import footprint, overlap
 from balls import ball_color
 from beliefs import corrected
 from blocks import Block, yaw_difference
 from building_site import choose_site, shifted
-from clearance import container_walls, footprint, grasp_yaws, held_part, is_grasp_blocked, overlap
 from containers import detect_container
 from demonstration import read_demonstration
 from detection import detect_blocks
 from execution import Action, Grasp
 from explain import explain
 from eye import Eye, height_map, pixel_at, to_pixel
+from finger_room import grasp_yaws, is_grasp_blocked
+from held_parts import held_part
 from joint_estimates import JointEstimates
 from knobs import find_knobs
 from landmarks import place_by_what_stays
@@ -46,6 +48,7 @@ from temporary_places import blocks_grasps, free_placements
 from unexplained import is_unexplained, unexplained_points
 from unknown_objects import detect_unknown_objects
 from verdicts import verdicts_on
+from walls import container_walls
 
 RED, GREEN, BLUE = np.eye(3)
 CUBE = np.array([1.0, 1, 1])

@@ -9,10 +9,11 @@ import sys
 
 import numpy as np
 
+from areas import overlap
 from blocks import Block, yaw_difference
-from clearance import grasp_yaws, is_grasp_blocked, overlap
 from eye import Eye, onto_plane, to_pixel
 from faces import fit_face
+from finger_room import grasp_yaws, is_grasp_blocked
 
 
 def answers():

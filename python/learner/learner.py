@@ -8,11 +8,12 @@ the same actions.
 smile: imitates
 """
 
+from actions import Action
 from arms import arms_for, arms_of
 from constants import TASK_PLANNING
 from demonstration import read_demonstration
 from devices import infer_devices
-from execution import Action, execute_action
+from execution import execute_action
 from explain import explain
 from eye import Eye
 from joint_estimates import JointEstimates

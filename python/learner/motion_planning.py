@@ -6,11 +6,11 @@ from itertools import product
 
 import numpy as np
 
+from actions import Action, Grasp
 from areas import footprint, overlap
 from arms import can_hold, nearest_first
 from blocks import yaw_difference
 from constants import MOTION_PLANNING as C
-from execution import Action, Grasp
 from finger_room import grasp_yaws
 from held_parts import held_part
 from steps import is_dragged

@@ -1,8 +1,8 @@
 """Plans presses of buttons."""
 
+from actions import Action, Grasp
 from arms import nearest_first
 from constants import PRESSES as C
-from execution import Action, Grasp
 from finger_room import grasp_yaws
 from held_parts import with_held_parts
 from motion_planning import at_height, has_failed, plan_path_through

@@ -5,12 +5,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from actions import Action
 from areas import is_inside
 from beliefs import assumed_support
 from building_site import choose_site
 from constants import ARMS, TASK_PLANNING as C
 from device_planning import choose_device, forget_fixtures, locate_controls
-from execution import Action
 from eye import height_map
 from finger_room import grasp_yaws
 from held_parts import with_held_parts

@@ -5,9 +5,9 @@ from typing import Callable, NamedTuple, Optional
 
 import numpy as np
 
+from actions import Grasp
 from blocks import Block
 from constants import MOTION_PLANNING
-from execution import Grasp
 from eye import Eye
 from held_parts import held_part
 from kinds import same_size

@@ -14,6 +14,7 @@ from unittest.mock import patch
 import numpy as np
 from PIL import Image
 
+from actions import Action, Grasp
 from areas import footprint, overlap
 from balls import ball_color
 from beliefs import corrected
@@ -22,7 +23,6 @@ from building_site import choose_site, shifted
 from containers import detect_container
 from demonstration import read_demonstration
 from detection import detect_blocks
-from execution import Action, Grasp
 from explain import explain
 from eye import Eye, height_map, pixel_at, to_pixel
 from finger_room import grasp_yaws, is_grasp_blocked

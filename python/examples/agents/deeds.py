@@ -9,12 +9,13 @@ from pathlib import Path
 import numpy as np
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "learner"))
+from actions import Action
 from appearances import measure_objects
 from arms import arms_for, arms_of
 from blocks import Block
 from constants import BLOCKS
 from demonstration import read_demonstration
-from execution import Action, execute_action
+from execution import execute_action
 from motion_planning import plan_pick_and_place, retreat
 from task_model import infer_task
 

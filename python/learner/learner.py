@@ -9,16 +9,17 @@ smile: imitates
 """
 
 from actions import Action
-from arms import arms_for, arms_of
 from constants import TASK_PLANNING
 from demonstration import read_demonstration
 from devices import infer_devices
 from execution import execute_action
 from explain import explain
 from eye import Eye
+from grippers import arms_for
 from joint_estimates import JointEstimates
 from motion_planning import retreat
 from notes import Note, tops_of
+from robot_arms import arms_of
 from sentences import page_of
 from task_model import infer_task
 from task_planning import choose_actions

@@ -8,10 +8,10 @@ import numpy as np
 
 from actions import Action, Grasp
 from areas import footprint, overlap
-from arms import can_hold, nearest_first
 from blocks import yaw_difference
 from constants import MOTION_PLANNING as C
 from finger_room import grasp_yaws
+from grippers import can_hold, nearest_first
 from held_parts import held_part
 from steps import is_dragged
 

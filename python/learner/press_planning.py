@@ -1,9 +1,9 @@
 """Plans presses of buttons."""
 
 from actions import Action, Grasp
-from arms import nearest_first
 from constants import PRESSES as C
 from finger_room import grasp_yaws
+from grippers import nearest_first
 from held_parts import with_held_parts
 from motion_planning import at_height, has_failed, plan_path_through
 from pressing import button_of

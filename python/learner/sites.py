@@ -1,9 +1,9 @@
 """Sites of a building: what they cost, and whether the arms reach them."""
 
-from arms import nearest_first
 from beliefs import assumed_support
 from constants import BUILDING_SITE as C
 from finger_room import is_grasp_blocked
+from grippers import nearest_first
 from kinds import is_same_kind
 from motion_planning import is_reachable
 from sight import is_top_hidden

@@ -19,9 +19,10 @@ from types import SimpleNamespace
 import numpy as np
 from PIL import Image
 
-from arms import arms_for, arms_of
 from demonstration import read_demonstration
 from explain import explain
+from grippers import arms_for
+from robot_arms import arms_of
 from sentences import page_of
 from task_model import infer_task
 from task_planning import choose_actions

@@ -11,12 +11,13 @@ import numpy as np
 sys.path.append(str(Path(__file__).resolve().parents[2] / "learner"))
 from actions import Action
 from appearances import measure_objects
-from arms import arms_for, arms_of
 from blocks import Block
 from constants import BLOCKS
 from demonstration import read_demonstration
 from execution import execute_action
+from grippers import arms_for
 from motion_planning import plan_pick_and_place, retreat
+from robot_arms import arms_of
 from task_model import infer_task
 
 

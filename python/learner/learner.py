@@ -9,12 +9,14 @@ smile: imitates
 """
 
 from actions import Action
+from claims import give_up
 from constants import TASK_PLANNING
 from demonstration import read_demonstration
 from devices import infer_devices
 from execution import execute_action
 from explain import explain
 from eye import Eye
+from failures import remember_failure
 from grippers import arms_for
 from joint_estimates import JointEstimates
 from motion_planning import retreat
@@ -23,7 +25,7 @@ from robot_arms import arms_of
 from sentences import page_of
 from task_model import infer_task
 from task_planning import choose_actions
-from task_state import TaskState, give_up, remember_failure
+from task_state import TaskState
 
 
 def init(aux):

@@ -10,6 +10,7 @@ from actions import Action, Grasp
 from areas import footprint, overlap
 from blocks import yaw_difference
 from constants import MOTION_PLANNING as C
+from failures import has_failed
 from finger_room import grasp_yaws
 from grippers import can_hold, nearest_first
 from held_parts import held_part
@@ -55,16 +56,6 @@ def plan_pick_and_place(arms, block, goal, others, sensor, failures=()):
             if actions:
                 return actions, None
     return [], "no arm reaches both its place and its goal"
-
-
-def has_failed(grasp, failures):
-    """Returns true if a grasp is about the same as one that failed."""
-    for it in failures:
-        turn = (grasp.yaw - it.yaw + math.pi) % (2 * math.pi) - math.pi
-        if (it.arm == grasp.arm and abs(turn) < C.same_yaw_rad
-                and np.linalg.norm(it.position - grasp.position) < C.same_place_distance):
-            return True
-    return False
 
 
 def transfer_height(arm, blocks, bottom, extent):

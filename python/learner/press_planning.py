@@ -2,10 +2,11 @@
 
 from actions import Action, Grasp
 from constants import PRESSES as C
+from failures import has_failed
 from finger_room import grasp_yaws
 from grippers import nearest_first
 from held_parts import with_held_parts
-from motion_planning import at_height, has_failed, plan_path_through
+from motion_planning import at_height, plan_path_through
 from pressing import button_of
 
 

@@ -9,9 +9,11 @@ from actions import Action
 from areas import is_inside
 from beliefs import assumed_support
 from building_site import choose_site
+from claims import Claim, give_up
 from constants import ARMS, TASK_PLANNING as C
 from device_planning import choose_device, forget_fixtures, locate_controls
 from eye import height_map
+from failures import num_failures
 from finger_room import grasp_yaws
 from held_parts import with_held_parts
 from kinds import is_same_kind
@@ -20,7 +22,6 @@ from motion_planning import plan_pick_and_place
 from notes import action_note, name_of, plan_notes
 from progress import assess_progress, is_moving, observe, open_steps
 from proposals import clearing_moves, is_obstructing, propose_moves, turning_moves, uncovering_moves
-from task_state import Claim, give_up, num_failures
 from temporary_places import plan_temporary_placement
 from turning import plan_turn
 from walls import container_walls

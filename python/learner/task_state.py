@@ -1,25 +1,17 @@
 """Progress and beliefs of the learner during a task."""
 
 from dataclasses import dataclass, field
-from typing import Callable, NamedTuple, Optional
+from typing import Callable, Optional
 
 import numpy as np
 
 from actions import Grasp
 from blocks import Block
-from constants import MOTION_PLANNING
+from claims import Claim
 from eye import Eye
-from held_parts import held_part
 from kinds import same_size
 from resting import on_each_face
 from steps import Container
-
-
-class Claim(NamedTuple):
-    """What the learner believes about its result."""
-
-    done: bool  # whether everything is built
-    reason: str  # how accurately, or why not: one line
 
 
 @dataclass
@@ -64,23 +56,3 @@ class TaskState:
             Block(step.color, size, np.array([0, 0, size[2] / 2]), 0.0)
             for step in self.steps if step.start_size is not None
             for size in on_each_face(step.size) if not same_size(size, step.size)]
-
-
-def give_up(state, reason):
-    """Ends the task unfinished, for a reason: one line."""
-    state.claim = Claim(False, reason)
-
-
-def remember_failure(state, actions):
-    """Remembers that the first of the remaining actions failed: its grasp is not repeated. Unless
-    the block was released already, it is not where it was to go."""
-    if any(action.kind == "open" for action in actions[1:]):
-        state.known.pop()
-    state.moved = ""
-    state.failures.append(state.grasp)
-
-
-def num_failures(state, block):
-    """Returns the number of failed grasps of a block at its place."""
-    return sum(np.linalg.norm(grasp.position - held_part(block).position) < MOTION_PLANNING.same_place_distance
-               for grasp in state.failures)

@@ -12,8 +12,9 @@ import numpy as np
 from actions import Action, Grasp
 from areas import footprint, overlap
 from constants import ARMS, MOTION_PLANNING as C, TASK_PLANNING
+from failures import has_failed
 from grippers import can_hold, nearest_first
-from motion_planning import at_height, avoids_torso, has_failed, is_arm_clear, move_joints, move_line
+from motion_planning import at_height, avoids_torso, is_arm_clear, move_joints, move_line
 from resting import turned
 from temporary_places import can_reach, free_placements
 

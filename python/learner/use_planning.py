@@ -10,10 +10,11 @@ from alignment import Alignment, agreement
 from areas import rotated
 from carrying import belongs_to, load_of, surroundings_of
 from constants import MOTION_PLANNING, USES as C
+from failures import has_failed
 from finger_room import grasp_yaws
 from grippers import can_hold, nearest_first
 from kinds import is_same_kind
-from motion_planning import at_height, grip_depth, has_failed, plan_parts
+from motion_planning import at_height, grip_depth, plan_parts
 from pressing import is_changed
 
 

@@ -25,13 +25,14 @@ from demonstration import read_demonstration
 from detection import detect_blocks
 from explain import explain
 from eye import Eye, height_map, pixel_at, to_pixel
+from failures import has_failed, num_failures, remember_failure
 from finger_room import grasp_yaws, is_grasp_blocked
 from held_parts import held_part
 from joint_estimates import JointEstimates
 from knobs import find_knobs
 from landmarks import place_by_what_stays
 from making_room import room_moves
-from motion_planning import grip_depth, has_failed, plan_pick_and_place
+from motion_planning import grip_depth, plan_pick_and_place
 from notes import tops_of, verdict_notes
 from pictures import num_pictures
 from progress import assess_progress, compare, open_steps
@@ -43,7 +44,7 @@ from sight import is_top_hidden
 from sites import site_cost
 from steps import Step
 from task_model import infer_task
-from task_state import TaskState, num_failures, remember_failure
+from task_state import TaskState
 from temporary_places import blocks_grasps, free_placements
 from unexplained import is_unexplained, unexplained_points
 from unknown_objects import detect_unknown_objects

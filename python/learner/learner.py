@@ -19,8 +19,8 @@ from eye import Eye
 from failures import remember_failure
 from grippers import arms_for
 from joint_estimates import JointEstimates
-from motion_planning import retreat
 from notes import Note, tops_of
+from retreats import retreat
 from robot_arms import arms_of
 from sentences import page_of
 from task_model import infer_task

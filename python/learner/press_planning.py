@@ -1,13 +1,14 @@
 """Plans presses of buttons."""
 
 from actions import Action, Grasp
+from arm_paths import plan_path_through
 from constants import PRESSES as C
 from failures import has_failed
 from finger_room import grasp_yaws
 from grippers import nearest_first
 from held_parts import with_held_parts
-from motion_planning import at_height, plan_path_through
 from pressing import button_of
+from segments import at_height
 
 
 def plan_press(press, alignment, surface, state, arms, sensor):

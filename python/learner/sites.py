@@ -5,7 +5,7 @@ from constants import BUILDING_SITE as C
 from finger_room import is_grasp_blocked
 from grippers import nearest_first
 from kinds import is_same_kind
-from motion_planning import is_reachable
+from reach import is_reachable
 from sight import is_top_hidden
 
 

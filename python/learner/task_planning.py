@@ -18,8 +18,8 @@ from finger_room import grasp_yaws
 from held_parts import with_held_parts
 from kinds import is_same_kind
 from making_room import room_moves
-from motion_planning import plan_pick_and_place
 from notes import action_note, name_of, plan_notes
+from pick_and_place import plan_pick_and_place
 from progress import assess_progress, is_moving, observe, open_steps
 from proposals import clearing_moves, is_obstructing, propose_moves, turning_moves, uncovering_moves
 from temporary_places import plan_temporary_placement

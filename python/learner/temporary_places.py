@@ -11,8 +11,9 @@ from blocks import has_equal_sides
 from constants import CLEARANCE, TASK_PLANNING as C, numbers_of
 from eye import to_pixel
 from finger_room import grasp_yaws, gripper_clearance, is_grasp_blocked
-from motion_planning import is_reachable, plan_pick_and_place
+from pick_and_place import plan_pick_and_place
 from proposals import is_close
+from reach import can_reach
 from sight import is_top_hidden
 from unexplained import is_unexplained
 
@@ -126,8 +127,3 @@ def is_in_view(place, eye):
     pixels = np.array([to_pixel(corner, eye) for corner in corners])
     margin = C.picture_margin_pixels
     return ((pixels > margin) & (pixels < 2 * eye.intrinsics[:2, 2] - margin)).all()
-
-
-def can_reach(arms, place):
-    """Returns true if one of the arms reaches a block's place."""
-    return any(is_reachable(arm, place) for arm in arms)

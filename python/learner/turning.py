@@ -11,12 +11,14 @@ import numpy as np
 
 from actions import Action, Grasp
 from areas import footprint, overlap
+from arm_clearance import is_arm_clear
 from constants import ARMS, MOTION_PLANNING as C, TASK_PLANNING
 from failures import has_failed
 from grippers import can_hold, nearest_first
-from motion_planning import at_height, avoids_torso, is_arm_clear, move_joints, move_line
+from reach import avoids_torso, can_reach
 from resting import turned
-from temporary_places import can_reach, free_placements
+from segments import at_height, move_joints, move_line
+from temporary_places import free_placements
 
 
 def plan_turn(arms, eye, block, held, then, others, sites, sensor, failures, unexplained):

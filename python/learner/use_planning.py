@@ -8,14 +8,16 @@ import numpy as np
 from actions import Action, Grasp
 from alignment import Alignment, agreement
 from areas import rotated
+from arm_paths import plan_parts
 from carrying import belongs_to, load_of, surroundings_of
 from constants import MOTION_PLANNING, USES as C
 from failures import has_failed
 from finger_room import grasp_yaws
 from grippers import can_hold, nearest_first
+from heights import grip_depth
 from kinds import is_same_kind
-from motion_planning import at_height, grip_depth, plan_parts
 from pressing import is_changed
+from segments import at_height
 
 
 def find_tool(use, known, surface, shown):

@@ -20,8 +20,8 @@ from explain import explain
 from kinds import is_same_kind
 from layouts import detect_layouts
 from learner_test import BLUE, BROWN, EYE, GREEN, RED, RecordingTest, block, picture_of, view_of
-from motion_planning import plan_pick_and_place
 from part_measuring import measure_parts
+from pick_and_place import plan_pick_and_place
 from pressing import button_of, locate, looks_pressed
 from surfaces import surface_of
 from task_model import infer_task
@@ -69,7 +69,7 @@ class PartsTest(RecordingTest):
         thing = replace(self.kind, size=self.kind.size[[1, 0, 2]])
         goal, turns = replace(thing, position=np.array([0, -2, 0.8]), yaw=1.0), []
         arm = SimpleNamespace(opening=2, reach=0.75, foot=np.zeros(2), index=0)
-        with patch("motion_planning.plan_arm_pick_and_place",
+        with patch("pick_and_place.plan_arm_pick_and_place",
                    side_effect=lambda arm, held, yaw, target, place_yaw, *_: turns.append(place_yaw - yaw)):
             plan_pick_and_place([arm], thing, goal, [], SimpleNamespace(arms=[SimpleNamespace(joints=None)]))
         self.assertTrue(turns)

@@ -27,13 +27,14 @@ from explain import explain
 from eye import Eye, height_map, pixel_at, to_pixel
 from failures import has_failed, num_failures, remember_failure
 from finger_room import grasp_yaws, is_grasp_blocked
+from heights import grip_depth
 from held_parts import held_part
 from joint_estimates import JointEstimates
 from knobs import find_knobs
 from landmarks import place_by_what_stays
 from making_room import room_moves
-from motion_planning import grip_depth, plan_pick_and_place
 from notes import tops_of, verdict_notes
+from pick_and_place import plan_pick_and_place
 from pictures import num_pictures
 from progress import assess_progress, compare, open_steps
 from proposals import Move, clearing_moves, propose_moves, turning_moves, uncovering_moves

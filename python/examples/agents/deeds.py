@@ -16,7 +16,8 @@ from constants import BLOCKS
 from demonstration import read_demonstration
 from execution import execute_action
 from grippers import arms_for
-from motion_planning import plan_pick_and_place, retreat
+from pick_and_place import plan_pick_and_place
+from retreats import retreat
 from robot_arms import arms_of
 from task_model import infer_task
 

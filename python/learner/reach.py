@@ -48,3 +48,17 @@ def avoids_torso(arm, q):
 def can_reach(arms, place):
     """Returns true if one of the arms reaches a block's place."""
     return any(is_reachable(arm, place) for arm in arms)
+
+
+def solve(arm, poses, q, margin):
+    """Returns the joint angles of a sequence of tool poses, each searched from the one before, with a margin
+    from their limits [rad]: a list; [] if one has none."""
+    lower, upper = arm.robot.limits(arm.name)
+    found = []
+    for pose in poses:
+        q = arm.inverse(pose, q, max_iterations=C.ik_iterations)
+        if (q is None or not avoids_torso(arm, q)
+                or np.minimum(q - lower, upper - q).min() < margin):
+            return []
+        found.append(q)
+    return found

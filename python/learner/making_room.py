@@ -4,7 +4,8 @@ from areas import footprint
 from beliefs import assumed_support
 from constants import TASK_PLANNING as C
 from held_parts import with_held_parts
-from proposals import Move, has_objects_on
+from moves import Move
+from obstruction import has_objects_on
 from temporary_places import free_placements, is_free, is_near, is_suitable, plan_to_place
 
 

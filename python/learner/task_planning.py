@@ -10,6 +10,7 @@ from areas import is_inside
 from beliefs import assumed_support
 from building_site import choose_site
 from claims import Claim, give_up
+from clearing import clearing_moves, uncovering_moves
 from constants import ARMS, TASK_PLANNING as C
 from device_planning import choose_device, forget_fixtures, locate_controls
 from eye import height_map
@@ -19,9 +20,10 @@ from held_parts import with_held_parts
 from kinds import is_same_kind
 from making_room import room_moves
 from notes import action_note, name_of, plan_notes
+from obstruction import is_obstructing
 from pick_and_place import plan_pick_and_place
 from progress import assess_progress, is_moving, observe, open_steps
-from proposals import clearing_moves, is_obstructing, propose_moves, turning_moves, uncovering_moves
+from proposals import propose_moves, turning_moves
 from temporary_places import plan_temporary_placement
 from turning import plan_turn
 from walls import container_walls

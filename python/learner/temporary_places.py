@@ -11,8 +11,8 @@ from blocks import has_equal_sides
 from constants import CLEARANCE, TASK_PLANNING as C, numbers_of
 from eye import to_pixel
 from finger_room import grasp_yaws, gripper_clearance, is_grasp_blocked
+from obstruction import is_close
 from pick_and_place import plan_pick_and_place
-from proposals import is_close
 from reach import can_reach
 from sight import is_top_hidden
 from unexplained import is_unexplained

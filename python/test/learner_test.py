@@ -20,6 +20,7 @@ from balls import ball_color
 from beliefs import corrected
 from blocks import Block, yaw_difference
 from building_site import choose_site, shifted
+from clearing import clearing_moves, uncovering_moves
 from containers import detect_container
 from demonstration import read_demonstration
 from detection import detect_blocks
@@ -33,11 +34,12 @@ from joint_estimates import JointEstimates
 from knobs import find_knobs
 from landmarks import place_by_what_stays
 from making_room import room_moves
+from moves import Move
 from notes import tops_of, verdict_notes
 from pick_and_place import plan_pick_and_place
 from pictures import num_pictures
 from progress import assess_progress, compare, open_steps
-from proposals import Move, clearing_moves, propose_moves, turning_moves, uncovering_moves
+from proposals import propose_moves, turning_moves
 from regions import is_cut, label_regions
 from resting import resting_at, turns_between
 from sentences import page_of

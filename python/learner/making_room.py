@@ -3,10 +3,11 @@
 from areas import footprint
 from beliefs import assumed_support
 from constants import TASK_PLANNING as C
+from free_places import free_placements, is_free, is_near
 from held_parts import with_held_parts
 from moves import Move
 from obstruction import has_objects_on
-from temporary_places import free_placements, is_free, is_near, is_suitable, plan_to_place
+from temporary_places import is_suitable, plan_to_place
 
 
 def room_moves(state, step, moves, free, arms, eye, sensor):

@@ -11,10 +11,10 @@ import numpy as np
 
 from constants import MOTION_PLANNING as C, TASK_PLANNING
 from failures import has_failed
+from free_places import free_placements
 from grippers import can_hold, nearest_first
 from reach import can_reach, solve
 from resting import turned
-from temporary_places import free_placements
 from tilt import turn_height
 from tilted_grasps import tilted_grasps
 from turn_paths import plan_turn_to

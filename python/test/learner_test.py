@@ -28,6 +28,7 @@ from explain import explain
 from eye import Eye, height_map, pixel_at, to_pixel
 from failures import has_failed, num_failures, remember_failure
 from finger_room import grasp_yaws, is_grasp_blocked
+from free_places import free_placements
 from heights import grip_depth
 from held_parts import held_part
 from joint_estimates import JointEstimates
@@ -48,7 +49,7 @@ from sites import site_cost
 from steps import Step
 from task_model import infer_task
 from task_state import TaskState
-from temporary_places import blocks_grasps, free_placements
+from temporary_places import blocks_grasps
 from unexplained import is_unexplained, unexplained_points
 from unknown_objects import detect_unknown_objects
 from verdicts import verdicts_on

@@ -1,18 +1,14 @@
 """Infers from a demonstration what is to be done."""
 
-import math
 from dataclasses import replace
 
-import numpy as np
-
 from appearances import measure_objects
-from constants import BLOCKS, TASK_MODEL as C
+from constants import TASK_MODEL as C
 from containers import measure_container
 from handles import measure_handle, was_dragged
-from kinds import same_size
-from parts import turned
-from resting import resting_at
-from steps import Step, is_above, is_dragged, stands_on
+from object_roles import former_owner, moved_objects, tools_of
+from placed_steps import step_of
+from steps import is_above, is_dragged, stands_on
 
 
 def infer_task(demo, attention):
@@ -53,23 +49,6 @@ def set_order(steps, ordered):
                        or not lower.stays and not {step.name, lower.name}.isdisjoint(ordered)]
 
 
-def former_owner(demo, step):
-    """Returns the name of another moved object that began at the place of a step; empty if there is none."""
-    end = demo.moves[demo.ids.index(step.name)][-1, 1:]
-    for n in moved_objects(demo):
-        if demo.ids[n] != step.name and is_same_pose(demo.moves[n][0, 1:], end):
-            return demo.ids[n]
-    return ""
-
-
-def moved_objects(demo):
-    """Returns the numbers of the objects that hands moved, in the order of their last release."""
-    last = {n: when for when, n in enumerate(demo.placed)}
-    if not last:
-        raise ValueError("in this demonstration no hand moved anything")
-    return sorted(last, key=last.get)
-
-
 def supports_of(steps, others):
     """Returns those of some other steps on which steps stand at the end, directly or on others: a
     list, the lowest first."""
@@ -81,38 +60,3 @@ def supports_of(steps, others):
         found += below
         upper += below
     return sorted(found, key=lambda step: (step.position[2], others.index(step)))
-
-
-def step_of(demo, n, appearance, attention):
-    """Returns the Step of a carried object, at its final place; appearance: the Block at its first
-    place."""
-    color = appearance.color if color_matters(attention, demo.ids[n]) else None
-    there = resting_at(appearance, demo.moves[n][-1, 1:])
-    size, yaw, parts = there.size, there.yaw, there.parts
-    if size[1] > BLOCKS.equal_sides * size[0]:
-        size = size[[1, 0, 2]]
-        yaw += math.pi / 2
-        parts = turned(parts, math.pi / 2)
-    began = np.append(np.sort(appearance.size[:2])[::-1], appearance.size[2])
-    return Step(color, size, there.position, yaw, demo.ids[n], [],
-                start_size=None if same_size(began, size) else began, start=demo.moves[n][0, 1:4],
-                form=appearance.form, has_knob=appearance.has_knob, parts=parts,
-                begins_there=is_same_pose(demo.moves[n][0, 1:], demo.moves[n][-1, 1:]))
-
-
-def tools_of(demo):
-    """Returns the numbers of the objects that were used as tools and put back where they began."""
-    used = {demo.ids.index(fields[1]) for _, word, fields in demo.events if word == "use"}
-    return {n for n in used if is_same_pose(demo.moves[n][0, 1:], demo.moves[n][-1, 1:])}
-
-
-def color_matters(attention, name):
-    """Returns true unless the demonstrator specified the properties of an object that matter,
-    without color."""
-    return "color" in (attention.get(name) or ["color"])
-
-
-def is_same_pose(one, other):
-    """Returns true if two poses, x y z [units] and three angles [degrees], are almost equal."""
-    away = np.abs(one - other)
-    return away[:3].max() < C.max_rest_error and away[3:].max() < C.max_rest_degrees

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from constants import USES as C
+from object_roles import tools_of
+from placed_steps import step_of
 from presses import Press, changes
 from steps import Step
-from task_model import step_of, tools_of
 
 
 @dataclass(eq=False)

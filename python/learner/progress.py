@@ -10,9 +10,10 @@ from eye import height_map
 from held_parts import with_held_parts
 from kinds import is_in_place
 from knobs import add_knobs, find_knobs
-from notes import Note, verdict_notes
+from notes import Note
 from unexplained import unexplained_points
 from unknown_objects import detect_unknown_objects
+from verdict_notes import verdict_notes
 from verdicts import verdicts_on
 
 

@@ -36,7 +36,7 @@ from knobs import find_knobs
 from landmarks import place_by_what_stays
 from making_room import room_moves
 from moves import Move
-from notes import tops_of, verdict_notes
+from notes import tops_of
 from pick_and_place import plan_pick_and_place
 from pictures import num_pictures
 from progress import assess_progress, compare, open_steps
@@ -52,6 +52,7 @@ from task_state import TaskState
 from temporary_places import blocks_grasps
 from unexplained import is_unexplained, unexplained_points
 from unknown_objects import detect_unknown_objects
+from verdict_notes import verdict_notes
 from verdicts import verdicts_on
 from walls import container_walls
 

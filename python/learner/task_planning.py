@@ -18,11 +18,12 @@ from failures import num_failures
 from finger_room import grasp_yaws
 from held_parts import with_held_parts
 from kinds import is_same_kind
+from looking import is_moving, observe
 from making_room import room_moves
 from notes import action_note, name_of, plan_notes
 from obstruction import is_obstructing
 from pick_and_place import plan_pick_and_place
-from progress import assess_progress, is_moving, observe, open_steps
+from progress import assess_progress, open_steps
 from proposals import propose_moves, turning_moves
 from temporary_places import plan_temporary_placement
 from turning import plan_turn

@@ -34,12 +34,13 @@ from held_parts import held_part
 from joint_estimates import JointEstimates
 from knobs import find_knobs
 from landmarks import place_by_what_stays
+from looking import compare
 from making_room import room_moves
 from moves import Move
 from notes import tops_of
 from pick_and_place import plan_pick_and_place
 from pictures import num_pictures
-from progress import assess_progress, compare, open_steps
+from progress import assess_progress, open_steps
 from proposals import propose_moves, turning_moves
 from regions import is_cut, label_regions
 from resting import resting_at, turns_between

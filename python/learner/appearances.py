@@ -6,9 +6,9 @@ import numpy as np
 
 from blocks import Block
 from constants import TASK_MODEL as C
-from demonstration import read_picture
 from kinds import has_parts_of
 from part_measuring import measure_parts
+from shown_pictures import read_picture
 from steps import stands_on
 from tops import measure_ball, measure_top, measure_top_with_knob
 

@@ -6,6 +6,7 @@ from blocks import Block
 from constants import BALLS as C, PERCEPTION
 from eye import onto_plane, pixel_at
 from regions import label_regions
+from spheres import fit_sphere, ray_distances
 
 
 def shade_mask(picture, color):
@@ -35,18 +36,6 @@ def ball_color(picture, eye, center, radius):
     return color if is_whole else None
 
 
-def ray_distances(shape, eye, point):
-    """Returns the distance of a point from the ray through each pixel, HxW [units]."""
-    row, column = np.indices(shape) + 0.5
-    K = eye.intrinsics
-    ray = np.stack([(column - K[0, 2]) / K[0, 0], (row - K[1, 2]) / K[1, 1],
-                    np.ones(shape)], axis=-1) @ eye.pose[:3, :3].T
-    ray /= np.linalg.norm(ray, axis=-1, keepdims=True)
-    to_point = point - eye.pose[:3, 3]
-    along = ray @ to_point
-    return np.linalg.norm(to_point - along[..., None] * ray, axis=-1)
-
-
 def detect_balls(picture, eye, kinds, heights):
     """Detects balls of some kinds, Blocks: a list. A part of each may be hidden.
 
@@ -66,16 +55,3 @@ def detect_balls(picture, eye, kinds, heights):
             if error < PERCEPTION.max_side_error and misfit < C.misfit:
                 balls.append(Block(kind.color, kind.size, center, 0.0, form="ball"))
     return balls
-
-
-def fit_sphere(points):
-    """Fits a sphere to points of its surface, Nx3. Returns its center, its radius, and the mean distance
-    of the points from it.
-
-    |p - c| = r is linear in the unknowns c and r^2 - |c|^2: 2 p c + (r^2 - |c|^2) = |p|^2.
-    """
-    rows = np.column_stack([2 * points, np.ones(len(points))])
-    *center, rest = np.linalg.lstsq(rows, (points**2).sum(axis=1), rcond=None)[0]
-    center = np.array(center)
-    radius = np.sqrt(max(rest + center @ center, 0))
-    return center, radius, np.abs(np.linalg.norm(points - center, axis=1) - radius).mean()

@@ -6,11 +6,11 @@ import numpy as np
 
 from colors import color_mask, frequent_colors
 from constants import PERCEPTION, TASK_MODEL as C
-from demonstration import read_picture
 from eye import onto_plane
 from faces import fit_face
 from kinds import same_size
 from regions import label_regions
+from shown_pictures import read_picture
 from steps import Step
 
 

@@ -9,12 +9,12 @@ from areas import rotated
 from blocks import Block
 from colors import color_mask, frequent_colors
 from constants import PARTS as C, PERCEPTION, TASK_MODEL
-from demonstration import read_picture
 from eye import onto_plane
 from faces import fit_face
 from handles import displaced_regions
 from kinds import same_size
 from parts import whole_of
+from shown_pictures import read_picture
 
 
 def measure_parts(demo, n):

@@ -6,8 +6,8 @@ from typing import Optional
 import numpy as np
 
 from constants import PRESSES as C
-from demonstration import picture_frames, read_picture
 from regions import label_regions
+from shown_pictures import picture_frames, read_picture
 from steps import Step
 
 

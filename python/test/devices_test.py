@@ -13,19 +13,20 @@ import numpy as np
 
 from areas import rotated
 from blocks import yaw_difference
-from carrying import belongs_to, load_of, surroundings_of
+from carrying import surroundings_of
 from demonstration import read_demonstration
 from devices import infer_devices
 from explain import explain
 from kinds import is_same_kind
 from layouts import detect_layouts
 from learner_test import BLUE, BROWN, EYE, GREEN, RED, RecordingTest, block, picture_of, view_of
+from loads import belongs_to, load_of
 from part_measuring import measure_parts
 from pick_and_place import plan_pick_and_place
 from pressing import button_of, locate, looks_pressed
 from surfaces import surface_of
 from task_model import infer_task
-from use_planning import find_tool
+from tools import find_tool
 
 GRAY, DARK, LIGHT = np.full(3, 0.5), np.full(3, 0.2), np.full(3, 0.85)
 

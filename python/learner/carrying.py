@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from arm_clearance import samples
 from constants import MOTION_PLANNING, SKYLINE as C
 from skyline import Skyline, skyline_of
 
@@ -17,7 +18,7 @@ class Surroundings:
 
     def avoids(self, arm, path, load=None):
         """Returns true if an arm, from its fingers to its forearm, and its load pass over them on a path."""
-        for q in path.positions[::max(len(path.positions) // MOTION_PLANNING.samples_per_path, 1)]:
+        for q in samples(path):
             tool = arm.forward(q)
             if load and not self.of_load.is_below(load.at(tool)):
                 return False

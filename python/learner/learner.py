@@ -8,21 +8,21 @@ the same actions.
 smile: imitates
 """
 
-from actions import Action
-from claims import give_up
+from act.actions import Action
+from act.execution import execute_action
+from act.grippers import arms_for
+from act.joint_estimates import JointEstimates
+from act.retreats import retreat
+from act.robot_arms import arms_of
+from check.claims import give_up
+from check.failures import remember_failure
+from check.notes import Note
+from check.task_state import TaskState
+from check.telling import tell
 from constants import TASK_PLANNING
-from execution import execute_action
-from eye import Eye
-from failures import remember_failure
-from grippers import arms_for
-from joint_estimates import JointEstimates
-from notes import Note
-from retreats import retreat
-from robot_arms import arms_of
-from task_planning import choose_actions
-from task_state import TaskState
-from telling import tell
-from understanding import understand
+from explain.understanding import understand
+from plan.task_planning import choose_actions
+from see.eye import Eye
 
 
 def init(aux):

@@ -11,22 +11,22 @@ from unittest.mock import patch
 
 import numpy as np
 
-from areas import rotated
-from blocks import yaw_difference
-from carrying import surroundings_of
-from demonstration import read_demonstration
-from devices import infer_devices
-from explain import explain
-from kinds import is_same_kind
-from layouts import detect_layouts
+from explain.demonstration import read_demonstration
+from explain.devices import infer_devices
+from explain.explanation import explain
+from explain.part_measuring import measure_parts
+from explain.task_model import infer_task
 from learner_test import BLUE, BROWN, EYE, GREEN, RED, RecordingTest, block, picture_of, view_of
-from loads import belongs_to, load_of
-from part_measuring import measure_parts
-from pick_and_place import plan_pick_and_place
-from pressing import button_of, locate, looks_pressed
-from surfaces import surface_of
-from task_model import infer_task
-from tools import find_tool
+from match.pressing import button_of, locate, looks_pressed
+from match.tools import find_tool
+from plan.carrying import surroundings_of
+from plan.loads import belongs_to, load_of
+from plan.pick_and_place import plan_pick_and_place
+from see.layouts import detect_layouts
+from see.surfaces import surface_of
+from things.areas import rotated
+from things.blocks import yaw_difference
+from things.kinds import is_same_kind
 
 GRAY, DARK, LIGHT = np.full(3, 0.5), np.full(3, 0.2), np.full(3, 0.85)
 
@@ -70,7 +70,7 @@ class PartsTest(RecordingTest):
         thing = replace(self.kind, size=self.kind.size[[1, 0, 2]])
         goal, turns = replace(thing, position=np.array([0, -2, 0.8]), yaw=1.0), []
         arm = SimpleNamespace(opening=2, reach=0.75, foot=np.zeros(2), index=0)
-        with patch("pick_and_place.plan_arm_pick_and_place",
+        with patch("plan.pick_and_place.plan_arm_pick_and_place",
                    side_effect=lambda arm, held, yaw, target, place_yaw, *_: turns.append(place_yaw - yaw)):
             plan_pick_and_place([arm], thing, goal, [], SimpleNamespace(arms=[SimpleNamespace(joints=None)]))
         self.assertTrue(turns)

@@ -14,48 +14,48 @@ from unittest.mock import patch
 import numpy as np
 from PIL import Image
 
-from actions import Action, Grasp
-from areas import footprint, overlap
-from balls import ball_color
-from beliefs import corrected
-from blocks import Block, yaw_difference
-from building_site import choose_site, shifted
-from clearing import clearing_moves, uncovering_moves
-from containers import detect_container
-from demonstration import read_demonstration
-from detection import detect_blocks
-from explain import explain
-from eye import Eye, height_map, pixel_at, to_pixel
-from failures import has_failed, num_failures, remember_failure
-from finger_room import grasp_yaws, is_grasp_blocked
-from free_places import free_placements
-from heights import grip_depth
-from held_parts import held_part
-from joint_estimates import JointEstimates
-from knobs import find_knobs
-from landmarks import place_by_what_stays
-from looking import compare
-from making_room import room_moves
-from moves import Move
-from notes import tops_of
-from pick_and_place import plan_pick_and_place
-from pictures import num_pictures
-from progress import assess_progress, open_steps
-from proposals import propose_moves, turning_moves
-from regions import is_cut, label_regions
-from resting import resting_at, turns_between
-from sentences import page_of
-from sight import is_top_hidden
-from sites import site_cost
-from steps import Step
-from task_model import infer_task
-from task_state import TaskState
-from temporary_places import blocks_grasps
-from unexplained import is_unexplained, unexplained_points
-from unknown_objects import detect_unknown_objects
-from verdict_notes import verdict_notes
-from verdicts import verdicts_on
-from walls import container_walls
+from act.actions import Action, Grasp
+from act.finger_room import grasp_yaws, is_grasp_blocked
+from act.joint_estimates import JointEstimates
+from check.beliefs import corrected
+from check.failures import has_failed, num_failures, remember_failure
+from check.looking import compare
+from check.notes import tops_of
+from check.progress import assess_progress, open_steps
+from check.task_state import TaskState
+from check.verdict_notes import verdict_notes
+from check.verdicts import verdicts_on
+from explain.demonstration import read_demonstration
+from explain.explanation import explain
+from explain.sentences import page_of
+from explain.task_model import infer_task
+from match.building_site import choose_site, shifted
+from match.landmarks import place_by_what_stays
+from match.sites import site_cost
+from plan.clearing import clearing_moves, uncovering_moves
+from plan.free_places import free_placements
+from plan.heights import grip_depth
+from plan.making_room import room_moves
+from plan.moves import Move
+from plan.pick_and_place import plan_pick_and_place
+from plan.proposals import propose_moves, turning_moves
+from plan.temporary_places import blocks_grasps
+from see.balls import ball_color
+from see.containers import detect_container
+from see.detection import detect_blocks
+from see.eye import Eye, height_map, pixel_at, to_pixel
+from see.knobs import find_knobs
+from see.pictures import num_pictures
+from see.regions import is_cut, label_regions
+from see.sight import is_top_hidden
+from see.unexplained import is_unexplained, unexplained_points
+from see.unknown_objects import detect_unknown_objects
+from things.areas import footprint, overlap
+from things.blocks import Block, yaw_difference
+from things.held_parts import held_part
+from things.resting import resting_at, turns_between
+from things.steps import Step
+from things.walls import container_walls
 
 RED, GREEN, BLUE = np.eye(3)
 CUBE = np.array([1.0, 1, 1])
@@ -770,7 +770,7 @@ class TaskPlanningTest(unittest.TestCase):
         steps = [*plates, step(block(GREEN, CUBE, -2, 1, bottom=0.2), [0]),
                  step(block(RED, CUBE, 2, 1.2, bottom=0.2), [1])]
         known = [block(RED, plates[0].size, -3, -2), block(BLUE, plates[0].size, 2, -3, yaw=0.3)]
-        with patch("sites.is_reachable", return_value=True), patch("sites.nearest_first"):
+        with patch("match.sites.is_reachable", return_value=True), patch("match.sites.nearest_first"):
             moved = place_by_what_stays(steps, known, [], EYE)
         np.testing.assert_allclose(moved[2].position, [-3, -2, 0.7])
         np.testing.assert_allclose(moved[3].position, [2 - 0.2 * math.sin(0.3),
@@ -814,7 +814,7 @@ class TaskPlanningTest(unittest.TestCase):
         state.known = [plank, *cubes]
         sites = self.steps
         self.assertEqual(free_placements([], EYE, plank, cubes + sites, None), [])
-        with patch("making_room.is_suitable", return_value=True), patch("making_room.plan_to_place", return_value=(["go"], None)):
+        with patch("plan.making_room.is_suitable", return_value=True), patch("plan.making_room.plan_to_place", return_value=(["go"], None)):
             moves = room_moves(state, step, [Move(plank)], state.known, [], EYE, None)
             fixed = room_moves(state, step, [Move(plank)], [plank], [], EYE, None)
         self.assertEqual(fixed, [], "nothing may be put aside")

@@ -9,11 +9,11 @@ import sys
 
 import numpy as np
 
-from areas import overlap
-from blocks import Block, yaw_difference
-from eye import Eye, onto_plane, to_pixel
-from faces import fit_face
-from finger_room import grasp_yaws, is_grasp_blocked
+from act.finger_room import grasp_yaws, is_grasp_blocked
+from see.eye import Eye, onto_plane, to_pixel
+from see.faces import fit_face
+from things.areas import overlap
+from things.blocks import Block, yaw_difference
 
 
 def answers():

@@ -17,7 +17,7 @@ class Surroundings:
     of_arm: Skyline
 
     def avoids(self, arm, path, load=None):
-        """Returns true if an arm, from its fingers to its forearm, and its load pass over them on a path."""
+        """Returns true if an arm, from its fingers on, and its load pass over them on a path."""
         for q in samples(path):
             tool = arm.forward(q)
             if load and not self.of_load.is_below(load.at(tool)):
@@ -34,7 +34,10 @@ def surroundings_of(points):
 
 
 def hand_and_forearm(arm, q, tool):
-    """Returns the lowest points of an arm at joint angles from its wrist to its elbow, and its fingertips, Nx3."""
+    """Returns the lowest points of an arm at joint angles, from its hand to its first joint, and its fingertips, Nx3.
+
+    tool: its pose there, 4x4
+    """
     fractions = np.linspace(0, 1, MOTION_PLANNING.points_per_link)[:, None]
     points = arm.points(q)
     links = [one + fractions * (other - one) for one, other in zip(points, points[1:])]

@@ -4,7 +4,8 @@ import ast
 import unittest
 from pathlib import Path
 
-LEARNER = Path(__file__).resolve().parents[2] / "learner"
+PROJECT = Path(__file__).resolve().parents[3]
+LEARNER = PROJECT / "python/learner"
 PARTS = ["constants", "things", "see", "relate", "explain", "act", "match", "check", "plan", "learner"]
 MAX_LINES = 79
 
@@ -31,6 +32,16 @@ class LayersTest(unittest.TestCase):
             text = file.read_text()
             self.assertLessEqual(len(text.splitlines()), MAX_LINES, file)
             self.assertTrue(ast.get_docstring(ast.parse(text)), file)
+
+    def test_each_file_is_in_the_table_of_the_documentation(self):
+        rows = [row.split("|") for row in (PROJECT / "docs/learner.md").read_text().splitlines() if row.startswith("| ")]
+        part, listed = "", set()
+        for _, folder, _, names, *_ in [row for row in rows if len(row) == 5]:
+            part = folder.strip(" `") or part
+            listed |= {f"{part}/{name.strip(' `')}" for name in names.split(",") if name.strip()}
+        files = {f"{part_of(file)}/{file.stem}" for file in self.files if file.parent != LEARNER and file.stem != "__init__"}
+        self.assertEqual(files - listed, set())
+        self.assertEqual({it for it in listed if it.split("/")[0] in PARTS} - files, set())
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 %
 %   octave-cli matlab/test/learner_test.m
 %
-% prints "ok" or the first wrong claim, and exits with 0 or 1. python/test/learner_test.py contains the same
+% prints "ok" or the first wrong claim, and exits with 0 or 1. python/test/learner contains the same
 % claims about the Python twin.
 here = fileparts(mfilename('fullpath'));
 addpath(fullfile(here, '..', 'learner'));

@@ -8,20 +8,21 @@ the same actions.
 smile: imitates
 """
 
-from arms import arms_for, arms_of
+from act.actions import Action
+from act.execution import execute_action
+from act.grippers import arms_for
+from act.joint_estimates import JointEstimates
+from act.retreats import retreat
+from act.robot_arms import arms_of
+from check.claims import give_up
+from check.failures import remember_failure
+from check.notes import Note
+from check.task_state import TaskState
+from check.telling import tell
 from constants import TASK_PLANNING
-from demonstration import read_demonstration
-from devices import infer_devices
-from execution import Action, execute_action
-from explain import explain
-from eye import Eye
-from joint_estimates import JointEstimates
-from motion_planning import retreat
-from notes import Note, tops_of
-from sentences import page_of
-from task_model import infer_task
-from task_planning import choose_actions
-from task_state import TaskState, give_up, remember_failure
+from explain.understanding import understand
+from plan.task_planning import choose_actions
+from see.eye import Eye
 
 
 def init(aux):
@@ -29,20 +30,7 @@ def init(aux):
     if "demonstration" not in aux:
         raise ValueError("this brain needs a demonstration: "
                          "smile imitate DEMO SCENE --brain python/learner/learner.py")
-    demo = read_demonstration(aux.demonstration)
-    steps, container = infer_task(demo, aux.attention)
-    presses = infer_devices(demo, steps)
-    page = page_of(explain(demo, container))
-    for line in page:
-        print(line)
-    aux.notes = [f"understood: {line.strip()}" for line in page]
-    for k, step in enumerate(steps):
-        place = ", ".join(steps[lower].name for lower in step.on) or "the table"
-        print(f"shown: {k + 1}. {step} on {place}")
-    for press in presses:
-        before = ", ".join(steps[k].name for k in press.after) or "nothing"
-        print(f"shown: {press} after {before}")
-
+    demo, steps, container, presses = understand(aux)
     arms = arms_of(aux)
     aux.hands = arms_for(steps, arms)
     aux.eye = Eye(aux.cameraIntrinsics, aux.cameraPose)
@@ -88,15 +76,3 @@ def step(sensor, motor, aux):
         aux.claim = f"{'done' if aux.state.claim.done else 'gave up'}: {aux.state.claim.reason}"
         print(f"{sensor.simTime:5.1f} s: {aux.claim}")
         aux.exit = True
-
-
-def tell(aux, seconds):
-    """Tells the notes that were not told yet: those about actions also in the log."""
-    notes, aux.state.notes = aux.state.notes, []
-    if not notes:
-        return
-    for note in notes:
-        if note.word not in ("plan", "saw"):
-            print(f"{seconds:5.1f} s: {note}")
-    aux.notes = [str(note) for note in notes]
-    aux.noteTops = tops_of(notes)

@@ -9,10 +9,11 @@ import sys
 
 import numpy as np
 
-from blocks import Block, yaw_difference
-from clearance import grasp_yaws, is_grasp_blocked, overlap
-from eye import Eye, onto_plane, to_pixel
-from faces import fit_face
+from act.finger_room import grasp_yaws, is_grasp_blocked
+from see.eye import Eye, onto_plane, to_pixel
+from see.faces import fit_face
+from things.areas import overlap
+from things.blocks import Block, yaw_difference
 
 
 def answers():

@@ -19,13 +19,14 @@ from types import SimpleNamespace
 import numpy as np
 from PIL import Image
 
-from arms import arms_for, arms_of
-from demonstration import read_demonstration
-from explain import explain
-from sentences import page_of
-from task_model import infer_task
-from task_planning import choose_actions
-from task_state import TaskState
+from act.grippers import arms_for
+from act.robot_arms import arms_of
+from check.task_state import TaskState
+from explain.demonstration import read_demonstration
+from explain.explanation import explain
+from explain.sentences import page_of
+from explain.task_model import infer_task
+from plan.task_planning import choose_actions
 
 # For each robot: task, and the layout of the robot's scene; [] keeps the scene as it is.
 CASES = {

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from arms import arms_of
+from act.robot_arms import arms_of
 
 
 def init(aux):

@@ -9,14 +9,17 @@ from pathlib import Path
 import numpy as np
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "learner"))
-from appearances import measure_objects
-from arms import arms_for, arms_of
-from blocks import Block
+from act.actions import Action
+from act.execution import execute_action
+from act.grippers import arms_for
+from act.retreats import retreat
+from act.robot_arms import arms_of
 from constants import BLOCKS
-from demonstration import read_demonstration
-from execution import Action, execute_action
-from motion_planning import plan_pick_and_place, retreat
-from task_model import infer_task
+from explain.appearances import measure_objects
+from explain.demonstration import read_demonstration
+from explain.task_model import infer_task
+from plan.pick_and_place import plan_pick_and_place
+from things.blocks import Block
 
 
 @dataclass

@@ -15,12 +15,13 @@ import numpy as np
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "learner"))
 import learner
-from blocks import Block, same_size
-from colors import table_color
-from eye import height_map, onto_plane
-from faces import fit_face
 from learner import step
-from measuring import measure_block
+from see.colors import table_color
+from see.eye import height_map, onto_plane
+from see.faces import fit_face
+from see.measuring import measure_block
+from things.blocks import Block
+from things.kinds import same_size
 
 
 def init(aux):

@@ -13,9 +13,10 @@ import numpy as np
 
 from deeds import Action, continue_carrying, execute_action, fail, prepare
 
-from blocks import is_same_kind, yaw_difference
-from detection import detect_blocks
-from eye import Eye, height_map
+from see.detection import detect_blocks
+from see.eye import Eye, height_map
+from things.blocks import yaw_difference
+from things.kinds import is_same_kind
 
 
 def init(aux):

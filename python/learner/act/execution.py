@@ -1,0 +1,60 @@
+"""Executes actions of the arms, step by step."""
+
+import numpy as np
+
+from act.actions import ticks_within
+from act.gripping import grasp, open_fingers
+from constants import EXECUTION as C
+from see.pictures import num_pictures
+
+
+def execute_action(action, sensor, motor, aux):
+    """Executes one step of an action: sets `motor` for one tick, or for several where no feedback is
+    needed. Returns 'busy', 'done', or a description of the failure."""
+    for arm, of_arm in zip(sensor.arms, motor.arms):
+        of_arm.velocities = np.zeros(len(arm.joints))
+        of_arm.gripperVelocity = 0
+    motor.ticks = 1
+    aux.imageSeconds = C.no_image_s
+    action.time += sensor.timeElapsed
+    execute = {"observe": observe, "follow": follow, "press": press, "open": open_fingers, "grasp": grasp}
+    return execute[action.kind](action, sensor, motor, aux)
+
+
+def observe(action, sensor, motor, aux):
+    """Waits until the arms rest, then for a picture; if it has noise, for so many that their mean
+    has little, which takes the place of the last one."""
+    aux.imageSeconds = 0  # with the next step
+    if action.time <= C.settle_s or "rgbVision" not in sensor:
+        motor.ticks = max(ticks_within(C.settle_s - action.time, aux) + 1, 1)
+        return "busy"
+    if not action.pictures:
+        action.num_pictures = num_pictures(sensor.rgbVision)
+    action.pictures.append(sensor.rgbVision)
+    if len(action.pictures) < action.num_pictures:
+        return "busy"
+    if len(action.pictures) > 1:
+        sensor.rgbVision = np.mean(action.pictures, axis=0)
+    aux.imageSeconds = C.no_image_s
+    return "done"
+
+
+def follow(action, sensor, motor, aux):
+    """Follows a path until the measured joints have arrived, not until a fixed time. The velocities
+    along the path are chunks of some ticks. After its end, each tick has feedback."""
+    q = sensor.arms[action.arm.index].joints
+    delay = action.time - action.path.duration
+    if delay > 0 and np.abs(action.path.positions[-1] - q).max() < C.joint_tolerance_rad:
+        return "done"
+    num_ticks = min(ticks_within(-delay, aux) + 1, C.chunk_ticks)
+    # action.time is the end of the first of these ticks.
+    wanted, _ = action.path.at(action.time + aux.tickSeconds * np.arange(num_ticks))
+    motor.ticks = num_ticks
+    velocities = np.diff([q, *wanted], axis=0).T / aux.tickSeconds
+    motor.arms[action.arm.index].velocities = velocities
+    return "an obstacle is in the way of the arm" if delay > C.max_delay_s else "busy"
+
+
+def press(action, sensor, motor, aux):
+    """Follows a path to its end, or until something stops the arm."""
+    return "busy" if follow(action, sensor, motor, aux) == "busy" else "done"

@@ -1,0 +1,30 @@
+"""Which arms can hold a block, and which is the nearest."""
+
+from constants import ARMS as C
+
+
+def arms_for(steps, arms):
+    """Returns the arms whose grippers can hold the blocks of all steps except those that stay.
+
+    Raises ValueError if there are none.
+    """
+    width = max((step.size[1] for step in steps if not (step.stays or step.has_knob)), default=0)
+    able = [arm for arm in arms if can_hold(arm, width)]
+    if not able:
+        found = ", ".join(f"{arm.name}: " + (f"{arm.opening:.2f} units" if arm.opening else "none")
+                          for arm in arms)
+        raise ValueError(f"the robot has no gripper for blocks that are {width:.2f} units wide: "
+                         f"found {found}; expected one that opens at least "
+                         f"{width + C.opening_margin:.2f} units")
+    return able
+
+
+def can_hold(arm, width):
+    """Returns true if the gripper of an arm opens far enough for a width [units]."""
+    return arm.opening >= width + C.opening_margin
+
+
+def nearest_first(arms, x):
+    """Returns arms in the order in which they are tried at a place to the right of the middle (x >
+    0) or to the left of it: a list."""
+    return sorted(arms, key=lambda arm: -arm.foot[0] if x > 0 else arm.foot[0])

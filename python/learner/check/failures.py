@@ -1,0 +1,33 @@
+"""Grasps that failed: they are remembered, and not repeated."""
+
+import math
+
+import numpy as np
+
+from constants import MOTION_PLANNING, MOTION_PLANNING as C
+from things.held_parts import held_part
+
+
+def has_failed(grasp, failures):
+    """Returns true if a grasp is about the same as one that failed."""
+    for it in failures:
+        turn = (grasp.yaw - it.yaw + math.pi) % (2 * math.pi) - math.pi
+        if (it.arm == grasp.arm and abs(turn) < C.same_yaw_rad
+                and np.linalg.norm(it.position - grasp.position) < C.same_place_distance):
+            return True
+    return False
+
+
+def remember_failure(state, actions):
+    """Remembers that the first of the remaining actions failed: its grasp is not repeated. Unless
+    the block was released already, it is not where it was to go."""
+    if any(action.kind == "open" for action in actions[1:]):
+        state.known.pop()
+    state.moved = ""
+    state.failures.append(state.grasp)
+
+
+def num_failures(state, block):
+    """Returns the number of failed grasps of a block at its place."""
+    return sum(np.linalg.norm(grasp.position - held_part(block).position) < MOTION_PLANNING.same_place_distance
+               for grasp in state.failures)

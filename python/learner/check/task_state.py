@@ -1,0 +1,58 @@
+"""Progress and beliefs of the learner during a task."""
+
+from dataclasses import dataclass, field
+from typing import Callable, Optional
+
+import numpy as np
+
+from act.actions import Grasp
+from check.claims import Claim
+from see.eye import Eye
+from things.blocks import Block
+from things.kinds import same_size
+from things.resting import on_each_face
+from things.steps import Container
+
+
+@dataclass
+class TaskState:
+    """Progress and beliefs of the learner during a task."""
+
+    steps: list  # of the demonstration; once a site is chosen, at their places in this scene
+    container: Optional[Container] = None  # of some steps; once a site is chosen, in this scene
+    has_site: bool = False
+    known: list = field(default_factory=list)  # beliefs: Blocks at their last seen places
+    unknown_objects: list = field(default_factory=list)  # appearances of blocks of no step; their
+    #                                                      places are among the known
+    unexplained: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))  # as from
+    #                                                                            unexplained_points
+    done: list = field(init=False)  # whether each step's block is in its place
+    attempts: list = field(init=False)  # number of times that each step's block was carried there
+    num_temporary: int = 0  # number of blocks that were put at a temporary place so far
+    placement_errors: dict = field(default_factory=dict)  # of a step's block: [units], [rad]
+    num_blocked: int = 0  # number of successive steps for which no plan was found
+    insists_on: Optional[int] = None  # number of the step that comes next, for which others made room
+    first_failure: str = ""  # why the first of them failed
+    left: list = field(default_factory=list)  # Blocks at the places from which they were put aside
+    grasp: Optional[Grasp] = None  # of the current actions; its block is the last of the known
+    failures: list = field(default_factory=list)  # Grasps that failed, not to be repeated
+    moved: str = ""  # name of the last of the known, if it was moved and not seen since then
+    notes: list = field(default_factory=list)  # Notes that were not told yet
+    claim: Optional[Claim] = None  # about the result, at the end
+    presses: list = field(default_factory=list)  # of switches and buttons, in the demonstrated order
+    shown: Optional[Eye] = None  # the eye of the demonstration, which shows them
+    alignments: dict = field(default_factory=dict)  # of a control's name: Alignment of its surroundings
+    last_picture: Optional[np.ndarray] = None  # seen before the scene was still
+    num_looks: int = 0  # number of pictures until then
+    num_still: int = 0  # number of the last of them in which nothing moved
+    without: tuple = ()  # "depth", "second look": abilities that it does not use
+    see: Optional[Callable] = None  # told what is seen: from sensor, eye and steps to Blocks
+
+    def __post_init__(self):
+        self.done = [False] * len(self.steps)
+        self.attempts = [0] * len(self.steps)
+        # What has to be turned may lie on any of its faces.
+        self.unknown_objects += [
+            Block(step.color, size, np.array([0, 0, size[2] / 2]), 0.0)
+            for step in self.steps if step.start_size is not None
+            for size in on_each_face(step.size) if not same_size(size, step.size)]

@@ -1,0 +1,1 @@
+"""From a recording to its goal and its steps: what was done, and what of it matters."""

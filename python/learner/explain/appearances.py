@@ -1,0 +1,78 @@
+"""Measures the objects of a demonstration in its pictures."""
+
+import math
+
+import numpy as np
+
+from constants import TASK_MODEL as C
+from explain.part_measuring import measure_parts
+from explain.shown_pictures import read_picture
+from explain.tops import measure_ball, measure_top, measure_top_with_knob
+from things.blocks import Block
+from things.kinds import has_parts_of
+from things.steps import stands_on
+
+
+def measure_objects(demo, needed):
+    """Measures the appearance of the objects of a demonstration in its pictures: the texts contain
+    the pose of each object in each picture, so its top can be found there. An object began on the
+    table or on a lower one; its height is twice the distance of its middle from there.
+
+    Returns a dict: number -> Block at its first place, its sides along its own axes. Objects that
+    are not among the needed ones are left out if no picture shows them.
+    """
+    appearances = {}
+    pictures = {}  # cache
+    for n in sorted(range(len(demo.ids)), key=lambda n: demo.moves[n][0, 3]):
+        found = measure_object(demo, n, list(appearances.values()), pictures)
+        if found:
+            appearances[n] = found
+        elif n in needed:
+            raise ValueError(f"no picture of the demonstration shows {demo.ids[n]} entirely")
+    for it in appearances.values():
+        # What has the same layout is as high, whatever it stood on.
+        it.size[2] = min(other.size[2] for other in appearances.values()
+                         if other is it or has_parts_of(it, other, False))
+    return appearances
+
+
+def measure_object(demo, n, lower, pictures):
+    """Measures an object in the first frame that shows it entirely. Returns it as a Block at its
+    first place, or None.
+
+    lower:    Blocks that it may have stood on at the start
+    pictures: cache
+    """
+    _, *start, degrees = demo.moves[n][0][[0, 1, 2, 3, 6]]
+    frames = select_frames(demo, n)
+    # A lower block may be below: of a stack, the top of the whole could be that of a high block.
+    for bottom in sorted({0.0, *(it.top for it in lower if it.top < start[2])}, reverse=True):
+        height = 2 * (start[2] - bottom)
+        for frame, *pose in frames:
+            if frame not in pictures:
+                pictures[frame] = read_picture(demo, frame)
+            top = measure_top(pictures[frame], demo.eye, np.array(pose), height)
+            if not top:
+                continue
+            color, face = top
+            block = Block(color, np.append(face.sides, height), np.array(start),
+                          math.radians(degrees), form="disc" if face.is_round else "block")
+            if bottom == 0 or any(stands_on(block, it) for it in lower):
+                return block
+    start = np.array(start)
+    return (measure_ball(demo, start, frames, pictures)
+            or measure_top_with_knob(demo, n, start, math.radians(degrees), frames, pictures)
+            or measure_parts(demo, n))
+
+
+def select_frames(demo, n):
+    """Returns the frames in which an object may be entirely visible, with its pose, in rows as of
+    demo.moves: its first, those where it was highest, and some in which others were moved, which
+    may have covered it before."""
+    moves = demo.moves[n]
+    highest = np.argsort(-moves[:, 3], kind="stable")[:C.num_highest_frames]
+    frames = np.unique(np.concatenate([rows[:, 0] for rows in demo.moves]))
+    chosen = np.arange(C.num_other_frames) * (len(frames) - 1) // (C.num_other_frames - 1)
+    others = [[frame, *moves[moves[:, 0] <= frame][-1, 1:]] for frame in frames[chosen]
+              if frame >= moves[0, 0]]
+    return np.array([moves[0], *moves[highest], *others])

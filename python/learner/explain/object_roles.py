@@ -1,0 +1,34 @@
+"""What objects do in a demonstration: moved, used as tools, replaced by others."""
+
+import numpy as np
+
+from constants import TASK_MODEL as C
+
+
+def moved_objects(demo):
+    """Returns the numbers of the objects that hands moved, in the order of their last release."""
+    last = {n: when for when, n in enumerate(demo.placed)}
+    if not last:
+        raise ValueError("in this demonstration no hand moved anything")
+    return sorted(last, key=last.get)
+
+
+def tools_of(demo):
+    """Returns the numbers of the objects that were used as tools and put back where they began."""
+    used = {demo.ids.index(fields[1]) for _, word, fields in demo.events if word == "use"}
+    return {n for n in used if is_same_pose(demo.moves[n][0, 1:], demo.moves[n][-1, 1:])}
+
+
+def former_owner(demo, step):
+    """Returns the name of another moved object that began at the place of a step; empty if there is none."""
+    end = demo.moves[demo.ids.index(step.name)][-1, 1:]
+    for n in moved_objects(demo):
+        if demo.ids[n] != step.name and is_same_pose(demo.moves[n][0, 1:], end):
+            return demo.ids[n]
+    return ""
+
+
+def is_same_pose(one, other):
+    """Returns true if two poses, x y z [units] and three angles [degrees], are almost equal."""
+    away = np.abs(one - other)
+    return away[:3].max() < C.max_rest_error and away[3:].max() < C.max_rest_degrees

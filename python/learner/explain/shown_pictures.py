@@ -1,0 +1,31 @@
+"""The pictures of a demonstration, and the eye that saw them."""
+
+import numpy as np
+from PIL import Image
+
+from see.eye import Eye
+
+
+def eye_of(info):
+    """Returns the Eye that demo.json describes."""
+    eye = info.get("eye")
+    if not eye:
+        raise ValueError("the demonstration has no pictures, so that nothing shows how its objects "
+                         "look: record it without --no-pictures")
+    w, x, y, z = eye["rotation_wxyz"]  # a unit quaternion
+    v = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])  # v @ a is the cross product with a
+    pose = np.eye(4)
+    pose[:3, :3] += 2 * w * v + 2 * v @ v
+    pose[:3, 3] = np.array(eye["position_m"]) / info["meters_per_unit"]
+    return Eye(np.array([[eye["fx"], 0, eye["cx"]], [0, eye["fy"], eye["cy"]], [0, 0, 1]]), pose)
+
+
+def picture_frames(demo):
+    """Returns the frames that have pictures, a list."""
+    return sorted(int(it.stem) for it in demo.folder.glob("*/*.png") if it.stem.isdigit())
+
+
+def read_picture(demo, frame):
+    """Reads the picture of a frame: HxWx3, 0 to 1; None if there is none."""
+    found = sorted(demo.folder.glob(f"*/{int(frame)}.png"))
+    return np.asarray(Image.open(found[0]).convert("RGB")) / 255 if found else None

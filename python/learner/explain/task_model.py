@@ -1,0 +1,63 @@
+"""Infers from a demonstration what is to be done."""
+
+from dataclasses import replace
+
+from constants import TASK_MODEL as C
+from explain.appearances import measure_objects
+from explain.handles import measure_handle
+from explain.object_roles import former_owner, moved_objects, tools_of
+from explain.placed_steps import step_of
+from explain.shown_containers import measure_container
+from relate.dragging import was_dragged
+from things.steps import is_above, is_dragged, stands_on
+
+
+def infer_task(demo, attention):
+    """Returns a list of Steps in the order shown, one for each object that takes part, and the
+    Container that some of them were put into, or None. Objects that were not moved but support
+    others come first.
+
+    attention: the properties of objects that matter, if the demonstrator specified some, as in aux
+    """
+    moved = moved_objects(demo)
+    carried = [n for n in moved if not was_dragged(demo.moves[n])]
+    appearances = demo.appearances = measure_objects(demo, carried)
+    moved = [n for n in moved if n not in tools_of(demo)]
+    placed = [step_of(demo, n, appearances[n], attention) if n in carried
+              else measure_handle(demo, n) for n in moved]
+    steps = supports_of(placed, [
+        replace(step_of(demo, n, appearances[n], attention), stays=True)
+        for n in range(len(demo.ids)) if n in appearances and n not in moved]) + placed
+    set_order(steps, {name for name, properties in attention.items() if "order" in properties})
+    for step in steps:
+        if not step.on and step.bottom > C.min_inside_bottom and not is_dragged(step):
+            step.takes_place_of = former_owner(demo, step)
+    return steps, measure_container(demo, steps)
+
+
+def set_order(steps, ordered):
+    """Determines what each step stands on, and what else must be done before it: what it will cover, and,
+    where the order of an object matters, all that was placed before.
+
+    ordered: names of objects whose order the demonstrator attended
+    """
+    carriers = []  # of each step, the numbers of those that carry it, directly or not
+    for k, step in enumerate(steps):
+        step.on = [i for i, lower in enumerate(steps[:k]) if stands_on(step, lower)]
+        carriers.append(set(step.on).union(*(carriers[i] for i in step.on)))
+        step.after = [i for i, lower in enumerate(steps[:k])
+                       if i not in carriers[k] and is_above(step, lower)
+                       or not lower.stays and not {step.name, lower.name}.isdisjoint(ordered)]
+
+
+def supports_of(steps, others):
+    """Returns those of some other steps on which steps stand at the end, directly or on others: a
+    list, the lowest first."""
+    found = []
+    upper = list(steps)
+    while upper:
+        step = upper.pop()
+        below = [it for it in others if it not in found and stands_on(step, it)]
+        found += below
+        upper += below
+    return sorted(found, key=lambda step: (step.position[2], others.index(step)))

@@ -1,0 +1,76 @@
+"""Measures tops and balls in the pictures of a demonstration, at known poses."""
+
+import math
+
+import numpy as np
+
+from constants import PERCEPTION, TASK_MODEL as C
+from see.balls import ball_color
+from see.colors import color_mask, frequent_colors
+from see.covered import smallest_rectangle
+from see.eye import onto_plane, pixel_at
+from see.faces import fit_face
+from see.regions import label_regions
+from things.blocks import Block
+
+
+def measure_top(picture, eye, pose, height):
+    """Measures the top of an upright object: its color, and its Face, the sides along the object's x
+    and y axes; None if it is not entirely visible.
+
+    pose: x y z of its center [units], angles about x, y, z [degrees]
+    """
+    top = pose[:3] + [0, 0, height / 2]
+    pixel = pixel_at(picture, eye, top) if picture is not None else None
+    if pixel is None:
+        return None
+    color = picture[pixel]
+    number = label_regions(color_mask(picture, color))
+    row, column = np.nonzero(number == number[pixel])
+    face = fit_face(*onto_plane(row, column, eye, top[2]), math.radians(pose[5]))
+    off = np.hypot(*(face.center - top[:2]))
+    is_whole = off < C.max_center_error and face.misfit < PERCEPTION.misfit
+    return (color, face) if is_whole else None
+
+
+def measure_ball(demo, start, frames, pictures):
+    """Measures an object that may be a ball on the table, like measure_object."""
+    radius = start[2]
+    for frame, *pose in frames:
+        picture = pictures[frame]
+        color = ball_color(picture, demo.eye, np.array(pose[:3]), radius) if picture is not None else None
+        if color is not None:
+            return Block(color, np.full(3, 2 * radius), start, 0.0, form="ball")
+    return None
+
+
+def measure_top_with_knob(demo, n, start, yaw, frames, pictures):
+    """Measures an object with a part in the middle of its top, like measure_object. Its height is twice
+    that of its middle where a hand put it lowest, on the table."""
+    height = 2 * demo.moves[n][:, 3].min()
+    for frame, *pose in frames if n in demo.placed else []:
+        picture = pictures[frame]
+        for color in frequent_colors(picture, PERCEPTION.min_rim_pixels) if picture is not None else []:
+            sides = sides_around(picture, demo.eye, color, pose, height)
+            if sides is not None:
+                return Block(color, np.append(sides, height), start, yaw, has_knob=True)
+    return None
+
+
+def sides_around(picture, eye, color, pose, height):
+    """Returns the sides of a top of a color at a pose, if most of it, but not its middle, is visible;
+    otherwise None."""
+    top = pose[:3] + np.array([0, 0, height / 2])
+    number = label_regions(color_mask(picture, color))
+    middle = pixel_at(picture, eye, top)
+    for region in np.flatnonzero(np.bincount(number.ravel()) >= PERCEPTION.min_rim_pixels):
+        if region == 0 or middle is None or number[middle] == region:
+            continue
+        row, column = np.nonzero(number == region)
+        x, y, area = onto_plane(row, column, eye, top[2])
+        pixel = np.sqrt(np.median(area))
+        face = smallest_rectangle(x, y, pixel, math.radians(pose[5]))
+        is_there = np.hypot(*(face.center - top[:2])) < C.max_container_error
+        if is_there and area.sum() > C.min_top_seen * face.sides.prod():
+            return face.sides
+    return None

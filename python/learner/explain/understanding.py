@@ -1,0 +1,26 @@
+"""What the learner understands of a demonstration, from its recording to the steps of the task."""
+
+from explain.demonstration import read_demonstration
+from explain.devices import infer_devices
+from explain.explanation import explain
+from explain.sentences import page_of
+from explain.task_model import infer_task
+
+
+def understand(aux):
+    """Reads the demonstration of a brain, and prints what it shows. Returns the Demonstration, the Steps of the task,
+    the Container or None, and the Presses and Uses."""
+    demo = read_demonstration(aux.demonstration)
+    steps, container = infer_task(demo, aux.attention)
+    presses = infer_devices(demo, steps)
+    page = page_of(explain(demo, container))
+    for line in page:
+        print(line)
+    aux.notes = [f"understood: {line.strip()}" for line in page]
+    for k, step in enumerate(steps):
+        place = ", ".join(steps[lower].name for lower in step.on) or "the table"
+        print(f"shown: {k + 1}. {step} on {place}")
+    for press in presses:
+        before = ", ".join(steps[k].name for k in press.after) or "nothing"
+        print(f"shown: {press} after {before}")
+    return demo, steps, container, presses

@@ -1,0 +1,58 @@
+"""Chooses where the building goes in the scene."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from constants import BUILDING_SITE as C, numbers_of
+from match.found_places import place_dragged, place_in_container
+from match.landmarks import place_by_what_stays, place_of_other
+from match.sites import NoSite, first_within_reach, site_cost
+from things.steps import is_dragged
+
+
+def choose_site(state, arms, picture, eye):
+    """Chooses the site of the building and moves the steps there: steps for a container to where it
+    is detected, dragged steps to the detected object, others to the objects that the demonstration
+    did not move, or to a free site on the table. If there is no such site, state.has_site stays
+    false. Returns the reason, or None."""
+    try:
+        replacing = [step for step in state.steps if step.takes_place_of]
+        carried = [step for step in state.steps if not is_dragged(step) and step not in replacing]
+        if state.container:
+            carried, state.container = place_in_container(carried, state.container, state.known,
+                                                          picture, eye)
+        elif carried:
+            carried = (place_by_what_stays(carried, state.known, arms, eye)
+                       or place_on_table(carried, state.known, arms, eye))
+        carried = iter(carried)
+        state.steps = [place_dragged(step, state.known) if is_dragged(step)
+                       else place_of_other(step, state.steps, state.known) if step in replacing
+                       else next(carried) for step in state.steps]
+    except NoSite as problem:
+        return str(problem)
+    state.has_site = True
+    return None
+
+
+def place_on_table(steps, known, arms, eye):
+    """Moves steps to the site with the lowest cost at which the nearest arm reaches each place."""
+    demonstrated = np.array([step.position[:2] for step in steps])
+    center = (demonstrated.min(axis=0) + demonstrated.max(axis=0)) / 2
+    sites = []
+    for y in numbers_of(*C.y):
+        for x in numbers_of(*C.x):
+            moved = shifted(steps, [x, y] - center)
+            # Far from the robot the building occludes little; close to it the arms reach more.
+            cost = C.far_cost * abs(y - C.best_y)
+            cost += C.side_cost * abs(x) + site_cost(moved, known, eye)
+            sites.append((cost, moved))
+    moved = first_within_reach(sites, arms)
+    if not moved:
+        raise NoSite("the building is not within reach anywhere on the table")
+    return moved
+
+
+def shifted(steps, displacement):
+    """Returns the steps displaced by x, y [units]."""
+    return [replace(step, position=step.position + [*displacement, 0]) for step in steps]

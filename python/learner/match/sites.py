@@ -1,0 +1,42 @@
+"""Sites of a building: what they cost, and whether the arms reach them."""
+
+from act.finger_room import is_grasp_blocked
+from act.grippers import nearest_first
+from act.reach import is_reachable
+from constants import BUILDING_SITE as C
+from see.sight import is_top_hidden
+from things.kinds import is_same_kind
+from things.supports import assumed_support
+
+
+class NoSite(Exception):
+    """No site was found for the building."""
+
+
+def site_cost(steps, known, eye):
+    """Returns the cost of a site: the lengths of the blocks that are in the way there or would be
+    blocked by the building; a part of those of needed blocks that it would hide; and those of
+    blocks on others that may be needed and were never seen, if it would hide them."""
+    cost = 0
+    for block in known:
+        if is_grasp_blocked(block, steps):
+            cost += block.size[0]
+        elif (any(is_same_kind(block, step) for step in steps)
+              and is_top_hidden(block, steps, eye)):
+            cost += C.hidden_cost * block.size[0]
+        if any(is_top_hidden(it, steps, eye) for it in assumed_support(block)):
+            cost += block.size[0]
+    return cost
+
+
+def first_within_reach(sites, arms):
+    """Returns the steps of the cheapest site at which the nearest arm reaches each place to which
+    something goes; None if there is none.
+
+    sites: cost and steps of each
+    """
+    for _, steps in sorted(sites, key=lambda site: site[0]):
+        if all(step.stays or is_reachable(nearest_first(arms, step.position[0])[0], step)
+               for step in steps):
+            return steps
+    return None

@@ -1,0 +1,45 @@
+"""Checks a hand and what it carries along a path against what the eye sees."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from act.arm_clearance import samples
+from constants import MOTION_PLANNING, SKYLINE as C
+from plan.skyline import Skyline, skyline_of
+
+
+@dataclass
+class Surroundings:
+    """What a hand and its load must avoid, as widened skylines."""
+
+    of_load: Skyline
+    of_arm: Skyline
+
+    def avoids(self, arm, path, load=None):
+        """Returns true if an arm, from its fingers on, and its load pass over them on a path."""
+        for q in samples(path):
+            tool = arm.forward(q)
+            if load and not self.of_load.is_below(load.at(tool)):
+                return False
+            if not self.of_arm.is_below(hand_and_forearm(arm, q, tool)):
+                return False
+        return True
+
+
+def surroundings_of(points):
+    """Returns the Surroundings that visible points are, Nx3 [units]."""
+    skyline = skyline_of(points + [0, 0, C.margin])
+    return Surroundings(skyline.widened(C.margin), skyline.widened(MOTION_PLANNING.arm_radius))
+
+
+def hand_and_forearm(arm, q, tool):
+    """Returns the lowest points of an arm at joint angles, from its hand to its first joint, and its fingertips, Nx3.
+
+    tool: its pose there, 4x4
+    """
+    fractions = np.linspace(0, 1, MOTION_PLANNING.points_per_link)[:, None]
+    points = arm.points(q)
+    links = [one + fractions * (other - one) for one, other in zip(points, points[1:])]
+    fingers = tool[:3, 3] + np.array([[arm.reach], [0]]) * tool[:3, 2]
+    return np.concatenate([fingers, *(link - [0, 0, MOTION_PLANNING.arm_radius] for link in links)])

@@ -1,0 +1,43 @@
+"""Proposes moves that uncover blocks, and that clear room for fingers."""
+
+import numpy as np
+
+from act.finger_room import grasp_yaws
+from constants import TASK_PLANNING as C
+from plan.moves import Move, distinct
+from plan.obstruction import has_objects_on, is_close, is_support_known
+from see.sight import is_top_hidden
+from things.kinds import is_same_kind
+from things.supports import assumed_support
+
+
+def uncovering_moves(state, free, eye):
+    """Returns the moves of blocks that lie on others which were never seen and which the building
+    would hide, as long as blocks are missing: a list of Moves."""
+    def is_missing(step):
+        fits = [block for block in state.known if is_same_kind(block, step)]
+        users = [it for it in state.steps if fits and is_same_kind(fits[0], it)]
+        return len(fits) < len(users) or not fits
+
+    if not any(map(is_missing, state.steps)):
+        return []
+    return [Move(block) for block in free
+            if not has_objects_on(block, free) and not is_support_known(block, state.known)
+            and any(is_top_hidden(it, state.steps, eye) for it in assumed_support(block))]
+
+
+def clearing_moves(state, moves, free):
+    """Returns the moves of blocks that leave no room for the fingers at the blocks of other moves:
+    a list of Moves, first of those that are alone in the way, then of the closest."""
+    alone, closest = [], []
+    for block in distinct(move.block for move in moves):
+        others = [it for it in state.known if it is not block]
+        if grasp_yaws(block, others):
+            continue
+        beside = sorted((it for it in free if it is not block and is_close(it, block)
+                         and not has_objects_on(it, free)),
+                        key=lambda it: np.linalg.norm(it.position - block.position))
+        closest += beside[:1]
+        alone += [it for it in beside[:C.max_beside]
+                  if grasp_yaws(block, [other for other in others if other is not it])]
+    return [Move(block) for block in distinct(alone + closest)]

@@ -1,0 +1,67 @@
+"""Plans the next move for a step."""
+
+from check.failures import num_failures
+from check.notes import action_note, name_of
+from constants import ARMS, TASK_PLANNING as C
+from plan.clearing import clearing_moves, uncovering_moves
+from plan.making_room import room_moves
+from plan.move_planning import plan_move
+from plan.proposals import propose_moves, turning_moves
+
+
+def plan_step(state, k, free, is_last_resort, eye, arms, sensor):
+    """Plans the first possible of the moves that may come next for a step. Returns actions and None; or [] and the
+    reason if there are none.
+
+    k:              number of the step
+    free:           the known blocks that are in no step's place
+    is_last_resort: whether no other step can be done either
+    """
+    if state.attempts[k] >= C.max_attempts:
+        return [], f"{C.max_attempts} attempts failed"
+    if state.num_temporary >= C.max_temporary_placements:
+        return [], f"blocks were put aside {C.max_temporary_placements} times already"
+    step = state.steps[k]
+    reason = "no matching block is visible"
+    for move in moves_for(state, step, free, is_last_resort, eye, arms, sensor):
+        if num_failures(state, move.block) >= C.max_failed_grasps:
+            reason = f"{C.max_failed_grasps} grasps of a block failed"
+            continue
+        actions, place, is_temporary, reason = plan_move(state, step, move, eye, arms, sensor)
+        if actions:
+            begin(state, k, move, place, is_temporary, actions)
+            return actions, None
+    return [], reason
+
+
+def moves_for(state, step, free, is_last_resort, eye, arms, sensor):
+    """Returns the moves that may come next for a step, the best first: a list of Moves."""
+    moves = uncovering_moves(state, free, eye) + propose_moves(state, step, free)
+    moves += turning_moves(step, free, max(arm.opening for arm in arms) - ARMS.opening_margin)
+    moves += clearing_moves(state, moves, free)
+    if is_last_resort:
+        # Room on the table, and for fingers beside what is built.
+        moves += room_moves(state, step, moves, free, arms, eye, sensor)
+        moves += clearing_moves(state, moves, state.known)
+    return moves
+
+
+def begin(state, k, move, place, is_temporary, actions):
+    """Updates the beliefs and the progress for a move for a step, which is expected to succeed.
+
+    k:            number of the step
+    place:        the block where it will be
+    is_temporary: whether that is a temporary place
+    """
+    if is_temporary:
+        state.num_temporary += 1
+        state.left.append(move.block)
+    else:
+        state.attempts[k] += 1
+    state.known.remove(move.block)
+    state.known.append(place)
+    grasp = next(action for action in actions if action.kind == "grasp")
+    state.grasp = grasp.grasp
+    has_name = move.goal or move.turns
+    state.moved = state.steps[k].name if has_name else name_of(move.block, state.steps)
+    state.notes.append(action_note(state.moved, move, place, is_temporary, grasp.arm))

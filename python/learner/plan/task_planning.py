@@ -1,0 +1,72 @@
+"""Chooses the next actions from the demonstrated steps and the beliefs about the scene."""
+
+import math
+
+import numpy as np
+
+from act.actions import Action
+from check.claims import Claim, give_up
+from check.looking import is_moving, observe
+from check.notes import plan_notes
+from check.progress import assess_progress, open_steps
+from match.building_site import choose_site
+from plan.device_planning import choose_device, forget_fixtures, locate_controls
+from plan.step_planning import plan_step
+from see.eye import height_map
+
+
+def choose_actions(state, sensor, eye, arms):
+    """Updates the beliefs from a picture and plans the next actions: a list; [] when everything is
+    built or no plan is found (state.claim says which)."""
+    picture = sensor.rgbVision / 255
+    if state.presses and not state.has_site and is_moving(state, picture):
+        return [Action("observe")]
+    if not state.has_site or "second look" not in state.without:
+        observe(state, sensor, picture, eye)
+    heights = height_map(sensor.depthVision, eye) if state.presses else None
+    if not state.has_site:
+        problem = choose_site(state, arms, picture, eye) or locate_controls(state, picture, heights, eye)
+        if problem:
+            give_up(state, f"before it began: {problem}")
+            return []
+        state.notes += plan_notes(state.steps)
+
+    used = assess_progress(state)
+    if state.presses:
+        forget_fixtures(state, picture, heights, eye)
+        actions, reason = choose_device(state, arms, picture, heights, eye, sensor)
+        if reason:
+            give_up(state, f"at the {reason}")
+        if actions or reason:
+            return actions
+    steps = open_steps(state)
+    if not steps:
+        distance, angle = np.max([(0, 0), *state.placement_errors.values()], axis=0)
+        state.claim = Claim(True, "as seen within %.2f units and %.1f degrees" % (
+            distance, math.degrees(angle)))
+        return []
+    return plan_one_of(steps, state, [block for block in state.known if block not in used], eye, arms, sensor)
+
+
+def plan_one_of(steps, state, free, eye, arms, sensor):
+    """Plans the next of some steps in the demonstrated order; while that is blocked, one of the others, next time.
+    Returns actions; [] if all are blocked.
+
+    steps: their numbers
+    free:  the known blocks that are in no step's place
+    """
+    insisted, state.insists_on = state.insists_on, None
+    k = insisted if insisted in steps else steps[state.num_blocked % len(steps)]
+    is_last_resort = k == insisted or state.num_blocked >= len(steps)
+    actions, reason = plan_step(state, k, free, is_last_resort, eye, arms, sensor)
+    if actions:
+        state.num_blocked = 0
+        state.insists_on = k if is_last_resort else None
+        return actions
+    if state.num_blocked == 0:
+        state.first_failure = f"{state.steps[k]}: {reason}"
+    state.num_blocked += 1
+    if state.num_blocked > len(steps) + 1:
+        give_up(state, f"at {state.first_failure}")
+        return []
+    return [Action("observe")]

@@ -1,0 +1,66 @@
+"""Plans to bring blocks to temporary places on the table."""
+
+from act.finger_room import grasp_yaws, is_grasp_blocked
+from act.reach import can_reach
+from constants import TASK_PLANNING as C
+from plan.free_places import free_placements, is_near
+from plan.obstruction import is_close
+from plan.pick_and_place import plan_pick_and_place
+from see.sight import is_top_hidden
+
+
+def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, failures, left,
+                             unexplained):
+    """Plans the actions that bring a block to a free place on the table, within the eye's view.
+
+    others:   obstacles, as Blocks
+    sites:    lists of blocks to keep clear of, existing or planned; the first list that leaves a
+              place counts
+    goal:     target to which an arm must be able to move it from there, or None
+    failures: Grasps that are not to be repeated
+    left:     places to which it does not return, as Blocks
+    unexplained: as from unexplained_points
+    Returns actions, the block at that place, and None; or [], None and a reason if there is none.
+    """
+    if not can_reach(arms, block):
+        return [], None, "no arm reaches it"
+    reason = "there is no free place on the table"
+    for site in sites:
+        tried = []
+        for place in free_placements(arms, eye, block, others + site, goal, unexplained):
+            has_yaw = [it for it in tried if it.yaw == place.yaw]
+            if is_near(place, left + has_yaw) or not is_suitable(place, arms, eye, others, site):
+                continue
+            actions, why = plan_to_place(arms, block, place, others, sensor, goal, failures)
+            if actions:
+                return actions, place, None
+            reason = why or reason
+            tried.append(place)
+            if len(tried) == C.max_place_attempts:
+                break
+    return [], None, reason
+
+
+def is_suitable(place, arms, eye, others, site):
+    """Returns true if a block at a place blocks nothing of a site and no grasp of others, is seen, and can be taken
+    again."""
+    return not (is_grasp_blocked(place, site) or is_top_hidden(place, site, eye) or blocks_grasps(place, others)
+                or not can_reach(arms, place))
+
+
+def plan_to_place(arms, block, place, others, sensor, goal, failures):
+    """Plans the actions that bring a block to a place from which an arm can move it to a goal, if there is one.
+    Returns actions and None; or [], and the reason if it can only be moved on from there."""
+    if goal is not None and not plan_pick_and_place(arms, place, goal, others, sensor)[0]:
+        return [], None
+    return plan_pick_and_place(arms, block, place, others, sensor, failures)
+
+
+def blocks_grasps(place, others):
+    """Returns true if a block at a place would leave no room for the fingers at one of the others
+    that can be grasped without it."""
+    for block in (it for it in others if is_close(it, place)):
+        rest = [it for it in others if it is not block]
+        if grasp_yaws(block, rest) and not grasp_yaws(block, [*rest, place]):
+            return True
+    return False

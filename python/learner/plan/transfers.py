@@ -1,0 +1,47 @@
+"""Plans how one arm brings a block from one place to another, held in a given way."""
+
+import numpy as np
+
+from act.actions import Action, Grasp
+from act.segments import at_height
+from constants import MOTION_PLANNING as C
+from plan.arm_paths import plan_path_through
+from plan.heights import grip_depth
+
+
+def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift, others, q,
+                            is_goal_dragged):
+    """Plans to bring a block to a goal with one arm and given yaws of the gripper; [] if that arm
+    cannot.
+
+    grasp_yaw, place_yaw: directions from finger to finger [rad]
+    height:               of the tool between both places [units]
+    lift:                 of the tool over the block; below `height`, the way leads over the middle
+                          between both places [units]
+    others:               obstacles, as Blocks
+    q:                    its joint angles [rad]
+    is_goal_dragged:      whether it is dragged there, not lifted
+    """
+    width = block.size[1]
+    opening = min(width + C.opening_margin, arm.opening)
+    # Of the tool, from the block's center.
+    offset = np.array([0, 0, block.size[2] / 2 - grip_depth(arm, block.size[2])])
+    start = arm.tool_pose(block.position + offset, grasp_yaw, width)
+    over_start = at_height(start, lift)
+    end = arm.tool_pose(goal.position + offset + [0, 0, C.place_height_margin], place_yaw, width)
+    over_end = at_height(end, height)
+    via = []
+    if lift < height:
+        via = [at_height(start, height)]
+        via[0][:2, 3] = (start[:2, 3] + end[:2, 3]) / 2
+    # A dragged object is not lifted.
+    transfer = [end] if is_goal_dragged else [over_start, *via, over_end, end]
+    to_block = [*via, over_start, start]
+    path = plan_path_through(arm, [*to_block, *transfer, over_end], others, q)
+    if not path:
+        return []
+    moves = [Action("follow", arm, it) for it in path]
+    return [Action("open", arm, to=opening), *moves[:len(to_block)],
+            Action("grasp", arm, width=width, grasp=Grasp(block.position, arm.index, grasp_yaw)),
+            *moves[len(to_block):-2],
+            Action("open", arm, to=opening), *moves[-2:], Action("observe")]

@@ -1,0 +1,44 @@
+"""Plans uses of tools: take one, bring it to where it works, close the gripper again, and put it back."""
+
+import numpy as np
+
+from act.actions import Grasp
+from act.finger_room import grasp_yaws
+from act.grippers import can_hold, nearest_first
+from check.failures import has_failed
+from match.pressing import is_changed
+from match.tools import find_tool
+from plan.carrying import surroundings_of
+from plan.loads import belongs_to
+from plan.use_paths import plan_arm_use
+from things.areas import rotated
+
+
+def plan_use(use, alignment, surface, state, arms, sensor):
+    """Plans a Use. Returns actions, the Grasp of the tool, and None; or [], None and the reason."""
+    found = find_tool(use, state.known, surface, state.shown)
+    if not found:
+        return [], None, f"{use.tool.name} is not visible"
+    block, tool = found
+    # Should it fail, the tool is no longer where it was.
+    state.known.remove(block)
+    others = list(state.known)
+    state.known.append(block)
+    begin, end = (np.append(rotated(it[:2] - alignment.place, -alignment.angle), it[2])
+                  for it in (use.begin, use.pose[:3]))
+    turn = use.pose[3] - alignment.angle - tool.yaw
+    is_tool = belongs_to(tool, surface.points)
+    looks, around = surface.points[is_tool], surface.points[~is_tool]
+    # On the straight way to its work, the tool passes as in the demonstration, and may touch what it changes.
+    fixed = around[~is_changed(use, alignment, around, state.shown)]
+    avoided = surroundings_of(around), surroundings_of(fixed)
+    for arm in nearest_first([it for it in arms if can_hold(it, tool.size[1])], tool.position[0]):
+        for across in grasp_yaws(tool, others):
+            attempt = Grasp(tool.position, arm.index, across)
+            if has_failed(attempt, state.failures):
+                continue
+            actions = plan_arm_use(arm, tool, looks, across, (begin, end), turn, avoided,
+                                   sensor.arms[arm.index].joints)
+            if actions:
+                return actions, attempt, None
+    return [], None, "no arm brings it there and back"

@@ -1,0 +1,1 @@
+"""From pictures and depth to blocks: what is there, and where."""

@@ -1,0 +1,20 @@
+"""The parts by which blocks are held: their knobs, or themselves."""
+
+import numpy as np
+
+from things.areas import rotated
+from things.blocks import Block
+
+
+def held_part(block):
+    """Returns the part by which a block is held: its knob where that is now, or the block."""
+    knob = block.knob
+    if knob is None:
+        return block
+    away = np.append(rotated(knob.position[:2], block.yaw), knob.position[2])
+    return Block(knob.color, knob.size, block.position + away, block.yaw + knob.yaw)
+
+
+def with_held_parts(blocks):
+    """Returns blocks and their knobs, a list of Blocks."""
+    return blocks + [held_part(it) for it in blocks if it.knob]

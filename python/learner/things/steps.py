@@ -1,0 +1,60 @@
+"""Steps of a task: blocks at their places in the finished building, and open boxes around them."""
+
+from dataclasses import dataclass, field
+from typing import Optional
+
+import numpy as np
+
+from constants import BLOCKS, TASK_MODEL as C
+from things.areas import footprint, overlap
+from things.blocks import Block
+
+
+@dataclass(eq=False)
+class Step(Block):
+    """A block at its place in the finished building. Its color is None where that does not
+    matter."""
+
+    name: str  # of the object in the demonstration, for messages
+    on: list  # numbers of the steps that it stands on; empty for the table
+    displacement: Optional[np.ndarray] = None  # x y [units] of a dragged object, whose color and
+    #                                            size are those of its handle
+    stays: bool = False  # true for an object that the demonstration did not move
+    begins_there: bool = False  # true for an object that began where it ends
+    after: list = field(default_factory=list)  # numbers of steps that must be done before it, also if
+    #                                            it does not stand on them
+    takes_place_of: str = ""  # name of the object that began at the place of this step
+    start: Optional[np.ndarray] = None  # x y z of its center at the start of the demonstration [units]
+    start_size: Optional[np.ndarray] = None  # as size, of an object that began on another face
+    tolerance: float = BLOCKS.position_tolerance  # of its position [units]
+
+    def __str__(self):
+        return "%s (%.3g x %.3g x %.3g)" % (self.name, *self.size)
+
+
+@dataclass(eq=False)
+class Container(Block):
+    """An open box that blocks were put into."""
+
+    name: str  # of the object in the demonstration, for messages
+    floor: float  # height of its floor above the table [units]
+
+
+def is_dragged(goal):
+    """Returns true if a goal (a Step or a Block) is for an object that is dragged there, not
+    carried."""
+    return getattr(goal, "displacement", None) is not None
+
+
+def stands_on(upper, lower):
+    """Returns true if the bottom of a block touches the top of another one."""
+    gap = upper.bottom - lower.top
+    [one] = footprint([upper], 0)
+    return abs(gap) < C.max_support_gap and overlap(one, footprint([lower], 0)).any()
+
+
+def is_above(upper, lower):
+    """Returns true if a block is over another one, at any distance."""
+    [one] = footprint([upper], -C.min_above)
+    is_higher = upper.bottom > lower.top - C.max_support_gap
+    return is_higher and overlap(one, footprint([lower], 0)).any()

@@ -1,0 +1,57 @@
+"""Tests how the arms hold blocks, and where noisy joints are."""
+
+import unittest
+from types import SimpleNamespace
+
+import numpy as np
+
+from act.finger_room import grasp_yaws, is_grasp_blocked
+from act.joint_estimates import JointEstimates
+from scenes import BLUE, CUBE, GREEN, PLANK, RED, block
+
+
+class JointEstimatesTest(unittest.TestCase):
+    """The joints are measured with noise."""
+
+    TICK = 1 / 60  # [s]
+
+    def estimates_while(self, truths, told, noise):
+        """Returns the estimates of one arm of two joints that begins at [0, 0]."""
+        random = np.random.default_rng(1)
+        joints = JointEstimates([np.zeros(2)])
+        estimates = []
+        for truth, velocities in zip(truths, told):
+            arm = SimpleNamespace(joints=truth + noise * random.standard_normal(2))
+            joints.correct(SimpleNamespace(timeElapsed=self.TICK, arms=[arm]), self.TICK)
+            joints.remember(SimpleNamespace(arms=[SimpleNamespace(velocities=velocities)]))
+            estimates.append(arm.joints)
+        return np.array(estimates)
+
+    def test_noisy_joints_are_where_the_motors_brought_them(self):
+        told = np.repeat([[0, 0], [0.5, -0.5], [0, 0]], [20, 60, 20], axis=0)
+        truths = np.cumsum(np.vstack([[0, 0], told[:-1]]), axis=0) * self.TICK
+        pushed = truths + np.repeat([[0], [0.1]], [90, 10], axis=0)
+        exact = self.estimates_while(pushed, told, 0)
+        np.testing.assert_array_equal(exact, pushed)
+        noisy = self.estimates_while(truths, told, 0.01)
+        self.assertLess(np.abs(noisy - truths).max(), 0.004)
+
+    def test_joints_stop_at_an_obstacle_whatever_the_motors_are_told(self):
+        told = np.repeat([[0, 0], [0.2, 0]], [20, 120], axis=0)
+        blocked = self.estimates_while(np.zeros((140, 2)), told, 0.01)
+        self.assertLess(np.abs(blocked).max(), 0.1, "the motors were told to go to 0.4")
+
+
+class FingerRoomTest(unittest.TestCase):
+    def test_grasp_yaws_avoid_other_blocks(self):
+        middle = block(RED, CUBE, 0, -2)
+        left, right = block(GREEN, CUBE, -1.1, -2), block(GREEN, CUBE, 1.1, -2)
+        self.assertEqual(len(grasp_yaws(middle, [])), 4)
+        np.testing.assert_allclose(np.sin(grasp_yaws(middle, [left, right])), [1, -1])
+        self.assertEqual(grasp_yaws(block(RED, PLANK, 0, -3.1), [middle]), [])
+        self.assertTrue(is_grasp_blocked(middle, [left, right, block(BLUE, CUBE, 0, -3.1)]))
+        self.assertFalse(is_grasp_blocked(middle, [block(BLUE, CUBE, 4, -2)]))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,115 @@
+"""Tests tasks with containers, from the demonstration to the moves: an open box, and a pot with a lid."""
+
+import math
+import unittest
+
+import numpy as np
+
+from act.finger_room import grasp_yaws
+from check.progress import assess_progress, open_steps
+from check.task_state import TaskState
+from explain.demonstration import read_demonstration
+from explain.explanation import explain
+from explain.task_model import infer_task
+from match.building_site import choose_site
+from plan.proposals import propose_moves
+from recordings import RecordingTest
+from scenes import BLUE, BROWN, CUBE, EYE, RED, block, empty_box, picture_of, view_of
+from see.containers import detect_container
+from see.detection import detect_blocks
+from see.knobs import find_knobs
+from things.held_parts import held_part
+from things.walls import container_walls
+
+
+class ContainerTest(RecordingTest):
+    """A blue cube is put into a box whose floor is 0.2 high."""
+
+    def setUp(self):
+        cube = block(BLUE, CUBE, 3, -3)
+        self.record(picture_of([*empty_box(-1, -1, 0), cube]))
+        self.write(0, ["0,create,Case,shape,box", "0,create,Blue,shape,block",
+                       "0,move,Case,-1.0,-1.0,0.45,0.0,0.0,0.0",
+                       "0,move,Blue,3.0,-3.0,0.5,0.0,0.0,0.0"])
+        self.write(1, ["1,grasp,LeftHand,Blue", "2,release,LeftHand",
+                       "2,move,Blue,0.5,-1.3,0.7,0.0,0.0,0.0"])
+        self.steps, self.container = self.infer_task()
+
+    def test_it_is_measured_where_it_stands(self):
+        np.testing.assert_allclose(self.container.position, [-1, -1, 0.45], atol=0.03)
+        np.testing.assert_allclose(self.container.size, [5, 2.6, 0.9], atol=0.05)
+        self.assertAlmostEqual(self.container.floor, 0.2)
+
+    def test_it_is_detected_elsewhere_with_its_content(self):
+        there = block(BLUE, CUBE, 0.9, -1.6, bottom=0.2, yaw=0.3)
+        picture = picture_of([*empty_box(1, -2, 0.3), there])
+        found, turn = detect_container(picture, EYE, self.container)
+        np.testing.assert_allclose(found.position, [1, -2, 0.45], atol=0.03)
+        self.assertAlmostEqual(turn, 0.3, delta=0.02)
+        [seen] = detect_blocks(picture, EYE, self.steps, found)
+        self.assertAlmostEqual(seen.position[2], 0.7)
+        there.position = found.position + [0, 0, 0.25]
+        self.assertEqual(len(grasp_yaws(there, container_walls(found))), 4)
+        there.position = found.position + [1.7 * math.cos(0.3), 1.7 * math.sin(0.3), 0.25]
+        self.assertEqual(len(grasp_yaws(there, container_walls(found))), 2)
+
+
+def pot(x, y):
+    """Returns the walls of a pot, the far ones first, and its floor."""
+    walls = [((2.5, 0.2), (0, 1.15)), ((0.2, 2.5), (1.15, 0)), ((0.2, 2.5), (-1.15, 0)),
+             ((2.5, 0.2), (0, -1.15))]
+    return [block(BROWN, np.array([2.3, 2.3, 0.2]), x, y),
+            *(block(BROWN, np.array([*size, 1.5]), x + away[0], y + away[1]) for size, away in walls)]
+
+
+class LidTest(RecordingTest):
+    """A lid with a knob is put beside a pot, a red cube into the pot, and the lid on the pot again."""
+
+    def setUp(self):
+        cubes = [block(RED, CUBE, 3, -3), block(RED, CUBE, -2, -2, bottom=0.2)]
+        self.record(picture_of([*self.lid(-2, -2, 1.5), cubes[0]]),
+                    picture_of([*pot(-2, -2), *self.lid(2, 0, 0), cubes[0]]),
+                    picture_of([*self.lid(-2, -2, 1.5)]))
+        self.write(0, ["0,create,Pot,shape,box", "0,create,Lid,shape,composite",
+                       "0,create,Red,shape,block", "0,move,Pot,-2.0,-2.0,0.75,0.0,0.0,0.0",
+                       "0,move,Lid,-2.0,-2.0,1.6,0.0,0.0,0.0", "0,move,Red,3.0,-3.0,0.5,0.0,0.0,0.0"])
+        self.write(1, ["0,grasp,LeftHand,Lid", "1,move,Lid,2.0,0.0,0.1,0.0,0.0,0.0",
+                       "1,release,LeftHand", "1,grasp,LeftHand,Red",
+                       "2,move,Red,-2.0,-2.0,0.7,0.0,0.0,0.0", "2,release,LeftHand",
+                       "2,grasp,LeftHand,Lid", "2,move,Lid,-2.0,-2.0,1.6,0.0,0.0,0.0",
+                       "2,release,LeftHand"])
+
+    def lid(self, x, y, bottom):
+        return [block(BROWN * 1.5, np.array([2.8, 2.8, 0.2]), x, y, bottom=bottom),
+                block(BLUE, np.array([0.6, 0.6, 0.7]), x, y, bottom=bottom + 0.2)]
+
+    def test_a_lid_covers_what_is_inside(self):
+        (red, lid), container = self.infer_task()
+        self.assertEqual([red.name, red.after, lid.name, lid.after], ["Red", [], "Lid", [0]])
+        self.assertTrue(lid.has_knob and lid.begins_there)
+        np.testing.assert_allclose(lid.size, [2.8, 2.8, 0.2], atol=0.08)
+        np.testing.assert_allclose(container.size, [2.5, 2.5, 1.5], atol=0.08)
+        demo = read_demonstration(self.folder)
+        infer_task(demo, {})
+        self.assertIn("on Lid Pot", explain(demo, container).keyframes[0].facts)
+
+    def test_it_is_taken_off_by_its_knob_before_anything_is_put_inside(self):
+        steps, container = self.infer_task()
+        scene = [*self.lid(1, -2, 1.5), block(RED, CUBE, -3, -2)]
+        picture, heights = view_of(scene)
+        state = TaskState(steps, container)
+        seen = detect_blocks(picture, EYE, steps, heights=heights)
+        find_knobs(steps, seen, picture, EYE, heights)
+        [lid] = [it for it in seen if it.knob]
+        np.testing.assert_allclose(held_part(lid).position, [1, -2, 2.05], atol=0.05)
+        self.assertEqual(len(grasp_yaws(lid, [])), 4)
+        state.known = seen
+        self.assertIsNone(choose_site(state, [], picture, EYE))
+        np.testing.assert_allclose(state.container.position, [1, -2, 0.75], atol=0.05)
+        self.assertEqual(assess_progress(state), [])
+        self.assertEqual(open_steps(state), [0])
+        self.assertIs(propose_moves(state, state.steps[0], seen)[0].block, lid)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,117 @@
+"""Tests which moves are proposed, and where blocks are put."""
+
+import unittest
+from dataclasses import replace
+from types import SimpleNamespace
+from unittest.mock import patch
+
+import numpy as np
+
+from check.task_state import TaskState
+from plan.clearing import clearing_moves, uncovering_moves
+from plan.free_places import free_placements
+from plan.heights import grip_depth
+from plan.making_room import room_moves
+from plan.moves import Move
+from plan.pick_and_place import plan_pick_and_place
+from plan.proposals import propose_moves, turning_moves
+from plan.temporary_places import blocks_grasps
+from scenes import BLUE, BROWN, CUBE, EYE, GREEN, RED, block, step
+from see.eye import to_pixel
+
+
+class MovesTest(unittest.TestCase):
+    def setUp(self):
+        self.steps = [step(block(RED, CUBE, 0, -2), []),
+                      step(block(GREEN, CUBE, 0, -2, bottom=1), [0]),
+                      step(block(GREEN, CUBE, -3, -2), [])]
+
+    def test_obstructing_blocks_come_first_and_covered_ones_wait(self):
+        near, far = block(RED, CUBE, 3, -2), block(RED, CUBE, 4, -3)
+        obstructing = block(BLUE, CUBE, 0.3, -2.2)
+        on_near = block(BLUE, CUBE, 3, -2, bottom=1)
+        state = TaskState(self.steps)
+        state.known = [far, near, obstructing, on_near]
+        moves = propose_moves(state, self.steps[0], state.known)
+        self.assertEqual(moves, [Move(obstructing), Move(on_near)])
+        state.known.remove(obstructing)
+        moves = propose_moves(state, self.steps[0], state.known)
+        self.assertEqual(moves, [Move(far, self.steps[0]), Move(on_near)])
+
+    def test_what_the_building_would_hide_is_uncovered_while_blocks_are_missing(self):
+        state = TaskState([step(block(BLUE, CUBE, 0, -2, bottom=k), []) for k in range(3)])
+        behind, elsewhere = (block(RED, CUBE, x, -0.2, bottom=1) for x in (0, 3))
+        state.known = [behind, elsewhere]
+        self.assertEqual(uncovering_moves(state, state.known, EYE), [Move(behind)])
+        state.known += [block(RED, CUBE, 0, -0.2)]
+        self.assertEqual(uncovering_moves(state, state.known, EYE), [], "what it lies on is known")
+        state.known = [behind, *(block(BLUE, CUBE, x, -4) for x in (0, 2, 4))]
+        self.assertEqual(uncovering_moves(state, state.known, EYE), [], "nothing is missing")
+
+    def test_room_for_the_fingers_is_cleared_and_kept(self):
+        middle = block(RED, CUBE, 0, -2)
+        left, right, front = (block(GREEN, CUBE, x, y)
+                              for x, y in ((-1.1, -2), (1.1, -2), (0, -3.05)))
+        state = TaskState(self.steps)
+        state.known = [middle, left, right, front, block(BLUE, CUBE, 4, -2)]
+        self.assertEqual(clearing_moves(state, [Move(middle)], state.known), [Move(front)])
+        self.assertEqual(clearing_moves(state, [Move(left)], state.known), [])
+        self.assertTrue(blocks_grasps(front, [middle, left, right]))
+        self.assertFalse(blocks_grasps(front, [middle]))
+
+    def test_as_few_blocks_as_possible_make_room_for_a_large_one(self):
+        step = self.steps[0]
+        plank = block(BROWN, np.array([5, 1, 1]), -4, -0.2)
+        cubes = [block(GREEN, CUBE, x, y) for x in (-6, -3, 0, 3, 6) for y in (-4.5, -2.8, -1)]
+        state = TaskState(self.steps)
+        state.known = [plank, *cubes]
+        sites = self.steps
+        self.assertEqual(free_placements([], EYE, plank, cubes + sites, None), [])
+        with patch("plan.making_room.is_suitable", return_value=True), patch("plan.making_room.plan_to_place", return_value=(["go"], None)):
+            moves = room_moves(state, step, [Move(plank)], state.known, [], EYE, None)
+            fixed = room_moves(state, step, [Move(plank)], [plank], [], EYE, None)
+        self.assertEqual(fixed, [], "nothing may be put aside")
+        rest = [it for it in cubes if it not in [move.block for move in moves]]
+        places = free_placements([], EYE, plank, rest + sites, None)
+        self.assertIn(moves[0].room.position.tolist(), [it.position.tolist() for it in places])
+        for one in moves:
+            others = [it for it in cubes if it is one.block or it in rest]
+            self.assertEqual(free_placements([], EYE, plank, others + sites, None), [], "each is in the way")
+
+    def test_a_large_block_is_put_where_the_eye_sees_all_of_it(self):
+        lid = block(BROWN, np.array([2.6, 2.6, 0.2]), -4, -1, bottom=1.3)
+        pot = block(BROWN, np.array([2.4, 2.4, 1.3]), -4, -1)
+        places = free_placements([], EYE, lid, [pot], None)
+        self.assertEqual(len(places), 100)
+        for place in places:
+            corners = place.position + [[x, y, 0.1] for x in (-1.3, 1.3) for y in (-1.3, 1.3)]
+            pixels = np.array([to_pixel(corner, EYE) for corner in corners])
+            self.assertTrue(place.yaw or (0 < pixels).all() and (pixels < [640, 480]).all())
+
+    def test_fingers_stay_above_what_a_low_block_stands_on(self):
+        for height in 0.5, 0.75, 1, 2:
+            tips = height - grip_depth(SimpleNamespace(reach=0.75), height) - 0.75
+            self.assertGreaterEqual(tips, 0.05 - 1e-9)
+        self.assertEqual(grip_depth(SimpleNamespace(reach=0.75), 2), 0.2)
+
+    def test_a_block_wider_than_the_gripper_opens_is_not_taken(self):
+        wide = block(BLUE, np.array([3, 2, 1]), 0, -2)
+        _, reason = plan_pick_and_place([SimpleNamespace(opening=2)], wide, wide, [], None)
+        self.assertEqual(reason, "it is wider than the gripper opens")
+
+
+class TurningTest(unittest.TestCase):
+    plank = block(BROWN, np.array([3, 1, 0.5]), -2, 0)
+
+    def test_it_is_turned_if_it_does_not_look_as_wanted(self):
+        goal = replace(step(block(BROWN, np.array([3, 0.5, 1]), 0, -2), []), start_size=self.plank.size)
+        state = TaskState([goal])
+        self.assertEqual([list(it.size) for it in state.unknown_objects], [[1, 0.5, 3], [3, 1, 0.5]])
+        self.assertEqual(turning_moves(goal, [self.plank], 1.9),
+                         [Move(self.plank, turns=(1, 1)), Move(self.plank)])
+        there = block(BROWN, goal.size, 3, -2)
+        self.assertEqual(turning_moves(goal, [self.plank, there], 1.9), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,56 @@
+"""Tests how switches are found, and judged before and after a press."""
+
+import math
+import unittest
+
+import numpy as np
+
+from explain.demonstration import read_demonstration
+from explain.devices import infer_devices
+from match.pressing import button_of, locate, looks_pressed
+from recordings import RecordingTest
+from scenes import BLUE, BROWN, EYE, GRAY, GREEN, RED, block, picture_of, thing, view_of
+from see.surfaces import surface_of
+from things.areas import rotated
+
+
+class PressTest(RecordingTest):
+    """A switch is pressed: its raised side changes, and a lamp goes on."""
+
+    def fixture(self, x, y, yaw, is_on):
+        def part(color, sides, dx, dy, bottom):
+            dx, dy = rotated([dx, dy], yaw)
+            return block(color, np.array(sides), x + dx, y + dy, bottom, yaw)
+
+        side = -0.3 if is_on else 0.3
+        lamp = [part(GREEN, [0.3, 0.3, 0.05], -0.3, 0.5, 0.2)] if is_on else []
+        return [part(BROWN, [3, 2.4, 0.2], 0, 0, 0), part(BLUE, [0.4, 1.6, 0.3], 1.2, 0, 0.2), *lamp,
+                part(GRAY, [1, 0.5, 0.1], 0, -0.4, 0.2), part(GRAY, [0.4, 0.5, 0.15], side, -0.4, 0.3)]
+
+    def setUp(self):
+        self.record(picture_of(self.fixture(0, -2, 0, False)), picture_of(self.fixture(0, -2, 0, True)))
+        self.write(0, ["0,create,Panel,shape,composite", "0,move,Panel,0.0,-2.0,0.1,0.0,0.0,0.0"])
+        self.write(1, ["1,trigger,LeftHand,Switch"])
+        [self.press] = infer_devices(read_demonstration(self.folder), [])
+
+    def test_a_button_is_found_where_the_scene_looks_like_the_demonstration(self):
+        x, y, yaw = 1.5, -3, 0.4
+        picture, heights = view_of(self.fixture(x, y, yaw, False))
+        alignment = locate(self.press, picture, heights, EYE, EYE)
+        self.assertAlmostEqual(math.remainder(alignment.angle + yaw, 2 * math.pi), 0, delta=0.02)
+        np.testing.assert_allclose(alignment.moved(np.array([[x, y, 0]]))[0, :2], [0, -2], atol=0.03)
+        surface = surface_of(picture, heights, EYE)
+        self.assertFalse(looks_pressed(self.press, alignment, surface, EYE))
+        button = button_of(self.press, alignment, surface, EYE)
+        np.testing.assert_allclose(button.position[:2], [x, y] + rotated([0.3, -0.4], yaw), atol=0.1)
+        self.assertAlmostEqual(button.top, 0.45, delta=0.01)
+        surface = surface_of(*view_of(self.fixture(x, y, yaw, True)), EYE)
+        self.assertTrue(looks_pressed(self.press, alignment, surface, EYE))
+
+    def test_what_is_not_there_is_not_found(self):
+        picture, heights = view_of([block(GRAY, np.array([1.0, 0.5, 0.3]), 1, -3), *thing(RED, -2, -3)])
+        self.assertIsNone(locate(self.press, picture, heights, EYE, EYE))
+
+
+if __name__ == "__main__":
+    unittest.main()

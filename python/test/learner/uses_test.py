@@ -1,0 +1,82 @@
+"""Tests how tools are found, and carried to where they are used."""
+
+import math
+import unittest
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+
+from explain.demonstration import read_demonstration
+from explain.devices import infer_devices
+from explain.explanation import explain
+from explain.task_model import infer_task
+from match.tools import find_tool
+from plan.carrying import surroundings_of
+from plan.loads import belongs_to, load_of
+from recordings import RecordingTest
+from scenes import BLUE, BROWN, EYE, GREEN, RED, block, picture_of, view_of
+from see.surfaces import surface_of
+from things.areas import rotated
+
+
+class UseTest(RecordingTest):
+    """A knife with a blue tip cuts a string, and is put back."""
+
+    def knife(self, x, y, yaw):
+        dx, dy = rotated([1.3, 0], yaw)
+        return [block(RED, np.array([1.8, 0.5, 0.8]), x, y, yaw=yaw),
+                block(BLUE, np.array([0.8, 0.3, 0.4]), x + dx, y + dy, yaw=yaw)]
+
+    def setUp(self):
+        string = [block(GREEN, np.array([0.2, 3, 0.2]), 1, -2, 1), block(BROWN, np.array([0.5, 0.5, 1]), 1, -0.5)]
+        self.record(picture_of([*self.knife(-2, -3, 0), *string]),
+                    picture_of([*self.knife(-2, -3, 0), string[1]]))
+        self.write(0, ["0,create,Knife,shape,composite", "0,move,Knife,-2.0,-3.0,0.4,0.0,0.0,0.0"])
+        self.write(1, ["1,grasp,LeftHand,Knife", "1,move,Knife,-2.0,-3.0,2.0,0.0,0.0,0.0",
+                       "2,move,Knife,-1.0,-2.0,1.0,0.0,0.0,0.0", "3,move,Knife,-0.7,-2.0,1.0,0.0,0.0,0.0"])
+        self.write(2, ["4,use,LeftHand,Knife,cut,String between link 1 and 2", "4,move,Knife,-0.4,-2.0,1.0,0.0,0.0,0.0",
+                       "5,move,Knife,-2.0,-3.0,0.4,0.0,0.0,0.0"])
+        self.write(3, ["6,release,LeftHand"])
+        Path(self.folder / "rgb/1.png").rename(self.folder / "rgb/6.png")
+        self.demo = read_demonstration(self.folder)
+        self.steps, _ = infer_task(self.demo, {})
+
+    def test_a_tool_that_was_put_back_is_no_step_but_used(self):
+        self.assertEqual(self.steps, [])
+        [use] = infer_devices(self.demo, self.steps)
+        np.testing.assert_allclose(use.pose, [-0.4, -2, 1, 0], atol=1e-9)
+        np.testing.assert_allclose(use.begin, [-1, -2, 1])
+        self.assertIn("cut String Knife", explain(self.demo, None).goal)
+
+    def test_a_tool_is_turned_as_its_surroundings_look(self):
+        [use] = infer_devices(self.demo, self.steps)
+        for yaw in 0.5, 0.5 + math.pi:
+            picture, heights = view_of(self.knife(1, -3, yaw))
+            known = [block(RED, np.array([1.8, 0.5, 0.8]), 1, -3, yaw=0.5)]
+            _, found = find_tool(use, known, surface_of(picture, heights, EYE), EYE)
+            self.assertAlmostEqual(math.remainder(found.yaw - yaw, 2 * math.pi), 0)
+
+    def test_what_sticks_out_of_a_carried_tool_avoids_what_the_eye_sees(self):
+        picture, heights = view_of([*self.knife(-2, -3, 0), block(BROWN, np.array([0.5, 0.5, 3]), 3, -3)])
+        points = surface_of(picture, heights, EYE).points
+        tool = block(RED, np.array([1.8, 0.5, 0.8]), -2, -3)
+        is_tool = belongs_to(tool, points)
+        self.assertAlmostEqual(points[is_tool, 0].max(), -0.3, delta=0.05)  # the blue tip
+        self.assertTrue((points[~is_tool, 0] > 2).all(), "the post is no part of it")
+        around = surroundings_of(points[~is_tool])
+
+        def pose_at(q):  # the tool points down
+            return np.array([[1, 0, 0, q[0]], [0, -1, 0, q[1]], [0, 0, -1, q[2]], [0, 0, 0, 1.0]])
+
+        arm = SimpleNamespace(forward=pose_at, reach=0.75, points=lambda q: np.array([q, q + [0, -1, 3]]))
+        load = load_of(points[is_tool], 0.4, pose_at([-2, -3, 0.6]))
+        for x, z, is_clear, is_hand_clear in ((0.5, 2, True, True), (1.5, 2, False, True), (1.5, 4, True, True),
+                                              (2.5, 3.5, True, False)):
+            path = SimpleNamespace(positions=np.linspace([-2.0, -3, 2], [x, -3, z], 20)[-1:])
+            self.assertEqual(around.avoids(arm, path, load), is_clear and is_hand_clear, (x, z))
+            self.assertEqual(around.avoids(arm, path), is_hand_clear, (x, z))
+
+
+if __name__ == "__main__":
+    unittest.main()

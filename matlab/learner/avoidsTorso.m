@@ -4,9 +4,9 @@ function yes = avoidsTorso(arm, q)
   margin = constants().motion_planning.torso_margin_rad;
   if ~arm.hasTorso
     yes = true;
-  elseif arm.parked(1) - arm.lower > arm.upper - arm.parked(1)
-    yes = all(q(:, 1) > arm.lower + margin);
+  elseif arm.parked(1) - arm.lower(1) > arm.upper(1) - arm.parked(1)
+    yes = all(q(:, 1) > arm.lower(1) + margin);
   else
-    yes = all(q(:, 1) < arm.upper - margin);
+    yes = all(q(:, 1) < arm.upper(1) - margin);
   end
 end

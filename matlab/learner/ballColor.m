@@ -15,12 +15,16 @@ end
 
 function distances = rayDistances(shape, eye, point)
 % Returns the distance of a point, 1x3, from the ray through each pixel, HxW [units].
-  [column, row] = meshgrid((1:shape(2)) - 0.5, (1:shape(1)) - 0.5);
-  K = eye.intrinsics;
-  ray = [(column(:) - K(1, 3)) / K(1, 1), (row(:) - K(2, 3)) / K(2, 2), ones(numel(row), 1)] * ...
-        eye.pose(1:3, 1:3)';
-  ray = ray ./ sqrt(sum(ray .^ 2, 2));
+  persistent rays;  % of the last eye: unit vectors
+  persistent of;
+  if ~isequal(of, {shape, eye})
+    [column, row] = meshgrid((1:shape(2)) - 0.5, (1:shape(1)) - 0.5);
+    K = eye.intrinsics;
+    rays = [(column(:) - K(1, 3)) / K(1, 1), (row(:) - K(2, 3)) / K(2, 2), ones(numel(row), 1)] * ...
+           eye.pose(1:3, 1:3)';
+    rays = rays ./ sqrt(sum(rays .^ 2, 2));
+    of = {shape, eye};
+  end
   to_point = point - eye.pose(1:3, 4)';
-  across = to_point - (ray * to_point') .* ray;
-  distances = reshape(sqrt(sum(across .^ 2, 2)), shape);
+  distances = reshape(sqrt(max(sum(to_point .^ 2) - (rays * to_point') .^ 2, 0)), shape);
 end

@@ -3,21 +3,36 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
 % or no plan is found (state.claim says which).
   actions = {};
   picture = sensor.rgbVision;
-  state = observe(state, picture, heightMap(sensor.depthVision, eye), eye);
+  if ~isempty(state.presses) && ~state.hasSite
+    [is_moving, state] = isMoving(state, picture);
+    if is_moving
+      actions = {struct('kind', 'observe')};
+      return
+    end
+  end
+  heights = heightMap(sensor.depthVision, eye);
+  state = observe(state, picture, heights, eye);
   if ~state.hasSite
     [state, problem] = chooseSite(state, arms, picture, eye);
-    if ~state.hasSite
+    if isempty(problem), [state, problem] = locateControls(state, picture, heights, eye); end
+    if ~isempty(problem)
       state = giveUp(state, ['before it began: ', problem]);
       return
     end
     state.notes = [state.notes, planNotes(state.steps)];
   end
 
+  if ~isempty(state.presses), state = forgetFixtures(state, picture, heights, eye); end
   [state, used] = assessProgress(state);
+  if ~isempty(state.presses)
+    [actions, state, problem] = chooseDevice(state, arms, picture, heights, eye, sensor);
+    if ~isempty(problem), state = giveUp(state, ['at the ', problem]); end
+    if ~isempty(actions) || ~isempty(problem), return; end
+  end
   open = openSteps(state);
   if isempty(open)
     reason = sprintf('as seen within %.2f units and %.1f degrees', ...
-                     max(state.placementErrors, [], 1) .* [1, 180 / pi]);
+                     max([state.placementErrors; 0, 0], [], 1) .* [1, 180 / pi]);
     state.claim = struct('done', true, 'reason', reason);
     return
   end
@@ -33,10 +48,4 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
   else
     actions = {struct('kind', 'observe')};
   end
-end
-
-function open = openSteps(state)
-% Returns the numbers of the steps that are not done and whose supports are done, in demonstrated order.
-  open = find(~state.done);
-  open = open(arrayfun(@(k) all(state.done([state.steps(k).on, state.steps(k).after])), open));
 end

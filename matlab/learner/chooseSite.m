@@ -1,10 +1,12 @@
 function [state, problem] = chooseSite(state, arms, picture, eye)
-% Chooses the site of the building and moves the steps there: steps for a container to where it is detected,
-% dragged steps to the detected object, others to the objects that the demonstration did not move, or to a
-% free site on the table. If there is no such site, state.hasSite stays false and problem says why.
+% Chooses the site of the building and moves the steps there: steps for a container to where it is detected, dragged
+% steps to the detected object, those that take the place of another object to where that is, others to the objects that
+% the demonstration did not move, or to a free site on the table. If there is no such site, state.hasSite stays false and
+% problem says why.
   problem = '';
   is_dragged = arrayfun(@isDragged, state.steps);
-  carried = state.steps(~is_dragged);
+  is_replacing = ~cellfun(@isempty, {state.steps.takesPlaceOf});
+  carried = state.steps(~is_dragged & ~is_replacing);
   if ~isempty(state.container)
     [carried, state.container, problem] = placeInContainer(carried, state.container, state.known, picture, eye);
   elseif ~isempty(carried)
@@ -12,10 +14,17 @@ function [state, problem] = chooseSite(state, arms, picture, eye)
     if isempty(placed), [placed, problem] = placeOnTable(carried, state.known, arms, eye); end
     carried = placed;
   end
-  if isempty(problem), state.steps(~is_dragged) = carried; end
-  for k = find(is_dragged)
-    if isempty(problem), [state.steps(k), problem] = placeDragged(state.steps(k), state.known); end
+  steps = state.steps;
+  if isempty(problem), steps(~is_dragged & ~is_replacing) = carried; end
+  for k = find(is_dragged | is_replacing)
+    if ~isempty(problem), break; end
+    if is_dragged(k)
+      [steps(k), problem] = placeDragged(steps(k), state.known);
+    else
+      [steps(k), problem] = placeOfOther(steps(k), state.steps, state.known);
+    end
   end
+  if isempty(problem), state.steps = steps; end
   state.hasSite = isempty(problem);
 end
 

@@ -19,6 +19,6 @@ function moves = clearingMoves(state, moves, free)
       if ~isempty(graspYaws(known(k), known(setdiff(others, i)))), alone(end + 1) = i; end
     end
   end
-  moves = struct('block', {}, 'goal', {});
-  for i = unique([alone, closest], 'stable'), moves(end + 1) = struct('block', i, 'goal', []); end
+  moves = noMoves();
+  for i = unique([alone, closest], 'stable'), moves(end + 1) = newMove(i); end
 end

@@ -12,6 +12,9 @@ function blocks = detectBlocks(picture, eye, like, container, heights, staying)
   blocks = noBlocks();
   table = tableColor(picture);
   is_possible = @(block) isSupported(block, picture, eye, table);
+  layouts = like(~cellfun(@isempty, {like.parts}));
+  like = like(cellfun(@isempty, {like.parts}));
+  staying = staying(cellfun(@isempty, {staying.parts}));
   is_ball = strcmp({like.form}, 'ball');
   for color = colorsToDetect(picture, like)
     kinds = blockKinds(like(~is_ball), color');
@@ -35,5 +38,6 @@ function blocks = detectBlocks(picture, eye, like, container, heights, staying)
       blocks = [blocks, found];
     end
   end
-  if ~isempty(heights), blocks = [blocks, detectBalls(picture, eye, like(is_ball), heights)]; end
+  if isempty(heights), return; end
+  blocks = [blocks, detectBalls(picture, eye, like(is_ball), heights), detectLayouts(picture, eye, layouts, heights)];
 end

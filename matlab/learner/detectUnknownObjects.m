@@ -3,6 +3,7 @@ function blocks = detectUnknownObjects(picture, eye, known, heights)
 % heights, as from heightMap, only those on the table. Returns a 1xN struct array, see newBlock.
   if nargin < 4, heights = []; end
   blocks = noBlocks();
+  known = spaceOf(known);
   table = tableColor(picture);
   for top = segmentTopFaces(picture, table, heights)
     if any(arrayfun(@(other) isTopOf(top, other, eye, heights), known)), continue; end

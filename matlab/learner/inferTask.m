@@ -1,6 +1,6 @@
 function [steps, container, appearances] = inferTask(demo, attention)
 % Infers from a demonstration what is to be done: a list of steps (see newStep) in the order shown, one for each
-% object that takes part. Objects that were not moved but support others come first.
+% object that takes part, except tools that were put back. Objects that were not moved but support others come first.
 %   attention    the properties of objects that matter, if the demonstrator specified some, as in aux
 %   container    the open box that objects were put into: see measureContainer
 %   appearances  of all objects: see measureObjects
@@ -11,31 +11,29 @@ function [steps, container, appearances] = inferTask(demo, attention)
   else
     appearances = measureObjects(demo, moved(~is_dragged));
   end
-  for k = 1:numel(moved)
-    if is_dragged(k)
-      placed(k) = measureHandle(demo, moved(k));
+  is_tool = ismember(moved, toolsOf(demo));
+  placed = noSteps();
+  for n = moved(~is_tool)
+    if any(moved(is_dragged) == n)
+      placed(end + 1) = measureHandle(demo, n);
     else
-      placed(k) = stepOf(demo, moved(k), appearances(moved(k)), attention);
+      placed(end + 1) = stepOf(demo, n, appearances(n), attention);
     end
   end
   others = placed([]);
-  for n = setdiff(1:numel(demo.ids), moved)
+  for n = setdiff(1:numel(demo.ids), moved(~is_tool))
     if isempty(appearances(n).size), continue; end
     others(end + 1) = stepOf(demo, n, appearances(n), attention);
     others(end).stays = true;
   end
-  steps = setOrder([supportsOf(placed, others), placed], attention);
+  steps = placed;
+  if ~isempty(placed), steps = setOrder([supportsOf(placed, others), placed], attention); end
+  for k = 1:numel(steps)
+    bottom = steps(k).position(3) - steps(k).size(3) / 2;
+    is_held = isempty(steps(k).on) && bottom > constants().task_model.min_inside_bottom && ~isDragged(steps(k));
+    if is_held, steps(k).takesPlaceOf = formerOwner(demo, steps(k)); end
+  end
   container = measureContainer(demo, steps);
-end
-
-function moved = movedObjects(demo)
-% Returns the numbers of the objects that hands moved, in the order of their last release.
-  last = zeros(1, numel(demo.ids));
-  last(demo.placed) = 1:numel(demo.placed);
-  moved = find(last > 0);
-  if isempty(moved), error('in this demonstration no hand moved anything'); end
-  [~, order] = sort(last(moved));
-  moved = moved(order);
 end
 
 function found = supportsOf(steps, others)

@@ -1,4 +1,4 @@
-function state = initialTaskState(steps, container)
+function state = initialTaskState(steps, container, presses, shown)
 % Returns the state of the learner at the beginning of a task.
 %   steps      see newStep; once a site is chosen, at their places in this scene
 %   container  that some of them go into, see measureContainer; once a site is chosen, in this scene
@@ -13,18 +13,35 @@ function state = initialTaskState(steps, container)
 %   numBlocked  number of successive steps for which no plan was found
 %   firstFailure  why the first of them failed
 %   left       blocks at the places from which they were put aside
-%   grasp      of the current actions: position of the block's center [units], number of the arm, yaw from
-%              finger to finger [rad]; its block is the last of the known
+%   grasp      of the current actions, see newGrasp; its block is the last of the known
 %   failures   grasps that failed, not to be repeated
 %   moved      name of the last of the known, if it was moved and not seen since then; empty if not
 %   notes      that were not told yet, see asNote
+%   presses    of switches and buttons, and uses of tools, in the demonstrated order: see newPress; optional
+%   shown      the eye of the demonstration, which shows them
+%   alignments  how the scene lies in the demonstration around each control, see align: control, angle, place
+%   lastPicture, numLooks, numStill  seen before the scene was still, number of pictures until then, and of the last of
+%              them in which nothing moved
 %   claim      about the result, at the end: done, true if everything is built, and reason, one line; see
 %              giveUp
+  if nargin < 4
+    presses = noPresses();
+    shown = [];
+  end
   n = numel(steps);
   state = struct('steps', steps, 'container', {container}, 'hasSite', false, 'known', noBlocks(), ...
                  'unknownObjects', noBlocks(), 'unexplained', zeros(0, 2), 'done', false(1, n), ...
                  'attempts', zeros(1, n), 'numTemporary', 0, 'placementErrors', NaN(n, 2), 'numBlocked', 0, ...
                  'firstFailure', '', 'left', noBlocks(), 'grasp', [], ...
                  'failures', {struct('position', {}, 'arm', {}, 'yaw', {})}, 'moved', '', ...
-                 'notes', asNote({}, {}), 'claim', []);
+                 'notes', asNote({}, {}), 'presses', presses, 'shown', shown, ...
+                 'alignments', struct('angle', {}, 'place', {}, 'control', {}), 'lastPicture', [], 'numLooks', 0, ...
+                 'numStill', 0, 'claim', []);
+  % What has to be turned may lie on any of its faces.
+  for step = steps(~cellfun(@isempty, {steps.startSize}))
+    for sides = onEachFace(step.size)'
+      if sameSize(sides', step.size), continue; end
+      state.unknownObjects(end + 1) = newBlock(step.color, sides', [0, 0, sides(3) / 2], 0);
+    end
+  end
 end

@@ -5,7 +5,7 @@ function kinds = learnBlockKinds(tops, picture, eye, table)
   for top = tops
     for block = measureBlock(top, picture, eye, table)
       if ~any(arrayfun(@(kind) isSameKind(block, kind), kinds))
-        kinds(end + 1) = struct('color', block.color, 'size', block.size, 'form', block.form);
+        kinds(end + 1) = struct('color', block.color, 'size', block.size, 'form', block.form, 'parts', []);
       end
     end
   end

@@ -8,7 +8,8 @@ function container = measureContainer(demo, steps)
   c = constants().task_model;
   bottoms = arrayfun(@(step) step.position(3) - step.size(3) / 2, steps);
   is_carried = cellfun(@isempty, {steps.displacement});
-  inside = steps(bottoms > c.min_inside_bottom & cellfun(@isempty, {steps.on}) & is_carried);
+  inside = steps(bottoms > c.min_inside_bottom & cellfun(@isempty, {steps.on}) & is_carried & ...
+                 cellfun(@isempty, {steps.takesPlaceOf}));
   if isempty(inside) || isempty(demo.moves), return; end
   for n = setdiff(1:numel(demo.ids), demo.placed)
     height = 2 * demo.start(n, 3);  % it stands on the table

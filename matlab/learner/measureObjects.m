@@ -17,6 +17,12 @@ function appearances = measureObjects(demo, needed)
       error('no picture of the demonstration shows %s entirely', demo.ids{n});
     end
   end
+  % What has the same layout is as high, whatever it stood on.
+  for n = find(~cellfun(@isempty, {appearances.parts}))
+    like = appearances(arrayfun(@(it) hasPartsOf(appearances(n), it, false), appearances));
+    sizes = vertcat(like.size);
+    appearances(n).size(3) = min(sizes(:, 3));
+  end
 end
 
 function block = measureObject(demo, n, lower, pictures)
@@ -40,6 +46,7 @@ function block = measureObject(demo, n, lower, pictures)
   end
   block = measureBall(demo, start, frames, pictures);
   if isempty(block), block = measureTopWithKnob(demo, n, frames, pictures); end
+  if isempty(block), block = measureParts(demo, n); end
 end
 
 function block = measureBall(demo, start, frames, pictures)

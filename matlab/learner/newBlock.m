@@ -8,7 +8,8 @@ function block = newBlock(color, sides, position, yaw, form)
 %   hasKnob   true if it is held by a part on its top,
 %   knob      this one, a block in the frame of the object: its position is that of its middle from the
 %             object's, turned back by the object's yaw; [] while it is unknown
+%   parts     of a thing of several colors, blocks in its frame: see measureParts
   if nargin < 5, form = 'block'; end
   block = struct('color', color, 'size', sides, 'position', position, 'yaw', yaw, 'form', form, ...
-                 'hasKnob', false, 'knob', []);
+                 'hasKnob', false, 'knob', [], 'parts', []);
 end

@@ -7,6 +7,9 @@ function step = newStep(block, name)
 %   stays     true for an object that the demonstration did not move
 %   beginsThere  true for an object that began where it ends
 %   after     numbers of steps that must be done before it, also if it does not stand on them
+%   takesPlaceOf  name of the object that began at the place of this step; empty if there is none
+%   start     its center at the start of the demonstration, 1x3 [units]; [] if unknown
+%   startSize  as size, of an object that began on another face; [] for others
 %   tolerance  of its position [units]
 % Its color is [] if the demonstrator specified that color does not matter.
   step = block;
@@ -16,5 +19,8 @@ function step = newStep(block, name)
   step.stays = false;
   step.beginsThere = false;
   step.after = [];
+  step.takesPlaceOf = '';
+  step.start = [];
+  step.startSize = [];
   step.tolerance = constants().blocks.position_tolerance;
 end

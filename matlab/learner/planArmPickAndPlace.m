@@ -9,17 +9,11 @@ function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, h
   c = constants().motion_planning;
   width = block.size(2);
   opening = min(width + c.opening_margin, arm.opening);
-  % Of the tool, from the block's center: the fingers reach lower than the tool, but not to what the block
-  % stands on.
-  depth = min(max(c.grip_below_top, c.fingers_below_top - arm.reach), ...
-              block.size(3) - c.fingers_above_bottom - arm.reach);
-  offset = [0, 0, block.size(3) / 2 - depth];
+  offset = [0, 0, block.size(3) / 2 - gripDepth(arm, block.size(3))];  % of the tool, from the block's center
   from = toolPose(arm, block.position + offset, grasp_yaw, width);
   to = toolPose(arm, goal.position + offset + [0, 0, c.place_height_margin], place_yaw, width);
-  over_from = from;
-  over_from(3, 4) = lift;
-  over_to = to;
-  over_to(3, 4) = height;
+  over_from = atHeight(from, lift);
+  over_to = atHeight(to, height);
   via = {};
   if lift < height
     via = {from};
@@ -34,7 +28,7 @@ function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, h
 
   follow = cellfun(@(it) struct('kind', 'follow', 'arm', arm, 'path', it), path, 'UniformOutput', false);
   open = struct('kind', 'open', 'arm', arm, 'to', opening);
-  attempt = struct('position', block.position, 'arm', arm.index, 'yaw', grasp_yaw);
+  attempt = newGrasp(block.position, arm, grasp_yaw);
   grasp = struct('kind', 'grasp', 'arm', arm, 'width', width, 'grasp', attempt);
   n = numel(to_block);
   actions = [{open}, follow(1:n), {grasp}, follow(n + 1:end - 2), {open}, follow(end - 1:end), ...

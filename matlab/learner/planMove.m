@@ -24,6 +24,11 @@ function [actions, place, is_temporary, reason] = planMove(state, k, move, eye, 
     place.position = move.goal.position;
     place.yaw = move.goal.yaw;
     if ~isempty(actions), return; end
+  elseif ~isempty(move.turns)
+    is_temporary = true;
+    [actions, place, reason] = planTurn(arms, eye, block, move.turns(1), move.turns(2:min(2, end)), others, sites, ...
+                                        sensor, state.failures, state.unexplained);
+    return
   elseif any(overlap(gripperClearance(steps(k)), footprint(block, 0)))
     sites{2} = [asBlocks(steps([find(state.done), k])), container];
   end

@@ -3,7 +3,7 @@ function [actions, reason] = planPickAndPlace(arms, block, goal, others, sensor,
 % reason if no arm can do it.
 %   arms    those that may do it, see armsOf
 %   others  obstacles, as blocks
-%   failures  grasps that failed and are not to be repeated, see initialTaskState; [] for none
+%   failures  grasps that failed and are not to be repeated, see newGrasp; [] for none
   actions = {};
   goal.knob = block.knob;
   held = heldPart(block);
@@ -30,14 +30,14 @@ function [actions, reason] = planPickAndPlace(arms, block, goal, others, sensor,
       lift = height;
       if is_low, lift = block.position(3) + block.size(3) + constants().motion_planning.clearance; end
       q = sensor.arms(arm.index).joints(:)';
-      has_failed = arrayfun(@(yaw) hasFailed(held, arm, yaw, failures), grasp_yaws);
+      has_failed = arrayfun(@(yaw) hasFailed(newGrasp(held.position, arm, yaw), failures), grasp_yaws);
       for place_yaw = place_yaws
         for grasp_yaw = grasp_yaws(~has_failed)
           % The object turns with the hand; it may look the same after some turns.
           turned = block;
           turned.yaw = block.yaw + place_yaw - grasp_yaw;
           is_turned = abs(yawDifference(turned, goal.yaw)) > constants().motion_planning.same_yaw_rad;
-          if ~isempty(block.knob) && is_turned, continue; end
+          if is_turned && ~(isempty(block.knob) && isempty(block.parts)), continue; end
           actions = planArmPickAndPlace(arm, held, grasp_yaw, target, place_yaw, height, lift, others, q);
           if ~isempty(actions), return; end
         end
@@ -45,17 +45,6 @@ function [actions, reason] = planPickAndPlace(arms, block, goal, others, sensor,
     end
   end
   if ~isempty(able), reason = 'no arm reaches both its place and its goal'; end
-end
-
-function yes = hasFailed(block, arm, yaw, failures)
-% Returns true if a grasp is about the same as one that failed.
-  c = constants().motion_planning;
-  yes = false;
-  for it = failures
-    rotation = mod(yaw - it.yaw + pi, 2 * pi) - pi;
-    yes = yes || (it.arm == arm.index && abs(rotation) < c.same_yaw_rad && ...
-                  norm(it.position - block.position) < c.same_place_distance);
-  end
 end
 
 function yes = hasLowWay(block, goal, others)

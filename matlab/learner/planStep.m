@@ -13,6 +13,8 @@ function [actions, state, reason] = planStep(state, k, free, sensor, eye, arms)
     return
   end
   moves = [uncoveringMoves(state, free, eye), proposeMoves(state, k, free)];
+  opening = max([arms.opening]) - constants().arms.opening_margin;
+  moves = [moves, turningMoves(state.steps(k), state.known, free, opening)];
   for move = [moves, clearingMoves(state, moves, free)]
     if numFailures(state, state.known(move.block)) >= c.max_failed_grasps
       reason = sprintf('%d grasps of a block failed', c.max_failed_grasps);
@@ -29,8 +31,9 @@ function [actions, state, reason] = planStep(state, k, free, sensor, eye, arms)
     state.numBlocked = 0;
     grasp = actions{find(cellfun(@(it) strcmp(it.kind, 'grasp'), actions), 1)};
     state.grasp = grasp.grasp;
-    if isempty(move.goal), state.moved = nameOf(place, state.steps); else, state.moved = move.goal.name; end
-    state.notes(end + 1) = actionNote(state.moved, from, place, move.goal, is_temporary, grasp.arm);
+    state.moved = state.steps(k).name;
+    if isempty(move.goal) && isempty(move.turns), state.moved = nameOf(from, state.steps); end
+    state.notes(end + 1) = actionNote(state.moved, from, move, place, is_temporary, grasp.arm);
     return
   end
 end

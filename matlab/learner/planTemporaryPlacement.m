@@ -49,8 +49,3 @@ function yes = blocksGrasps(place, others)
     if yes, return; end
   end
 end
-
-function yes = canReach(arms, place)
-% Returns true if one of the arms reaches a block's place.
-  yes = any(arrayfun(@(arm) isReachable(arm, place), arms));
-end

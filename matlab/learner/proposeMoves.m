@@ -1,9 +1,7 @@
 function moves = proposeMoves(state, k, free)
-% Proposes the moves that may come next for step k, the best first: a 1xN struct array of
-%   block  number of a known block
-%   goal   the step, or [] for a temporary placement
-% free contains the numbers of the known blocks that are in no step's place.
-  moves = struct('block', {}, 'goal', {});
+% Proposes the moves that may come next for step k, the best first: a 1xN struct array, see newMove.
+%   free  numbers of the known blocks that are in no step's place
+  moves = noMoves();
   step = state.steps(k);
   known = state.known;
   fits = free(arrayfun(@(i) isSameKind(known(i), step), free));
@@ -15,21 +13,23 @@ function moves = proposeMoves(state, k, free)
   distance(ismember(fits, [blocked, obstructing])) = 0;
   [~, order] = sort(distance);
   fits = fits(order);
-  for i = setdiff([obstructing, blocked], fits, 'stable'), moves(end + 1) = temporary(i); end
-  for i = intersect(obstructing, fits(2:end)), moves(end + 1) = temporary(i); end
+  if ~isempty(step.parts)
+    % A thing of several colors is first taken from where it stood as high as in the demonstration.
+    is_elsewhere = arrayfun(@(i) abs(known(i).position(3) - step.start(3)), fits) > constants().task_planning.max_sinking;
+    [~, order] = sort(is_elsewhere & ~ismember(fits, [blocked, obstructing]));
+    fits = fits(order);
+  end
+  for i = setdiff([obstructing, blocked], fits, 'stable'), moves(end + 1) = newMove(i); end
+  for i = intersect(obstructing, fits(2:end)), moves(end + 1) = newMove(i); end
   for i = fits
-    if isempty(setdiff(obstructing, i)), moves(end + 1) = struct('block', i, 'goal', step); end
+    if isempty(setdiff(obstructing, i)), moves(end + 1) = newMove(i, step); end
   end
   % Then the blocks that lie on others: a matching block may be below them.
   for i = free
     bottom = known(i).position(3) - known(i).size(3) / 2;
-    if bottom > constants().perception.on_table, moves(end + 1) = temporary(i); end
+    if bottom > constants().perception.on_table, moves(end + 1) = newMove(i); end
   end
   % A block with others on top has to wait.
   is_covered = arrayfun(@(move) hasObjectsOn(known(move.block), known(free)), moves);
   moves(is_covered) = [];
-end
-
-function move = temporary(i)
-  move = struct('block', i, 'goal', []);
 end

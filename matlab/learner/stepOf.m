@@ -3,16 +3,18 @@ function step = stepOf(demo, n, appearance, attention)
 %   n           number of the object
 %   appearance  the block at its first place, as from measureObjects
 %   attention   as in aux
-  c = constants();
   step = newStep(appearance, demo.ids{n});
   step.position = demo.final(n, 1:3);
   [step.size, step.yaw] = restingAt(appearance, demo.final(n, :));
-  if step.size(2) > c.blocks.equal_sides * step.size(1)
+  if step.size(2) > constants().blocks.equal_sides * step.size(1)
     step.size(1:2) = step.size([2, 1]);
     step.yaw = step.yaw + pi / 2;
+    step.parts = turnedParts(step.parts, pi / 2);
   end
+  began = [sort(appearance.size(1:2), 'descend'), appearance.size(3)];
+  if ~sameSize(began, step.size), step.startSize = began; end
+  step.start = demo.start(n, 1:3);
   properties = attended(attention, step.name);
   if ~isempty(properties) && ~any(strcmp(properties, 'color')), step.color = []; end
-  away = abs(demo.final(n, :) - demo.start(n, :));
-  step.beginsThere = max(away(1:3)) < c.task_model.max_rest_error && max(away(4:6)) < c.task_model.max_rest_degrees;
+  step.beginsThere = isSamePose(demo.start(n, :), demo.final(n, :));
 end

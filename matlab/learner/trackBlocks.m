@@ -17,7 +17,7 @@ function objects = trackBlocks(objects, seen, is_table, was_free)
   is_matched = false(1, numel(objects));
   is_new = true(1, numel(seen));
   for i = 1:numel(seen)
-    here = find(arrayfun(@(other) isSame(other, seen(i), 0.3), objects) & ~is_matched, 1);
+    here = find(arrayfun(@(other) isSameObject(other, seen(i), 0.3), objects) & ~is_matched, 1);
     if isempty(here), continue; end
     % It may be partly occluded now.
     max_pixels = objects(here).pixels;
@@ -49,34 +49,10 @@ function objects = trackBlocks(objects, seen, is_table, was_free)
   end
 end
 
-function k = associatedObject(block, objects, is_matched, is_table)
-% Associates a block at a new place with an object; [] for one that was never seen. Covered objects cannot
-% have moved. Objects whose old place shows the table come first, then the closest, which may be occluded.
-  free = find(~is_matched & arrayfun(@(other) isSame(other, block, Inf), objects));
-  free = free(arrayfun(@(k) ~isCovered(objects(k), objects), free));
-  gone = free(arrayfun(@(k) is_table(objects(k)), free));
-  if ~isempty(gone), free = gone; end
-  [~, nearest] = min(arrayfun(@(k) norm(objects(k).position - block.position), free));
-  k = free(nearest);
-end
-
-function yes = isSame(object, block, near)
-  yes = sameColor(object.color, block.color) && sameSize(object.size, block.size) && ...
-        norm(object.position - block.position) < near;
-end
-
 function yes = hasSupport(block, objects)
 % Returns true if the table or an object is right below a block.
   bottom = block.position(3) - block.size(3) / 2;
   yes = bottom < constants().perception.on_table || any(arrayfun(@(object) isCovered(object, block), objects));
-end
-
-function yes = isCovered(object, others)
-% Returns true if one of the others lies on an object.
-  top = object.position(3) + object.size(3) / 2;
-  bottoms = arrayfun(@(other) other.position(3) - other.size(3) / 2, others);
-  on_top = others(abs(bottoms - top) < 0.15);
-  yes = any(overlap(footprint(object, 0), footprint(on_top, 0)));
 end
 
 function object = movedTo(object, block)

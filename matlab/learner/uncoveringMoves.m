@@ -2,14 +2,14 @@ function moves = uncoveringMoves(state, free, eye)
 % Returns the moves of blocks that lie on others which were never seen and which the building would hide, as
 % long as blocks are missing: a 1xN struct array as from proposeMoves.
 %   free  numbers of the known blocks that are in no step's place
-  moves = struct('block', {}, 'goal', {});
+  moves = noMoves();
   known = state.known;
   if ~any(arrayfun(@isMissing, state.steps)), return; end
   for i = free
     if hasObjectsOn(known(i), known(free)) || isSupportKnown(known(i), known), continue; end
     support = assumedSupport(known(i));
     if ~isempty(support) && isTopHidden(support, state.steps, eye)
-      moves(end + 1) = struct('block', i, 'goal', []);
+      moves(end + 1) = newMove(i);
     end
   end
 

@@ -14,7 +14,7 @@ function showAction(action)
   name = '';
   if isfield(action, 'arm'), name = [' ', action.arm.name]; end
   show(['action ', action.kind, name], [to, width]);
-  if strcmp(action.kind, 'follow')
+  if any(strcmp(action.kind, {'follow', 'press'}))
     tool = smileForward(action.arm.robot, action.arm.name, action.path.positions(end, :));
     show('tool', [tool(1:3, 4)', tool(1:3, 2)']);
   end
@@ -34,8 +34,15 @@ function decideOn(folder, aux)
   for step = steps
     show(['step ', step.name, ' ', step.form], [step.color, step.size, step.position, step.yaw, step.on - 1, ...
                                               step.hasKnob, step.beginsThere, step.after - 1]);
+    show(strtrim(['begin ', step.takesPlaceOf]), [step.start, step.startSize]);
+    for part = step.parts, show('part', [part.color, part.size, part.position, part.yaw]); end
   end
-  state = initialTaskState(steps, container);
+  presses = inferDevices(demo, steps, appearances);
+  for press = presses
+    [row, column] = find(press.changed);
+    show(describePress(press), [press.after - 1, numel(row), sum(row - 1), sum(column - 1), press.pose, press.begin]);
+  end
+  state = initialTaskState(steps, container, presses, demo.eye);
   sensor.rgbVision = double(imread(fullfile(folder, 'look.png'))) / 255;
   file = fopen(fullfile(folder, 'look.depth'));
   sensor.depthVision = fread(file, [size(sensor.rgbVision, 2), Inf], 'double')';
@@ -48,7 +55,11 @@ function decideOn(folder, aux)
     show(['arm ', arm.name], [arm.parked, arm.reach, arm.foot]);
     sensor.arms(arm.index).joints = arm.parked;
   end
-  [actions, state] = chooseActions(state, sensor, eye, armsFor(steps, arms));
+  % Where something may swing, it looks again and again until it hangs still.
+  actions = {};
+  while ~state.hasSite && isempty(state.claim)
+    [actions, state] = chooseActions(state, sensor, eye, armsFor(steps, arms));
+  end
   known = zeros(0, 10);
   for it = state.known
     known(end + 1, :) = [it.position, it.color, it.size, it.yaw];
@@ -61,6 +72,7 @@ function decideOn(folder, aux)
   for step = state.steps
     show('site', [step.position, step.yaw]);
   end
+  for it = state.alignments, show(['aligned ', it.control], [cos(it.angle), sin(it.angle), it.place]); end
   for it = state.notes, printf('note %s: %s\n', it.word, it.text); end
   if ~isempty(state.claim), printf('claim %s\n', state.claim.reason); end
   for k = 1:numel(actions)

@@ -1,6 +1,6 @@
 """The learner chooses the same actions in Python and in Octave: from the same demonstration and the
 same picture of a scene, both find the same facts, infer the same steps, detect the same blocks, choose
-the same site and plan the same actions.
+the same site and plan the same actions, also with switches and tools.
 
     decisions_test.py SMILE SOURCE OCTAVE...
 
@@ -9,6 +9,7 @@ the same inputs.
 """
 
 import json
+import math
 import os
 import subprocess
 import sys
@@ -23,6 +24,7 @@ from act.grippers import arms_for
 from act.robot_arms import arms_of
 from check.task_state import TaskState
 from explain.demonstration import read_demonstration
+from explain.devices import infer_devices
 from explain.explanation import explain
 from explain.sentences import page_of
 from explain.task_model import infer_task
@@ -38,11 +40,12 @@ CASES = {
                ("bricks", []), ("pedestal", []), ("unstack", []),
                ("swap", ["--seed", "1", "--level", "fixtures"]),
                ("hanoi", ["--seed", "1", "--level", "fixtures"]), ("ball", ["--seed", "1"]),
-               ("lid", ["--seed", "1", "--level", "piles"])],
+               ("lid", ["--seed", "1", "--level", "piles"]), ("plank", ["--seed", "1"]),
+               ("plank", ["--seed", "4"]), ("drive", ["--seed", "1", "--level", "fixtures"]),
+               ("drive", ["--seed", "3", "--level", "fixtures"]), ("scissors", []),
+               ("scissors", ["--seed", "2", "--level", "fixtures"])],
     "tern": [("tower", ["--seed", "1", "--robot", "tern"])],
 }
-# Tasks of which both understand the same, while only Python does them.
-UNDERSTOOD = ["plank"]
 TOLERANCE = 1e-6  # of units and radians
 # Of the tool's pose at the end of a path: the residual of inverse kinematics. Joints may differ
 # more, where rounding decides which of many solutions is found.
@@ -112,7 +115,8 @@ def decisions(case, aux):
     """
     demo = read_demonstration(f"{case}/shown")
     steps, container = infer_task(demo, {})
-    building = TaskState(steps, container)
+    presses = infer_devices(demo, steps)
+    building = TaskState(steps, container, presses=presses, shown=demo.eye)
     explanation = explain(demo, container)
     lines = [f"case {case}"]
     for keyframe in explanation.keyframes:
@@ -120,8 +124,16 @@ def decisions(case, aux):
         lines += [f"fact {it}" for it in keyframe.facts]
     lines += [f"goal {it}" for it in explanation.goal]
     lines += page_of(explanation)
-    lines += [fact("step", step.name, step.form, *step.color, *step.size, *step.position, step.yaw,
-                   *step.on, step.has_knob, step.begins_there, *step.after) for step in steps]
+    for step in steps:
+        lines += [fact("step", step.name, step.form, *step.color, *step.size, *step.position, step.yaw,
+                       *step.on, step.has_knob, step.begins_there, *step.after),
+                  fact("begin", step.takes_place_of, *step.start if step.start is not None else [],
+                       *step.start_size if step.start_size is not None else [])]
+        lines += [fact("part", *it.color, *it.size, *it.position, it.yaw) for it in step.parts]
+    for press in presses:
+        row, column = np.nonzero(press.changed)
+        way = [*press.pose, *press.begin] if press.tool else []
+        lines.append(fact(str(press), *press.after, len(row), row.sum(), column.sum(), *way))
     picture = np.asarray(Image.open(f"{case}/look.png").convert("RGB"))
     arms = arms_of(SimpleNamespace(**aux | {
         "arms": [SimpleNamespace(**arm) for arm in aux["arms"]],
@@ -130,19 +142,24 @@ def decisions(case, aux):
     depth = np.fromfile(f"{case}/look.depth").reshape(picture.shape[:2])
     sensor = SimpleNamespace(rgbVision=picture, depthVision=depth,
                              arms=[SimpleNamespace(joints=arm.parked) for arm in arms])
-    actions = choose_actions(building, sensor, demo.eye, arms_for(steps, arms))
+    # Where something may swing, it looks again and again until it hangs still.
+    actions = []
+    while not building.has_site and not building.claim:
+        actions = choose_actions(building, sensor, demo.eye, arms_for(steps, arms))
     known = sorted(([*it.position, *it.color, *it.size, it.yaw] for it in building.known),
                    key=lambda row: [round(number, 4) for number in row[:3]])
     lines += [fact("known", *row) for row in known]
     lines.append(fact("unexplained", len(building.unexplained), *building.unexplained.sum(axis=0)))
     lines += [fact("site", *step.position, step.yaw) for step in building.steps]
+    lines += [fact("aligned", control, math.cos(it.angle), math.sin(it.angle), *it.place)
+              for control, it in building.alignments.items()]
     lines += [f"note {it}" for it in building.notes]
     if building.claim:
         lines.append(fact("claim", building.claim.reason))
     for action in actions:
         arm = [action.arm.name] if action.arm else []
         lines.append(fact("action", action.kind, *arm, action.to, action.width))
-        if action.kind == "follow":
+        if action.kind in ("follow", "press"):
             tool = action.arm.forward(action.path.positions[-1])
             lines.append(fact("tool", *tool[:3, 3], *tool[:3, 1]))
     return lines

@@ -28,6 +28,8 @@ CASES = [("pyramid", PYTHON, ["--seed", "1"]), ("bricks", OCTAVE, ["--seed", "1"
          ("lid", OCTAVE, ["--seed", "2", "--level", "piles"]),
          ("drive", PYTHON, ["--seed", "1", "--level", "fixtures"]),
          ("scissors", PYTHON, ["--seed", "2", "--level", "fixtures"]),
+         ("plank", OCTAVE, ["--seed", "2"]), ("drive", OCTAVE, ["--seed", "41", "--level", "fixtures"]),
+         ("scissors", OCTAVE, ["--seed", "31", "--level", "fixtures"]),
          ("pedestal", OCTAVE, [])]
 
 

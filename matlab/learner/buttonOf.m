@@ -1,0 +1,19 @@
+function button = buttonOf(press, alignment, surface, shown)
+% Returns the part that sticks out most of all that a press changes, as a block of no height: the raised button; a 1x0 struct
+% array if nothing is seen there. Its bottom is how low the changed part is.
+%   alignment, surface  see align, surfaceOf
+%   shown               the eye of the demonstration
+  c = constants().presses;
+  button = noBlocks();
+  [seen, before, later] = changedPart(press, alignment, surface, shown);
+  seen = partOfSurface(seen, isAlike(before, seen.colors) | isAlike(later, seen.colors));
+  if isempty(seen.points), return; end
+  top = max(seen.points(:, 3));
+  edge = mean(seen.points(seen.points(:, 3) > top - c.edge_depth, :), 1);
+  near = surfaceAround(surface, edge, c.button_radius, rows(surface.points)).points;
+  raised = near(abs(near(:, 3) - top) < c.edge_depth, :);
+  low = min(seen.points(:, 3));
+  high = median(raised(:, 3));
+  button(1) = newBlock(mean(seen.colors, 1), [c.finger_width, c.finger_width, high - low], ...
+                       [mean(raised(:, 1:2), 1), (low + high) / 2], pi / 2 - alignment.angle);
+end

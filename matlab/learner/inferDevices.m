@@ -1,0 +1,45 @@
+function presses = inferDevices(demo, steps, appearances)
+% Returns the presses of controls and the uses of tools in a demonstration, in their order: a 1xN struct array, see newPress.
+% It is an error if the pictures do not show what one of them changed.
+%   appearances  as from measureObjects
+  presses = noPresses();
+  if ~isfield(demo, 'events'), return; end
+  placed = {};  % names of the objects that were released so far for the last time
+  num_released = 0;
+  for event = demo.events
+    if strcmp(event.word, 'release')
+      num_released = num_released + 1;
+      n = demo.placed(num_released);
+      if ~any(demo.placed(num_released + 1:end) == n), placed{end + 1} = demo.ids{n}; end
+    end
+    if ~any(strcmp(event.word, {'use', 'trigger', 'press'})), continue; end
+    after = find([steps.stays] | ismember({steps.name}, placed));
+    if strcmp(event.word, 'use')
+      presses(end + 1) = useAt(demo, event, after, appearances);
+    else
+      control = event.fields{1 + strcmp(event.word, 'trigger')};
+      [before, later, changed] = changes(demo, event.frame, event.frame + 1, control);
+      presses(end + 1) = newPress(control, after, before, later, changed);
+    end
+  end
+  for k = find(cellfun(@isempty, {presses.tool}))
+    presses(k).changed = presses(k).changed & placeOfControl(presses(k).control, presses);
+  end
+end
+
+function mask = placeOfControl(control, presses)
+% Returns the mask of a rectangle around all that some press of a control changed, of the one that changed least: at
+% others, something else may have moved a little.
+  margin = constants().presses.margin_pixels;
+  mask = false(size(presses(1).changed));
+  least = Inf;
+  for press = presses(strcmp({presses.control}, control))
+    [row, column] = find(press.changed);
+    low = max([min(row), min(column)] - margin, 1);
+    high = [max(row), max(column)] + margin;
+    if prod(high - low + 1) >= least, continue; end
+    least = prod(high - low + 1);
+    mask(:) = false;
+    mask(low(1):min(high(1), end), low(2):min(high(2), end)) = true;
+  end
+end

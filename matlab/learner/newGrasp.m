@@ -1,0 +1,5 @@
+function grasp = newGrasp(position, arm, yaw)
+% Returns an attempt to take a block: the position of its center, 1x3 [units], the number of the arm, and the direction
+% from finger to finger [rad].
+  grasp = struct('position', position, 'arm', arm.index, 'yaw', yaw);
+end

@@ -1,0 +1,15 @@
+function press = newPress(control, after, before, later, changed)
+% Returns a press of a control, like a switch, that a demonstration shows.
+%   control   its name in the demonstration, for messages
+%   after     numbers of the steps that were done before it, 1xN
+%   before    picture of the demonstration before it, HxWx3
+%   later     and after it
+%   changed   mask of the pixels that it changed, HxW logical
+%   tool      that was used, a step (see newStep) where it began and ended; [] for the press of a button
+%   pose      of a tool: x y z of its center when it was used [units], and its yaw then [rad], 1x4
+%   begin     x y z of its center where its straight way to there began, 1x3 [units]
+%   attempts  number of times that it was tried
+%   done      whether it is done
+  press = struct('control', control, 'after', after, 'before', before, 'later', later, 'changed', changed, ...
+                 'tool', [], 'pose', [], 'begin', [], 'attempts', 0, 'done', false);
+end

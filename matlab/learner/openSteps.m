@@ -1,0 +1,8 @@
+function open = openSteps(state)
+% Returns the numbers of the steps that are not done and whose supports are done, in demonstrated order; before a press,
+% only of those that were done before it.
+  open = find(~state.done);
+  pending = state.presses(~[state.presses.done]);
+  if ~isempty(pending), open = intersect(open, pending(1).after); end
+  open = open(arrayfun(@(k) all(state.done([state.steps(k).on, state.steps(k).after])), open));
+end

@@ -1,0 +1,31 @@
+function actions = planArmUse(arm, tool, across, way, turn, q)
+% Plans a use of a tool with one arm and a yaw of the gripper: a 1xN cell; {} if that arm cannot.
+%   across  direction from finger to finger [rad]
+%   way     1x2 cell: the places where the tool's straight way to its work begins and ends
+%   turn    of the tool until then [rad]
+%   q       the joint angles of the arm, 1xn [rad]
+  c = constants();
+  width = tool.size(2);
+  opening = min(width + c.motion_planning.opening_margin, arm.opening);
+  height = tool.size(3) / 2 - gripDepth(arm, tool.size(3));
+  actions = {};
+  for grip = c.uses.grips'
+    % It is held at some distance from its middle, along it.
+    start = toolPose(arm, tool.position + [rotated([grip, 0], tool.yaw), height], across, width);
+    put = atHeight(start, start(3, 4) + c.motion_planning.place_height_margin);
+    there = [rotated([grip, 0], tool.yaw + turn), height];
+    work = cellfun(@(it) toolPose(arm, it + there, across + turn, width), way([1, 2, 1]), 'UniformOutput', false);
+    for lift = c.uses.lifts'
+      over = atHeight(start, start(3, 4) + lift);
+      for is_line = [true, false]
+        path = planParts(arm, {{over, start, over}, work, {over, put, over}}, is_line, q);
+        if isempty(path), continue; end
+        move = cellfun(@(it) struct('kind', 'follow', 'arm', arm, 'path', it), path, 'UniformOutput', false);
+        open = {struct('kind', 'open', 'arm', arm, 'to', opening)};
+        hold = {struct('kind', 'grasp', 'arm', arm, 'width', width)};
+        actions = [open, move(1:2), hold, move(3:5), hold, move(6:8), open, move(9:end), {struct('kind', 'observe')}];
+        return
+      end
+    end
+  end
+end

@@ -1,0 +1,29 @@
+function [actions, state, problem] = planUse(use, alignment, surface, state, arms, sensor)
+% Plans a use of a tool (see newPress): takes it, brings it to where it works, closes the gripper again, and puts it back. A
+% 1xN cell of actions; {} and a problem if that is impossible. state.grasp is that of the tool.
+%   alignment, surface  see align, surfaceOf
+  actions = {};
+  state.grasp = [];
+  [k, tool] = findTool(use, state.known, surface, state.shown);
+  problem = [use.tool.name, ' is not visible'];
+  if isempty(k), return; end
+  % Should it fail, the tool is no longer where it was.
+  others = state.known([1:k - 1, k + 1:end]);
+  state.known = [others, state.known(k)];
+  inScene = @(at) [rotated(at(1:2) - alignment.place, -alignment.angle), at(3)];
+  way = {inScene(use.begin), inScene(use.pose(1:3))};
+  turn = use.pose(4) - alignment.angle - tool.yaw;
+  problem = 'no arm brings it there and back';
+  for arm = nearestFirst(arms(arrayfun(@(arm) canHold(arm, tool.size(2)), arms)), tool.position(1))
+    q = sensor.arms(arm.index).joints(:)';
+    for across = graspYaws(tool, others)
+      attempt = newGrasp(tool.position, arm, across);
+      if hasFailed(attempt, state.failures), continue; end
+      actions = planArmUse(arm, tool, across, way, turn, q);
+      if isempty(actions), continue; end
+      state.grasp = attempt;
+      problem = '';
+      return
+    end
+  end
+end

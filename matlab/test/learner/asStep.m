@@ -1,0 +1,3 @@
+function step = asStep(it)
+  step = newStep(it, 'step');
+end

@@ -1,0 +1,29 @@
+function check_container()
+% A blue cube is put into a box whose floor is 0.2 high. Then the box is detected elsewhere, rotated.
+  brown = [0.5, 0.3, 0.2]; blue = [0, 0, 1];
+  cube = block(blue, [1, 1, 1], 3, -3, 0, 0);
+  [folder, remove] = newRecording({pictureOf([emptyBox(brown, -1, -1, 0), cube])});
+  write(folder, '0.txt', {'0,create,Case,shape,box', '0,create,Blue,shape,block', ...
+                          '0,move,Case,-1.0,-1.0,0.45,0.0,0.0,0.0', ...
+                          '0,move,Blue,3.0,-3.0,0.5,0.0,0.0,0.0'});
+  write(folder, '1.txt', {'1,grasp,LeftHand,Blue', '2,release,LeftHand', ...
+                          '2,move,Blue,0.5,-1.3,0.7,0.0,0.0,0.0'});
+  [steps, container] = inferTask(readDemonstration(folder), []);
+  check(norm(container.position - [-1, -1, 0.45]) < 0.03, 'the box is measured where it stands');
+  check(max(abs(container.size - [5, 2.6, 0.9])) < 0.05, 'with its size');
+  check(abs(container.floor - 0.2) < 1e-9, 'the height of its content determines that of its floor');
+
+  there = block(blue, [1, 1, 1], 0.9, -1.6, 0.2, 0.3);
+  picture = pictureOf([emptyBox(brown, 1, -2, 0.3), there]);
+  [found, turn] = detectContainer(picture, robotEye(), container);
+  check(norm(found.position - [1, -2, 0.45]) < 0.03, 'the box is detected elsewhere');
+  check(abs(turn - 0.3) < 0.02, 'with its rotation');
+  seen = detectBlocks(picture, robotEye(), steps, found);
+  check(abs(seen.position(3) - 0.7) < 1e-9, 'a block in it lies on its floor');
+  walls = containerWalls(found);
+  there.position = found.position + [0, 0, 0.25];
+  check(isequal(graspYaws(there, walls), there.yaw + [pi / 2, -pi / 2, 0, pi]), ...
+        'there is room for the fingers in the middle');
+  there.position = found.position + [1.7 * [cos(0.3), sin(0.3)], 0.25];
+  check(isequal(graspYaws(there, walls), there.yaw + [pi / 2, -pi / 2]), 'but not at the end');
+end

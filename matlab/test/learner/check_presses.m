@@ -1,0 +1,47 @@
+function check_presses()
+% A switch is pressed: its raised side changes, and a lamp goes on.
+  eye = robotEye();
+  [folder, remove] = newRecording({pictureOf(fixture(0, -2, 0, false)), pictureOf(fixture(0, -2, 0, true))});
+  write(folder, '0.txt', {'0,create,Panel,shape,composite', '0,move,Panel,0.0,-2.0,0.1,0.0,0.0,0.0'});
+  write(folder, '1.txt', {'1,trigger,LeftHand,Switch'});
+  press = inferDevices(readDemonstration(folder), noSteps(), noBlocks());
+  check(numel(press) == 1 && strcmp(describePress(press), 'press of Switch') && isempty(press.after), 'a press is inferred');
+
+  [picture, heights] = pictureOf(fixture(1.5, -3, 0.4, false));
+  alignment = locateControl(press, picture, heights, eye, eye);
+  check(abs(sin((alignment.angle + 0.4) / 2)) < 0.01, 'the fixture is found turned');
+  check(norm(alignedPoints(alignment, [1.5, -3, 0])(1:2) - [0, -2]) < 0.03, 'at its place');
+  surface = surfaceOf(picture, heights, eye);
+  check(~looksPressed(press, alignment, surface, eye), 'its switch is not pressed');
+  button = buttonOf(press, alignment, surface, eye);
+  check(norm(button.position(1:2) - [1.5, -3] - rotated([0.3, -0.4], 0.4)) < 0.14, 'the raised side is the button');
+  check(abs(blockTops(button) - 0.45) < 0.01, 'at its height');
+  [picture, heights] = pictureOf(fixture(1.5, -3, 0.4, true));
+  check(looksPressed(press, alignment, surfaceOf(picture, heights, eye), eye), 'another look shows that it was pressed');
+
+  others = [block([0.5, 0.5, 0.5], [1, 0.5, 0.3], 1, -3, 0, 0), block([1, 0, 0], [1, 2, 1.6], -2, -3, 0, 0)];
+  [picture, heights] = pictureOf(others);
+  check(isempty(locateControl(press, picture, heights, eye, eye)), 'what is not there is not found');
+
+  state = initialTaskState(noSteps(), [], press, eye);
+  [state, problem] = locateControls(state, picture, heights, eye);
+  check(strcmp(problem, 'the surroundings of Switch are not visible'), 'and reported');
+  for k = 1:constants().perception.num_still
+    [is_moving, state] = isMoving(state, picture);
+    check(is_moving, 'something may still move');
+  end
+  [is_moving, state] = isMoving(state, picture);
+  check(~is_moving, 'until it looks the same several times');
+end
+
+function blocks = fixture(x, y, yaw, is_on)
+% Returns a panel with a switch on it, and a lamp, if that is on.
+  at = @(dx, dy) [x, y] + rotated([dx, dy], yaw);
+  part = @(color, size, at, bottom) block(color, size, at(1), at(2), bottom, yaw);
+  gray = [0.5, 0.5, 0.5];
+  blocks = [part([0.5, 0.3, 0.2], [3, 2.4, 0.2], [x, y], 0), part([0, 0, 1], [0.4, 1.6, 0.3], at(1.2, 0), 0.2)];
+  if is_on, blocks = [blocks, part([0, 1, 0], [0.3, 0.3, 0.05], at(-0.3, 0.5), 0.2)]; end
+  side = 0.3;
+  if is_on, side = -0.3; end
+  blocks = [blocks, part(gray, [1, 0.5, 0.1], at(0, -0.4), 0.2), part(gray, [0.4, 0.5, 0.15], at(side, -0.4), 0.3)];
+end

@@ -1,0 +1,34 @@
+function check_uses()
+% A knife with a blue tip cuts a string, and is put back.
+  green = [0, 1, 0]; brown = [0.5, 0.3, 0.2]; red = [1, 0, 0];
+  eye = robotEye();
+  string = [block(green, [0.2, 3, 0.2], 1, -2, 1, 0), block(brown, [0.5, 0.5, 1], 1, -0.5, 0, 0)];
+  [folder, remove] = newRecording({pictureOf([knife(-2, -3, 0), string]), pictureOf([knife(-2, -3, 0), string(2)])});
+  write(folder, '0.txt', {'0,create,Knife,shape,composite', '0,move,Knife,-2.0,-3.0,0.4,0.0,0.0,0.0'});
+  write(folder, '1.txt', {'1,grasp,LeftHand,Knife', '1,move,Knife,-2.0,-3.0,2.0,0.0,0.0,0.0', ...
+                          '2,move,Knife,-1.0,-2.0,1.0,0.0,0.0,0.0', '3,move,Knife,-0.7,-2.0,1.0,0.0,0.0,0.0'});
+  write(folder, '2.txt', {'4,use,LeftHand,Knife,cut,String between link 1 and 2', ...
+                          '4,move,Knife,-0.4,-2.0,1.0,0.0,0.0,0.0', '5,move,Knife,-2.0,-3.0,0.4,0.0,0.0,0.0'});
+  write(folder, '3.txt', {'6,release,LeftHand'});
+  movefile(fullfile(folder, 'rgb', '1.png'), fullfile(folder, 'rgb', '6.png'));
+  demo = readDemonstration(folder);
+  [steps, container, appearances] = inferTask(demo, []);
+  check(isempty(steps), 'a tool that was put back is no step');
+  use = inferDevices(demo, steps, appearances);
+  check(numel(use) == 1 && max(abs(use.pose - [-0.4, -2, 1, 0])) < 1e-9, 'but it was used there');
+  check(max(abs(use.begin - [-1, -2, 1])) < 1e-9, 'on a straight way');
+  [~, goal] = explain(demo, appearances, container);
+  check(any(strcmp(goal, 'cut String Knife')), 'to cut is the goal');
+
+  known = block(red, [1.8, 0.5, 0.8], 1, -3, 0, 0.5);
+  for yaw = 0.5 + [0, pi]
+    [picture, heights] = pictureOf(knife(1, -3, yaw));
+    [k, tool] = findTool(use, known, surfaceOf(picture, heights, eye), eye);
+    check(k == 1 && abs(sin((tool.yaw - yaw) / 2)) < 1e-9, 'a tool is turned as its surroundings look');
+  end
+end
+
+function blocks = knife(x, y, yaw)
+  tip = [x, y] + rotated([1.3, 0], yaw);
+  blocks = [block([1, 0, 0], [1.8, 0.5, 0.8], x, y, 0, yaw), block([0, 0, 1], [0.8, 0.3, 0.4], tip(1), tip(2), 0, yaw)];
+end

@@ -1,0 +1,5 @@
+function write(folder, name, lines)
+  file = fopen(fullfile(folder, name), 'w');
+  fprintf(file, '%s\n', lines{:});
+  fclose(file);
+end

@@ -10,7 +10,7 @@ smile: imitates
 
 from arms import arms_for, arms_of
 from constants import TASK_PLANNING
-from demonstration import read_demonstration
+from demonstration import has_texts, read_demonstration
 from devices import infer_devices
 from execution import Action, execute_action
 from explain import explain
@@ -22,6 +22,7 @@ from sentences import page_of
 from task_model import infer_task
 from task_planning import choose_actions
 from task_state import TaskState, give_up, remember_failure
+from watching import watch_demonstration
 
 
 def init(aux):
@@ -29,7 +30,8 @@ def init(aux):
     if "demonstration" not in aux:
         raise ValueError("this brain needs a demonstration: "
                          "smile imitate DEMO SCENE --brain python/learner/learner.py")
-    demo = read_demonstration(aux.demonstration)
+    read = read_demonstration if has_texts(aux.demonstration) else watch_demonstration
+    demo = read(aux.demonstration)
     steps, container = infer_task(demo, aux.attention)
     presses = infer_devices(demo, steps)
     page = page_of(explain(demo, container))

@@ -22,13 +22,18 @@ class Demonstration:
     placed: list  # numbers of the released objects, in the order of release
     events: list  # all lines except moves: frame, word ('grasp', 'release', ...), list of fields
     eye: Eye  # camera of the observing robot
-    appearances: dict = None  # of the objects, once task_model.measure_objects has measured them
+    appearances: dict = None  # of the objects, once they are measured
 
     def pose(self, n, frame):
         """Returns the pose of an object before an action of a frame: x y z [units], angles about x,
         y, z [degrees]."""
         rows = self.moves[n]
         return rows[max(np.count_nonzero(rows[:, 0] < frame) - 1, 0), 1:]
+
+
+def has_texts(folder):
+    """Returns true if a recording has texts; without them it has pictures alone."""
+    return (Path(folder) / "0.txt").exists()
 
 
 def read_demonstration(folder):

@@ -21,7 +21,9 @@ def infer_task(demo, attention):
     """
     moved = moved_objects(demo)
     carried = [n for n in moved if not was_dragged(demo.moves[n])]
-    appearances = demo.appearances = measure_objects(demo, carried)
+    if demo.appearances is None:  # pictures alone have shown them already
+        demo.appearances = measure_objects(demo, carried)
+    appearances = demo.appearances
     moved = [n for n in moved if n not in tools_of(demo)]
     placed = [step_of(demo, n, appearances[n], attention) if n in carried
               else measure_handle(demo, n) for n in moved]

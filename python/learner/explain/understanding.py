@@ -1,16 +1,18 @@
 """What the learner understands of a demonstration, from its recording to the steps of the task."""
 
-from explain.demonstration import read_demonstration
+from explain.demonstration import has_texts, read_demonstration
 from explain.devices import infer_devices
 from explain.explanation import explain
 from explain.sentences import page_of
 from explain.task_model import infer_task
+from explain.watching import watch_demonstration
 
 
 def understand(aux):
-    """Reads the demonstration of a brain, and prints what it shows. Returns the Demonstration, the Steps of the task,
+    """Reads or watches the demonstration of a brain, and prints what it shows. Returns the Demonstration, the Steps of the task,
     the Container or None, and the Presses and Uses."""
-    demo = read_demonstration(aux.demonstration)
+    read = read_demonstration if has_texts(aux.demonstration) else watch_demonstration
+    demo = read(aux.demonstration)
     steps, container = infer_task(demo, aux.attention)
     presses = infer_devices(demo, steps)
     page = page_of(explain(demo, container))

@@ -33,16 +33,13 @@ def smallest_rectangle(x, y, pixel, yaw=None):
     pixel: side of the small square that each point stands for [units]
     yaw:   of its first side, if it is known [rad]
     """
-    best = None
-    yaws = [yaw] if yaw is not None else np.arange(0, np.pi / 2, C.rectangle_yaw_step_rad)
-    for angle in yaws:
-        along = x * np.cos(angle) + y * np.sin(angle)
-        across = y * np.cos(angle) - x * np.sin(angle)
-        low, high = np.array([[it.min(), it.max()] for it in (along, across)]).T
-        sides = high - low + pixel
-        if best is None or sides.prod() < best[0]:
-            best = sides.prod(), angle, sides, (low + high) / 2
-    _, angle, sides, (along, across) = best
+    yaws = np.array([yaw]) if yaw is not None else np.arange(0, np.pi / 2, C.rectangle_yaw_step_rad)
+    c, s = np.cos(yaws)[:, None], np.sin(yaws)[:, None]
+    along, across = x * c + y * s, y * c - x * s
+    low, high = [np.array([end(along, axis=1), end(across, axis=1)]) for end in (np.min, np.max)]
+    best = np.argmin((high - low + pixel).prod(axis=0))
+    angle, sides = yaws[best], (high - low + pixel)[:, best]
+    along, across = ((low + high) / 2)[:, best]
     center = np.array([along * np.cos(angle) - across * np.sin(angle),
                        along * np.sin(angle) + across * np.cos(angle)])
     if yaw is None and sides[1] > sides[0]:

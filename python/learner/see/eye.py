@@ -49,6 +49,13 @@ def to_pixel(point, eye):
     return np.array([K[0, 0], K[1, 1]]) * p[:2] / p[2] + K[:2, 2]
 
 
+def pixels_in_view(points, eye):
+    """Projects points, Nx3 [units], like to_pixel: u, v from the top left corner, Nx2 [pixels]."""
+    p = (points - eye.pose[:3, 3]) @ eye.pose[:3, :3]
+    K = eye.intrinsics
+    return p[:, :2] / p[:, 2:] * [K[0, 0], K[1, 1]] + K[:2, 2]
+
+
 def pixels_of(points, eye, picture):
     """Returns rows and columns of the pixels that show N points, Nx3 [units], and which of these are inside a
     picture, N bool; rows and columns of the others are 0."""

@@ -6,7 +6,7 @@ from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[3]
 LEARNER = PROJECT / "python/learner"
-PARTS = ["constants", "things", "see", "relate", "explain", "act", "match", "check", "plan", "learner"]
+PARTS = ["constants", "things", "see", "watch", "relate", "explain", "act", "match", "check", "plan", "learner"]
 MAX_LINES = 79
 
 

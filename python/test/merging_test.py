@@ -10,11 +10,13 @@ import unittest
 from pathlib import Path
 
 # First: it finds the packages below, or ends the test.
-from exported_dataset import CAMERAS, FPS, PROJECT, ROBOT, TERN, Exported, files_of, imitation, run
+from exported_dataset import CAMERAS, FPS, PROJECT, SIZE, ROBOT, TERN, Exported, files_of, imitation, run
 
 import av
+import h5py
 import numpy as np
 import pyarrow.parquet as pq
+import zarr
 
 from smile.datasets import examine, export, merge
 
@@ -97,8 +99,8 @@ class MergeTest(Exported):
         export([TERN], self.out / "tern", cameras=CAMERAS, fps=FPS)
         export([self.runs[0]], self.out / "old", format="lerobot-v2.1", cameras=(), fps=FPS)
         for datasets, message in (([a, self.out / "tern"], "differs from .*a in robot_type"),
-                                  ([self.out / "old"], "of version v2.1"),
-                                  ([PROJECT / "scenes"], "is no LeRobot dataset"),
+                                  ([a, self.out / "old"], "differs from .*a in codebase_version"),
+                                  ([PROJECT / "scenes"], "is no dataset that SMILE exported"),
                                   ([], "there are no datasets")):
             with self.assertRaisesRegex(ValueError, message):
                 merge(datasets, self.out / "merged")
@@ -106,6 +108,69 @@ class MergeTest(Exported):
         with self.assertRaisesRegex(ValueError, "mend .*b, or export it again"):
             merge([a, b], self.out / "merged")
         self.assertEqual({path.name for path in self.out.iterdir()}, {"a", "b", "old", "tern"})
+
+
+class OtherFormatsTest(unittest.TestCase):
+    """A merge of two datasets is, in each format, the dataset of both."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.out = Path(temporary.name)
+        self.runs = [imitation(self.out / "seed-0007", True), imitation(self.out / "second", True)]
+
+    def merged(self, format, runs, **options):
+        """Returns the dataset of all runs, and the merge of datasets of one each."""
+        options = {"format": format, "cameras": {"eye": SIZE}, "fps": 5, "task": "build, quickly", **options}
+        export(runs, self.out / "once", **options)
+        for number, one in enumerate(runs):
+            export([one], self.out / f"part-{number}", **options)
+        report = merge([self.out / f"part-{number}" for number in range(len(runs))], self.out / "merged")
+        self.assertEqual(report.episodes, len(runs))
+        return self.out / "once", self.out / "merged"
+
+    def assert_same_files(self, once, merged):
+        first, second = files_of(once), files_of(merged)
+        self.assertEqual(set(first), set(second))
+        self.assertEqual([name for name in first if first[name] != second[name]], [])
+
+    def test_lerobot_v2_1(self):
+        self.assert_same_files(*self.merged("lerobot-v2.1", self.runs))
+
+    def test_csv(self):
+        once, merged = self.merged("csv", self.runs)
+        self.assert_same_files(once, merged)
+        (self.out / "part-1/episode_000000.csv").unlink()
+        with self.assertRaisesRegex(ValueError, "part-1: episode_000000.csv is missing; mend it"):
+            merge([self.out / "part-0", self.out / "part-1"], self.out / "again")
+        self.assertFalse((self.out / "again").exists())
+
+    def test_zarr(self):
+        once, merged = self.merged("zarr", self.runs)
+        self.assert_same_files(once, merged)
+        zarr.open(str(self.out / "part-1/replay.zarr"))["data/sim.tick"].resize(3)
+        with self.assertRaisesRegex(ValueError, "part-1: data/sim.tick has 3 frames, but the last episode ends at"):
+            merge([self.out / "part-0", self.out / "part-1"], self.out / "again")
+
+    def test_robomimic(self):
+        once, merged = self.merged("robomimic", self.runs)
+        with h5py.File(once / "demo.hdf5") as first, h5py.File(merged / "demo.hdf5") as second:
+            expected, found = self.contents(first), self.contents(second)
+        self.assertEqual(set(expected), set(found))
+        for name, (values, attributes) in expected.items():
+            np.testing.assert_array_equal(found[name][0], values, name)
+            np.testing.assert_equal(found[name][1], attributes, name)
+        with h5py.File(self.out / "part-1/demo.hdf5", "r+") as file:
+            file["data"].attrs["total"] = 3
+        with self.assertRaisesRegex(ValueError, "part-1: total is 3, but there are"):
+            merge([self.out / "part-0", self.out / "part-1"], self.out / "again")
+
+    @staticmethod
+    def contents(file):
+        found = {}
+        file.visititems(lambda name, item: found.update({
+            name: (item[()] if isinstance(item, h5py.Dataset) else None, dict(item.attrs))}))
+        return found
 
 
 class GenerationTest(unittest.TestCase):

@@ -9,6 +9,7 @@
 #include "app/evaluation_plan.h"
 #include "app/exit_code.h"
 #include "app/layout_options.h"
+#include "app/slurm_job.h"
 #include "base/wording.h"
 #include "recording/demo_info.h"
 
@@ -28,6 +29,10 @@ std::string StatusText(const experiment::EvaluationStatus& status) {
 
 int Evaluate(const EvaluateOptions& options) {
   const experiment::EvaluationPlan plan = PlanOf(options);
+  if (options.pool.slurm_shards > 0) {
+    SubmitToSlurm(options.pool.slurm_shards, plan.num_scenes, plan.jobs, plan.out);
+    return kDone;
+  }
   ConsoleReporter console;
   ProgressLine line("evaluating");
   const report::Evaluation evaluation = experiment::Evaluate(

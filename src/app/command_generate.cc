@@ -10,6 +10,7 @@
 #include "app/exit_code.h"
 #include "app/generation_plan.h"
 #include "app/layout_options.h"
+#include "app/slurm_job.h"
 #include "base/wording.h"
 
 namespace smile::app {
@@ -29,6 +30,10 @@ std::string StatusText(const experiment::GenerationStatus& status) {
 
 int Generate(const GenerateOptions& options) {
   const experiment::GenerationPlan plan = PlanOf(options);
+  if (options.pool.slurm_shards > 0) {
+    SubmitToSlurm(options.pool.slurm_shards, plan.count, plan.jobs, plan.out);
+    return kDone;
+  }
   ConsoleReporter console;
   ProgressLine line("generating");
   const experiment::GenerationSummary summary = experiment::Generate(

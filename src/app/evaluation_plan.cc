@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/open_recording.h"
+#include "app/shell_word.h"
 #include "base/wording.h"
 #include "experiment/robot_region.h"
 #include "layout/layout_choice.h"
@@ -34,16 +35,6 @@ std::vector<std::string> ImitateArguments(const EvaluateOptions& options, const 
   const std::vector<std::string> others = OtherArguments(options);
   arguments.insert(arguments.end(), others.begin(), others.end());
   return arguments;
-}
-
-/// Returns a text as one word of a shell command.
-std::string ShellWord(const std::string& word) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._/=,:+";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (char letter : word) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return quoted + "'";
 }
 
 /// Returns the command that repeats a run with pictures, for people.

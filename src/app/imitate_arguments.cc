@@ -7,7 +7,7 @@
 namespace smile::app {
 namespace {
 
-constexpr std::size_t kMaxJobs = 1024;
+constexpr std::size_t kMaxJobs = 1024, kMinSlurmShards = 2, kMaxSlurmShards = 1'000'000;
 
 }  // namespace
 
@@ -31,9 +31,15 @@ void AddPoolOptions(CLI::App* command, PoolOptions* options) {
                    "time limit per run in seconds of wall-clock time; a longer run counts as hung")
       ->capture_default_str()
       ->check(NumberBetween(0.1, 1e6));
-  command->add_option("--shard", options->shard,
-                      "part of the work to do, as 2/8: the second of eight shards, which `smile "
-                      "merge` joins");
+  CLI::Option* shard = command->add_option(
+      "--shard", options->shard,
+      "part of the work to do, as 2/8: the second of eight shards, which `smile merge` joins");
+  command
+      ->add_option("--slurm", options->slurm_shards,
+                   "submit the work to Slurm, in this number of shards of --jobs cores each "
+                   "(default: 1), and a job that joins them")
+      ->check(CLI::Range(kMinSlurmShards, kMaxSlurmShards))
+      ->excludes(shard);
 }
 
 std::vector<std::string> ArgumentsOf(const ImitateSettings& settings, const std::string& eye,

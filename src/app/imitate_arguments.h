@@ -24,9 +24,10 @@ struct PoolOptions {
   std::size_t jobs = 0;        ///< 0: the number of cores
   double wall_seconds = 3600;  ///< limit of a run
   std::string shard = "1/1";
+  std::size_t slurm_shards = 0;  ///< tasks of a job of Slurm; 0: without Slurm
 };
 
-/// Adds `--jobs`, `--wall-seconds` and `--shard`.
+/// Adds `--jobs`, `--wall-seconds`, `--shard` and `--slurm`.
 void AddPoolOptions(CLI::App* command, PoolOptions* options);
 
 /// Up to here all integers are exact in JSON numbers.

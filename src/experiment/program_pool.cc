@@ -125,6 +125,13 @@ bool RunAll(const std::vector<PoolJob>& jobs, std::size_t at_once, const PoolCal
       const std::unique_ptr<PoolRun> run = std::move(runs[i]);
       runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(i));
       const PoolEnd end = run->End();
+      // A signal to all processes of a batch job may reach this one last: then the run did not
+      // fail.
+      if (!end.exit_code) ::poll(nullptr, 0, kSliceMs);
+      if (end.exit_code != 0 && calls.is_cancelled()) {
+        InterruptAll(runs);
+        return false;
+      }
       calls.on_end(run->job(), end);
     }
     calls.on_wait();

@@ -93,7 +93,7 @@ def _export(options: argparse.Namespace) -> int:
 def _add_merge(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "merge", help="join datasets",
-        description="Joins datasets that were exported as lerobot-v3.0 with the same options, in this order. "
+        description="Joins datasets that were exported in the same format with the same options, in this order. "
                     "Episodes are numbered again, and statistics are those of all frames.")
     parser.add_argument("datasets", nargs="+", metavar="DATASET", help="folder of a dataset")
     parser.add_argument("--out", required=True, metavar="DIR", help="folder to be made")

@@ -38,13 +38,16 @@ class Writer(lerobot.Writer):
         _write_table(self._folder / path_of(self.DATA, self.num_episodes), header, np.hstack(blocks).tolist())
         return {}
 
+    def _list(self, row: Row) -> None:
+        self._episodes.append({
+            name: value for name, value in row.items()
+            if name == "episode_index" or name != "stats" and "/from_" not in name
+            and not name.endswith(("_index", "/to_timestamp"))})
+
     def _write_meta(self, totals: dict[str, statistics.Statistics]) -> None:
-        rows = [{name: value for name, value in row.items() if name != "stats" and "/from_" not in name
-                 and not name.endswith(("_index", "/to_timestamp")) or name == "episode_index"}
-                for row in self._episodes]
-        header = list(rows[0])
+        header = list(self._episodes[0])
         _write_table(self._folder / "episodes.csv", header,
-                     ([_text_of(row[name]) for name in header] for row in rows))
+                     ([_text_of(row[name]) for name in header] for row in self._episodes))
         write_json(self._folder / "info.json", self._info())
         write_json(self._folder / "stats.json", totals)
 

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
+import pyarrow as pa
 
 from smile.datasets import statistics
 from smile.datasets.features import DEFAULTS
@@ -127,7 +128,8 @@ def _frames(layout: Layout) -> Iterator[Finding]:
         if episode.data not in tables:
             try:
                 # Episodes of a file follow one another: one table at a time.
-                tables = {episode.data: read_table(layout.folder, episode.data)}
+                tables = {}
+                tables = {episode.data: read_table(layout.folder, episode.data).combine_chunks()}
             except LayoutError as error:
                 yield Finding(True, error.where, error.message, error.advice)
                 tables = {episode.data: None}
@@ -158,7 +160,8 @@ def _frames_of(layout: Layout, episode: ListedEpisode, table: Any, begin: int) -
         yield Finding(True, where, f"has {len(rows)} frames in {episode.data.relative_to(layout.folder)}, but is "
                       f"listed with {episode.length}", "correct its place and length in the list of episodes")
         return
-    part = table.take(rows)
+    is_run = len(rows) > 0 and rows[-1] - rows[0] == len(rows) - 1
+    part = table.slice(rows[0], len(rows)) if is_run else table.take(rows)
     frames = part["frame_index"].to_numpy()
     if not np.array_equal(frames, np.arange(episode.length)):
         yield Finding(True, where, "has frame_index that does not count from 0", "write frame_index again")
@@ -168,15 +171,25 @@ def _frames_of(layout: Layout, episode: ListedEpisode, table: Any, begin: int) -
     if late.max(initial=0) > TIME_TOLERANCE:
         yield Finding(True, where, f"has times that are not frame_index / fps, by up to {late.max():.4f} s: films "
                       "are read at other moments", "write timestamp as frame_index / fps")
-    unknown = sorted(set(part["task_index"].to_pylist()) - set(layout.tasks))
+    unknown = sorted(set(np.unique(part["task_index"].to_numpy()).tolist()) - set(layout.tasks))
     if unknown:
         yield Finding(True, where, f"has the task {unknown[0]}, which is not in the list of tasks", "add the task")
     for name, feature in layout.features.items():
         if feature.get("dtype") in ("float32", "float64") and name in part.column_names:
-            values = np.array(part[name].to_pylist(), float)
-            if not np.all(np.isfinite(values)):
+            if not _are_finite(part[name]):
                 yield Finding(True, where, f"has numbers in {name} that are not finite: losses become NaN",
                               "leave out the episode, or write these numbers again")
+
+
+def _are_finite(column: Any) -> bool:
+    """column: of numbers, or of lists of numbers"""
+    for chunk in column.chunks:
+        while pa.types.is_nested(chunk.type):
+            chunk = chunk.flatten()
+        # A missing number becomes NaN.
+        if not np.all(np.isfinite(chunk.to_numpy(zero_copy_only=False))):
+            return False
+    return True
 
 
 def _films(layout: Layout) -> Iterator[Finding]:

@@ -138,7 +138,7 @@ def _write(plan: Plan, options: Options, target: Path, say: Callable[[str], None
         is_lerobot = options.format.startswith("lerobot")
         about = {"format": 1, "action": plan.sampling.action if plan.sampling.has_robot else None,
                  "intrinsics": intrinsics, "constant": constant, "dropped": sorted(plan.sampling.dropped)}
-        if is_lerobot:
+        if isinstance(writer, Writer):
             about["pixels"] = pixels_of(writer)
         write_json(partial / (META if is_lerobot else "smile.json"), about)
         say("completing the files")

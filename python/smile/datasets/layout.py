@@ -65,6 +65,18 @@ class Layout:
         return [name for name, feature in self.features.items() if feature.get("dtype") == "video"]
 
 
+def format_of(folder: Path) -> str:
+    """Returns the format of a dataset, as in FORMATS. Raises LayoutError if it is none of them."""
+    for name, format in (("demo.hdf5", "robomimic"), ("replay.zarr", "zarr"), ("episodes.csv", "csv")):
+        if (folder / name).exists():
+            return format
+    version = _read_json(folder / "meta/info.json").get("codebase_version")
+    if version not in VERSIONS:
+        raise LayoutError("meta/info.json", f"codebase_version is {version!r}, expected {' or '.join(VERSIONS)}",
+                          "convert the dataset with LeRobot's own scripts")
+    return f"lerobot-{version}"
+
+
 def read_layout(folder: Path) -> Layout:
     """Reads the meta data. Raises LayoutError if that is not possible."""
     info = _read_json(folder / "meta/info.json")
@@ -124,7 +136,9 @@ def _read_version_3(layout: Layout) -> None:
     if not files:
         raise LayoutError("meta/episodes", "has no files", "copy the whole folder again, or make the dataset again")
     for file in files:
-        for row in read_table(layout.folder, file).to_pylist():
+        table = read_table(layout.folder, file)
+        # Without the statistics of episodes, of which there are many.
+        for row in table.select([name for name in table.column_names if not name.startswith("stats/")]).to_pylist():
             layout.episodes.append(_episode_of_version_3(layout, row))
 
 

@@ -28,6 +28,8 @@ else:
 MEGABYTE = 1_000_000
 FILES_PER_CHUNK = 1000
 EPISODES_PER_FILE = 5000
+# Divides EPISODES_PER_FILE.
+_EPISODES_PER_BLOCK = 250
 
 Row = dict[str, Any]
 
@@ -144,39 +146,56 @@ class Writer:
         self._data = DataFiles(folder, self._schema, self.DATA, self.DATA_MEGABYTES)
         self._tasks: dict[str, int] = {}
         self._episodes: list[Row] = []
-        self._num_frames = 0
-        self._totals: dict[str, list[npt.NDArray[Any]]] = {}
+        self._num_episodes = self._num_frames = 0
+        self._blocks: dict[int, list[pa.Table]] = {}
+        self._totals: dict[str, statistics.Values] = {}
 
     @property
     def num_episodes(self) -> int:
-        return len(self._episodes)
+        return self._num_episodes
 
     @property
     def num_frames(self) -> int:
         return self._num_frames
 
     def add(self, columns: Mapping[str, Column], task: str, films: Mapping[str, Row],
-            pixels: Mapping[str, statistics.Pixels], more: Row) -> None:
+            pixels: Mapping[str, statistics.Pixels], more: Row,
+            known: Mapping[str, statistics.Statistics] | None = None) -> None:
         """Appends an episode, whose pictures are already in its films.
 
         films   by camera: chunk_index, file_index, from_timestamp, to_timestamp
         pixels  by camera
         more    further columns of the episode
+        known   statistics of the episode, by feature, as far as they were computed before
         """
         length = len(next(iter(columns.values())).values)
         values = {name: column.values for name, column in columns.items()}
         values.update(self._default_columns(length, task))
         data = self._write_frames(values)
-        row: Row = {"episode_index": len(self._episodes), "tasks": [task], "length": length}
+        row: Row = {"episode_index": self._num_episodes, "tasks": [task], "length": length}
         row.update({f"data/{name}": number for name, number in data.items()})
         row["dataset_from_index"] = self._num_frames
         row["dataset_to_index"] = self._num_frames + length
         for camera, film in films.items():
             row.update({f"videos/{camera}/{name}": value for name, value in film.items()})
-        row["stats"] = self._statistics_of(values, pixels)
+        row["stats"] = self._statistics_of(values, pixels, known or {})
         row.update(more)
-        self._episodes.append(row)
+        self._num_episodes += 1
         self._num_frames += length
+        self._list(row)
+
+    def _list(self, row: Row) -> None:
+        """Appends an episode to the list of episodes."""
+        self._episodes.append(row)
+        if len(self._episodes) == _EPISODES_PER_BLOCK:
+            self._make_block()
+
+    def _make_block(self) -> None:
+        """Packs the last episodes of the list: as objects of Python they need some times the memory."""
+        if self._episodes:
+            file = (self._num_episodes - 1) // EPISODES_PER_FILE
+            self._blocks.setdefault(file, []).append(_episodes_table(self._episodes, place(file)))
+            self._episodes = []
 
     def _write_frames(self, values: Mapping[str, npt.NDArray[Any]]) -> Row:
         """Appends the frames of an episode to the data; returns their place."""
@@ -186,17 +205,20 @@ class Writer:
     def _default_columns(self, length: int, task: str) -> dict[str, npt.NDArray[Any]]:
         frames = np.arange(length)
         return {"timestamp": (frames / self._fps).astype(np.float32), "frame_index": frames,
-                "episode_index": np.full(length, len(self._episodes)),
+                "episode_index": np.full(length, self._num_episodes),
                 "index": self._num_frames + frames,
                 "task_index": np.full(length, self._tasks.setdefault(task, len(self._tasks)))}
 
     def _statistics_of(self, values: Mapping[str, npt.NDArray[Any]],
-                       pixels: Mapping[str, statistics.Pixels]) -> dict[str, statistics.Statistics]:
+                       pixels: Mapping[str, statistics.Pixels],
+                       known: Mapping[str, statistics.Statistics]) -> dict[str, statistics.Statistics]:
         of_episode = {}
         for name in self.features:
             if name in values:
-                self._totals.setdefault(name, []).append(values[name])
-                of_episode[name] = statistics.of_rows(values[name])
+                if name not in self._totals:
+                    self._totals[name] = statistics.Values(self._folder, name)
+                self._totals[name].add(values[name])
+                of_episode[name] = known[name] if name in known else statistics.of_rows(values[name])
             else:
                 self.films[name].pixels.join(pixels[name])
                 of_episode[name] = pixels[name].statistics()
@@ -208,7 +230,7 @@ class Writer:
             film.finish()
         self._data.finish()
         totals = {name: self.films[name].pixels.statistics() if name in self.films
-                  else statistics.of_rows(np.concatenate(self._totals[name]))
+                  else self._totals[name].statistics()
                   for name in self.features}
         self._write_meta(totals)
         return totals
@@ -219,9 +241,9 @@ class Writer:
 
     def _info(self) -> Row:
         return {"codebase_version": self.VERSION, "robot_type": self._robot,
-                "total_episodes": len(self._episodes), "total_frames": self._num_frames,
+                "total_episodes": self._num_episodes, "total_frames": self._num_frames,
                 "total_tasks": len(self._tasks), "chunks_size": FILES_PER_CHUNK,
-                "fps": self._fps, "splits": {"train": f"0:{len(self._episodes)}"},
+                "fps": self._fps, "splits": {"train": f"0:{self._num_episodes}"},
                 "data_path": self.DATA, "video_path": self.FILMS if self.films else None,
                 "features": self.features}
 
@@ -232,11 +254,13 @@ class Writer:
         write_json(self._folder / "meta/info.json", info)
         write_json(self._folder / "meta/stats.json", totals)
         pq.write_table(_tasks_table(list(self._tasks)), self._folder / "meta/tasks.parquet")
-        for file, first in enumerate(range(0, len(self._episodes), EPISODES_PER_FILE)):
-            rows = self._episodes[first:first + EPISODES_PER_FILE]
+        self._make_block()
+        for file, blocks in self._blocks.items():
             path = self._folder / self.EPISODES.format(**place(file))
             path.parent.mkdir(parents=True, exist_ok=True)
-            pq.write_table(_episodes_table(rows, place(file)), path, compression="snappy")
+            # Where a block knows no value of a column, another one tells its type.
+            table = pa.concat_tables(blocks, promote_options="permissive").combine_chunks()
+            pq.write_table(table, path, compression="snappy")
 
 
 class WriterOfVersion2(Writer):
@@ -251,10 +275,17 @@ class WriterOfVersion2(Writer):
     # Each episode begins a file.
     DATA_MEGABYTES, FILM_MEGABYTES = 0, 0
 
+    def _list(self, row: Row) -> None:
+        self._episodes.append(_listed(row))
+        meta = self._folder / "meta"
+        meta.mkdir(exist_ok=True)
+        with (meta / "episodes_stats.jsonl").open("a") as file:
+            file.write(json.dumps({"episode_index": row["episode_index"], "stats": row["stats"]}) + "\n")
+
     def _write_meta(self, totals: dict[str, statistics.Statistics]) -> None:
         info = self._info()
-        info["total_videos"] = len(self._episodes) * len(self.films)
-        info["total_chunks"] = -(-len(self._episodes) // FILES_PER_CHUNK)
+        info["total_videos"] = self.num_episodes * len(self.films)
+        info["total_chunks"] = -(-self.num_episodes // FILES_PER_CHUNK)
         meta = self._folder / "meta"
         write_json(meta / "info.json", info)
         # Readers of version 2.0 look for it.
@@ -262,9 +293,7 @@ class WriterOfVersion2(Writer):
         write_json(meta / "modality.json", modality_of(self.features))
         _write_lines(meta / "tasks.jsonl", ({"task_index": number, "task": task}
                                             for task, number in self._tasks.items()))
-        _write_lines(meta / "episodes.jsonl", map(_listed, self._episodes))
-        _write_lines(meta / "episodes_stats.jsonl", (
-            {"episode_index": row["episode_index"], "stats": row["stats"]} for row in self._episodes))
+        _write_lines(meta / "episodes.jsonl", self._episodes)
 
 
 def _listed(row: Row) -> Row:

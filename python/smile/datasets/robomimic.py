@@ -21,6 +21,7 @@ from smile.datasets.episode import Column
 from smile.datasets.features import Camera, features_of
 from smile.datasets.lerobot import Row
 from smile.datasets.pictures import Pictures
+from smile.datasets.stored import Stored
 
 FILE = "demo.hdf5"
 # Of ten episodes, the last is for validation.
@@ -62,12 +63,26 @@ class Writer:
                 demo.attrs[name] = value
             elif value is not None:
                 demo.attrs[name] = json.dumps(value)
+        # Those of the format are scaled by all episodes.
+        demo["unscaled_actions"] = columns["action"].values
         demo["dones"] = columns["next.done"].values.astype(np.uint8)
         success = columns.get("next.success", columns["next.done"])
         demo["rewards"] = success.values.astype(np.float32)
         demo["states"] = columns["sim.tick"].values.astype(np.float64)[:, None]
         self._add_observations(demo.create_group("obs"), columns)
         _add_datagen_info(demo.create_group("datagen_info"), columns, more)
+
+    def append(self, demo: h5py.Group) -> None:
+        """Appends an episode of another file."""
+        copy = self._data.create_group(f"demo_{self.num_episodes}")
+        for name, value in demo.attrs.items():
+            copy.attrs[name] = value
+        for name in demo:
+            if name != "actions":
+                demo.copy(name, copy)
+        self._values["action"].append(demo["unscaled_actions"][:])
+        self._values["observation.state"].append(demo["obs/state"][:])
+        self.num_frames += int(demo.attrs["num_samples"])
 
     def _add_observations(self, group: h5py.Group, columns: Mapping[str, Column]) -> None:
         group["state"] = columns["observation.state"].values
@@ -107,6 +122,61 @@ class Writer:
             self._file.close()
         except (OSError, RuntimeError):
             pass  # the reason why it was abandoned
+
+
+class StoredFile(Stored):
+    """A dataset with a file `demo.hdf5`."""
+
+    def common(self) -> Row:
+        with self._open() as file:
+            data = file["data"]
+            attributes = {name: value for name, value in data.attrs.items()
+                          if name == "env_args" or name.startswith("names.")}
+            demo = data["demo_0"]
+            arrays: list[str] = []
+            demo.visit(lambda name: arrays.append(name) if name.startswith("obs/") else None)
+            shapes = {name: demo[name].shape[1:] for name in arrays}
+        return {"format": "robomimic", **attributes, "observations": shapes, "action": self.about["action"],
+                "dropped": self.about["dropped"]}
+
+    def require_sound(self) -> None:
+        with self._open() as file:
+            data = file["data"]
+            lengths = [int(demo.attrs.get("num_samples", -1)) for demo in data.values()]
+            if sum(lengths) != data.attrs.get("total"):
+                raise self._mend(f"total is {data.attrs.get('total')}, but there are {sum(lengths)} frames")
+            for number in range(len(lengths)):
+                demo = data.get(f"demo_{number}")
+                if demo is None:
+                    raise self._mend(f"demo_{number} is missing")
+                if "unscaled_actions" not in demo:
+                    raise self._mend("is of an earlier export")
+                found = {len(demo[name]) for name in ("unscaled_actions", "actions", "dones", "states", "obs/state")}
+                if found != {int(demo.attrs["num_samples"])}:
+                    raise self._mend(f"demo_{number} has arrays of other lengths than its num_samples")
+
+    def new_writer(self, folder: Path) -> Writer:
+        with self._open() as file:
+            attributes = dict(file["data"].attrs)
+        environment = json.loads(attributes["env_args"])
+        columns = {}
+        for name, value in attributes.items():
+            if name.startswith("names."):
+                names = json.loads(value)
+                columns[name.removeprefix("names.")] = Column(np.zeros((0, len(names)), np.float32), names)
+        return Writer(folder, environment["env_kwargs"]["fps"], [], columns,
+                      environment["env_name"].removeprefix("smile-"))
+
+    def append_to(self, writer: Writer, folder: Path) -> None:
+        with self._open() as file:
+            for number in range(len(file["data"])):
+                writer.append(file[f"data/demo_{number}"])
+
+    def _open(self) -> h5py.File:
+        try:
+            return h5py.File(self.folder / FILE, "r")
+        except OSError as error:
+            raise self._mend(f"{FILE} cannot be read ({error})") from None
 
 
 def _add_datagen_info(group: h5py.Group, columns: Mapping[str, Column], more: Row) -> None:

@@ -18,6 +18,7 @@ from smile.datasets.episode import Column
 from smile.datasets.features import Camera, features_of
 from smile.datasets.lerobot import Row
 from smile.datasets.pictures import Pictures
+from smile.datasets.stored import Stored
 
 FOLDER = "replay.zarr"
 _FRAMES_PER_CHUNK = 1024
@@ -68,6 +69,18 @@ class Writer:
                                       dtype=values.dtype)
         self._data[name].append(values)
 
+    def append(self, root: zarr.Group) -> None:
+        """Appends all episodes of another dataset."""
+        for name, array in root["data"].arrays():
+            step = array.chunks[0]
+            for begin in range(0, len(array), step):
+                self._append(name, array[begin:begin + step], step)
+        for name, values in self._values.items():
+            values.append(root["data"][_name_of(name)][:])
+        begin = self.num_frames
+        self._ends += [begin + int(end) for end in root["meta/episode_ends"][:]]
+        self._episodes += root.attrs["episodes"]
+
     def finish(self) -> dict[str, statistics.Statistics]:
         """Completes the arrays; returns the statistics of states and actions."""
         self._meta.array("episode_ends", np.array(self._ends, np.int64))
@@ -76,6 +89,42 @@ class Writer:
 
     def abandon(self) -> None:
         """Does nothing: no file stays open."""
+
+
+class StoredFile(Stored):
+    """A dataset with a folder `replay.zarr`."""
+
+    def common(self) -> Row:
+        root = self._open()
+        arrays = {name: [list(array.shape[1:]), str(array.dtype)] for name, array in sorted(root["data"].arrays())}
+        return {"format": "zarr", **{name: root.attrs[name] for name in ("fps", "robot", "names")},
+                "arrays": arrays, "action": self.about["action"], "dropped": self.about["dropped"]}
+
+    def require_sound(self) -> None:
+        root = self._open()
+        ends = root["meta/episode_ends"][:].tolist()
+        if len(root.attrs.get("episodes", [])) != len(ends) or ends != sorted(ends):
+            raise self._mend(f"has {len(ends)} ends of episodes that do not fit to its list of episodes")
+        for name, array in root["data"].arrays():
+            if len(array) != ends[-1]:
+                raise self._mend(f"data/{name} has {len(array)} frames, but the last episode ends at {ends[-1]}")
+
+    def new_writer(self, folder: Path) -> Writer:
+        root = self._open()
+        names = {"observation.state" if name == "state" else name: its for name, its in root.attrs["names"].items()}
+        columns = {name: Column(np.zeros((0, len(its)), np.float32), its) for name, its in names.items()}
+        return Writer(folder, root.attrs["fps"], [], columns, root.attrs["robot"])
+
+    def append_to(self, writer: Writer, folder: Path) -> None:
+        writer.append(self._open())
+
+    def _open(self) -> zarr.Group:
+        try:
+            root = zarr.open_group(str(self.folder / FOLDER), mode="r")
+            root["data"], root["meta/episode_ends"]
+        except (ValueError, KeyError, OSError) as error:
+            raise self._mend(f"{FOLDER} cannot be read ({error!r})") from None
+        return root
 
 
 def _name_of(feature: str) -> str:

@@ -50,6 +50,8 @@ def init(aux):
     # what the learner does without, or another way to see.
     aux.state = TaskState(steps, container, presses=presses, shown=demo.eye,
                           without=vars(aux).get("without", ()), see=vars(aux).get("see"))
+    if "variationOrder" in aux:
+        aux.state.order_seed = int(aux.variationOrder)
     aux.actions = [Action("observe")]  # the next actions, in this order
     aux.num_retreats = 0  # number of successive retreats after failed actions
 

@@ -679,6 +679,13 @@ class TaskPlanningTest(unittest.TestCase):
         state.done[0] = True
         self.assertEqual(open_steps(state), [1, 2])
 
+    def test_a_seed_varies_the_order_of_open_steps(self):
+        steps = [step(block(RED, CUBE, 2 * k, -2), []) for k in range(3)]
+        steps.append(step(block(GREEN, CUBE, 0, -2, bottom=1), [0]))
+        orders = {tuple(open_steps(TaskState(steps, order_seed=seed))) for seed in range(60)}
+        self.assertEqual(len(orders), 6)
+        self.assertTrue(all(sorted(order) == [0, 1, 2] for order in orders))
+
     def test_obstructing_blocks_come_first_and_covered_ones_wait(self):
         near, far = block(RED, CUBE, 3, -2), block(RED, CUBE, 4, -3)
         obstructing = block(BLUE, CUBE, 0.3, -2.2)

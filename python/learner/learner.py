@@ -37,7 +37,8 @@ def init(aux):
     # Beliefs about this scene, and progress. Agents to compare with, in python/examples/agents, set
     # what the learner does without, or another way to see.
     aux.state = TaskState(steps, container, presses=presses, shown=demo.eye,
-                          without=vars(aux).get("without", ()), see=vars(aux).get("see"))
+                          without=vars(aux).get("without", ()), see=vars(aux).get("see"),
+                          order_seed=vars(aux).get("variationOrder"))
     aux.actions = [Action("observe")]  # the next actions, in this order
     aux.num_retreats = 0  # number of successive retreats after failed actions
 

@@ -5,6 +5,10 @@
 #include "camera/internal_eye_pass.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "camera/internal_light.h"
 
 namespace smile::camera::internal {
 namespace {
@@ -14,20 +18,24 @@ namespace {
 // the side is darker, and differently dark for each of the four sides: -y, -x, +x, +y from bright
 // to dark. The numbers keep any two neighboring faces of a cube at least 20 of 255 steps apart.
 // Brightness scales the color as it is shown on a screen, which leaves hue and saturation alone.
-// Glowing pieces show their color in any orientation.
+// Glowing pieces show their color in any orientation. The light of a scene multiplies the others
+// and turns the side that is bright; the usual light changes no bit.
 constexpr char kEyeVertexShader[] = R"(
 uniform mat4 clip_from_world;
+uniform vec3 light;
+uniform vec2 to_bright_side;
 out vec3 shade;
 flat out uint id;
 
 float Brightness(vec3 n) {
-  float side = 0.62 + dot(n.xy, vec2(-0.05, -0.17));
+  float side = 0.62 + dot(n.xy, to_bright_side);
   float brightness = n.z > 0.0 ? mix(side, 1.0, n.z) : mix(side, 0.35, -n.z);
   return min(brightness, 1.0);
 }
 
 void main() {
-  shade = screen_color * (glows == 1u ? 1.0 : Brightness(NormalInWorld()));
+  shade = screen_color;
+  if (glows == 0u) shade = screen_color * Brightness(NormalInWorld()) * light;
   id = object_id;
   gl_Position = clip_from_world * vec4(PositionInWorld(), 1.0);
 }
@@ -44,6 +52,9 @@ void main() {
   seen_id = id;
 }
 )";
+
+/// Horizontal direction to the usual light, by which sides that look there are brighter.
+constexpr std::array<double, 2> kToBrightSide{-0.05, -0.17};
 
 constexpr std::uint32_t kMaxIdInAlpha = 255;
 
@@ -69,11 +80,22 @@ void Clear(const Color& background, bool has_ids_of_their_own) {
 
 EyePass::EyePass()
     : program_(std::string(kVertexShaderInputs) + kEyeVertexShader, kEyeFragmentShader),
-      clip_from_world_(program_.Uniform("clip_from_world")) {}
+      clip_from_world_(program_.Uniform("clip_from_world")),
+      light_(program_.Uniform("light")),
+      to_bright_side_(program_.Uniform("to_bright_side")) {}
+
+void EyePass::SetLight(const scene::Lighting& lighting) {
+  const Eigen::Vector3f light = LightColor(lighting).cast<float>();
+  glUniform3fv(light_, 1, light.data());
+  const double c = std::cos(lighting.turn), s = std::sin(lighting.turn);
+  const auto [x, y] = kToBrightSide;
+  glUniform2f(to_bright_side_, static_cast<float>(c * x - s * y),
+              static_cast<float>(s * x + c * y));
+}
 
 const Framebuffer& EyePass::Draw(const std::vector<Piece>& visible, const CameraView& view,
-                                 const RenderOptions& options, MeshStore* meshes,
-                                 FramebufferPool* pool) {
+                                 const RenderOptions& options, const scene::Lighting& lighting,
+                                 MeshStore* meshes, FramebufferPool* pool) {
   FramebufferLayout layout{.width_px = view.intrinsics.width_px,
                            .height_px = view.intrinsics.height_px,
                            .color_formats = {GL_RGBA8}};
@@ -86,11 +108,13 @@ const Framebuffer& EyePass::Draw(const std::vector<Piece>& visible, const Camera
   const GLenum outputs[] = {writes_first ? GLenum{GL_COLOR_ATTACHMENT0} : GLenum{GL_NONE},
                             GL_COLOR_ATTACHMENT1};
   glDrawBuffers(ids_apart ? 2 : 1, outputs);
-  Clear(options.background.value_or(Color{0, 0, 0}), ids_apart);
+  const Color background = lighting.background.value_or(Color{0, 0, 0});
+  Clear(options.background.value_or(background), ids_apart);
 
   program_.Use();
   const Eigen::Matrix4f clip_from_world = ClipFromWorld(view);
   glUniformMatrix4fv(clip_from_world_, 1, GL_FALSE, clip_from_world.data());
+  SetLight(lighting);
   meshes->Draw(visible, clip_from_world);
   return picture;
 }

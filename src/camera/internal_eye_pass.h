@@ -15,15 +15,18 @@ class EyePass {
   /// is undefined. Ids are the alpha of attachment 0 as long as they fit into its 8 bits, otherwise
   /// attachment 1.
   const Framebuffer& Draw(const std::vector<Piece>& visible, const CameraView& view,
-                          const RenderOptions& options, MeshStore* meshes, FramebufferPool* pool);
+                          const RenderOptions& options, const scene::Lighting& lighting,
+                          MeshStore* meshes, FramebufferPool* pool);
   /// True for a picture whose ids are attachment 1.
   static bool HasIdsOfTheirOwn(const Framebuffer& picture) {
     return picture.layout().color_formats.size() > 1;
   }
 
  private:
+  void SetLight(const scene::Lighting& lighting);
+
   Program program_;
-  GLint clip_from_world_;
+  GLint clip_from_world_, light_, to_bright_side_;
 };
 
 }  // namespace smile::camera::internal

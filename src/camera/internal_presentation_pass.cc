@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "camera/internal_light.h"
+
 namespace smile::camera::internal {
 namespace {
 
@@ -55,7 +57,7 @@ void main() {
 // Shading with a lamp and soft shadows, a bright sky above and a dimmer floor below (hemisphere
 // lighting), and Blinn-Phong highlights.
 constexpr char kPresentationFragmentShader[] = R"(
-uniform vec3 p_WC, to_lamp;
+uniform vec3 p_WC, to_lamp, light;
 uniform sampler2DShadow shadow_map;
 in vec3 position_W, normal_W, position_map;
 flat in vec3 own_color;
@@ -92,7 +94,7 @@ void main() {
   vec3 sky = mix(vec3(0.17, 0.165, 0.16), vec3(0.36, 0.38, 0.41), 0.5 + 0.5 * n.z);
   vec3 halfway = normalize(to_lamp + normalize(p_WC - position_W));
   float gloss = 0.10 * pow(max(dot(n, halfway), 0.0), 48.0) * min(4.0 * lamp, 1.0);
-  color = vec4(own_color * (sky + vec3(0.62, 0.60, 0.56) * lamp) + gloss, 1.0);
+  color = vec4((own_color * (sky + vec3(0.62, 0.60, 0.56) * lamp) + gloss) * light, 1.0);
 }
 )";
 
@@ -134,9 +136,10 @@ PresentationPass::PresentationPass()
 
 const Framebuffer& PresentationPass::Draw(const std::vector<Piece>& pieces,
                                           const std::vector<Piece>& visible, const CameraView& view,
-                                          const RenderOptions& options, MeshStore* meshes,
+                                          const RenderOptions& options,
+                                          const scene::Lighting& lighting, MeshStore* meshes,
                                           FramebufferPool* pool) {
-  shadow_map_.Draw(pieces, visible, meshes);
+  shadow_map_.Draw(pieces, visible, DirectionToLamp(lighting), meshes);
 
   // Shadows first, since drawing the pieces reads the map; the background last, where no piece was
   // drawn.
@@ -148,8 +151,8 @@ const Framebuffer& PresentationPass::Draw(const std::vector<Piece>& pieces,
   glEnable(GL_FRAMEBUFFER_SRGB);  // shaders compute linear light, the card encodes it
   const GLfloat far_plane = 1;
   glClearBufferfv(GL_DEPTH, 0, &far_plane);
-  DrawPieces(visible, view, meshes);
-  DrawBackground(options.background);
+  DrawPieces(visible, view, lighting, meshes);
+  DrawBackground(options.background ? options.background : lighting.background);
   const Framebuffer& resolved = Resolve(picture, pool);
   glDisable(GL_FRAMEBUFFER_SRGB);
   return resolved;
@@ -175,13 +178,14 @@ void PresentationPass::DrawBackground(const std::optional<Color>& background) {
 }
 
 void PresentationPass::DrawPieces(const std::vector<Piece>& visible, const CameraView& view,
-                                  MeshStore* meshes) {
+                                  const scene::Lighting& lighting, MeshStore* meshes) {
   program_.Use();
   const Eigen::Matrix4f clip_from_world = ClipFromWorld(view);
   SetMatrix(program_, "clip_from_world", clip_from_world);
   SetMatrix(program_, "map_from_world", shadow_map_.map_from_world());
   SetVector(program_, "p_WC", view.X_WC.translation());
-  SetVector(program_, "to_lamp", DirectionToLamp());
+  SetVector(program_, "to_lamp", DirectionToLamp(lighting));
+  SetVector(program_, "light", LightColor(lighting));
   // Looks up the shadow slightly below the surface. Otherwise light would leak in where a block
   // stands on the table: its far side, which casts the shadow, lies on the table too.
   glUniform1f(program_.Uniform("normal_offset"),

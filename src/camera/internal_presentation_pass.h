@@ -16,12 +16,14 @@ class PresentationPass {
   /// @param pieces  all present pieces; those outside the view may cast shadows into it.
   /// @param visible  pieces that the camera may see.
   const Framebuffer& Draw(const std::vector<Piece>& pieces, const std::vector<Piece>& visible,
-                          const CameraView& view, const RenderOptions& options, MeshStore* meshes,
+                          const CameraView& view, const RenderOptions& options,
+                          const scene::Lighting& lighting, MeshStore* meshes,
                           FramebufferPool* pool);
 
  private:
   void DrawBackground(const std::optional<Color>& background);
-  void DrawPieces(const std::vector<Piece>& visible, const CameraView& view, MeshStore* meshes);
+  void DrawPieces(const std::vector<Piece>& visible, const CameraView& view,
+                  const scene::Lighting& lighting, MeshStore* meshes);
 
   ShadowMap shadow_map_;
   Program background_program_;

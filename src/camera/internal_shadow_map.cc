@@ -21,8 +21,8 @@ void main() { gl_Position = clip_from_world * vec4(PositionInWorld(), 1.0); }
 constexpr char kShadowFragmentShader[] = "void main() {}";
 
 /// Returns the rotation of the lamp's frame L in the world: z towards the lamp, x horizontal.
-Matrix3 AxesOfLamp() {
-  const Vector3 z = DirectionToLamp();
+Matrix3 AxesOfLamp(const Vector3& to_lamp) {
+  const Vector3& z = to_lamp;
   const Vector3 x = Vector3::UnitZ().cross(z).normalized();
   Matrix3 R_WL;
   R_WL << x, z.cross(x), z;
@@ -31,9 +31,8 @@ Matrix3 AxesOfLamp() {
 
 /// Returns the bounds of pieces along the lamp's axes, extended outwards to whole steps, so that
 /// the map, and the edges of its shadows, do not shimmer while things move.
-Eigen::AlignedBox3d BoundsAlongLamp(const std::vector<Piece>& pieces) {
+Eigen::AlignedBox3d BoundsAlongLamp(const Matrix3& R_LW, const std::vector<Piece>& pieces) {
   constexpr double kStep = 0.25;  // [m]
-  const Matrix3 R_LW = AxesOfLamp().transpose();
   Eigen::AlignedBox3d bounds;
   for (const Piece& piece : pieces) {
     const Vector3 p_LV = R_LW * piece.p_WV;
@@ -55,8 +54,6 @@ std::vector<Piece> Casters(const std::vector<Piece>& pieces) {
 }
 
 }  // namespace
-
-Vector3 DirectionToLamp() { return Vector3(-0.45, -0.5, 1.0).normalized(); }
 
 ShadowMap::ShadowMap()
     : program_(std::string(kVertexShaderInputs) + kShadowVertexShader, kShadowFragmentShader),
@@ -83,13 +80,15 @@ ShadowMap::ShadowMap()
   }
 }
 
-void ShadowMap::FitTo(const std::vector<Piece>& casters, const std::vector<Piece>& receivers) {
+void ShadowMap::FitTo(const std::vector<Piece>& casters, const std::vector<Piece>& receivers,
+                      const Vector3& to_lamp) {
   constexpr double kFarthestCaster = 4.0;  // above what is seen; keeps depth precise [m]
   // The map covers the visible pieces only, for resolution; towards the lamp it includes casters
   // above these.
-  Eigen::AlignedBox3d bounds = BoundsAlongLamp(receivers);
+  const Matrix3 R_LW = AxesOfLamp(to_lamp).transpose();
+  Eigen::AlignedBox3d bounds = BoundsAlongLamp(R_LW, receivers);
   // z points towards the lamp: only this side is extended.
-  bounds.max().z() = std::clamp(BoundsAlongLamp(casters).max().z(), bounds.max().z(),
+  bounds.max().z() = std::clamp(BoundsAlongLamp(R_LW, casters).max().z(), bounds.max().z(),
                                 bounds.max().z() + kFarthestCaster);
 
   const Vector3 span = bounds.sizes();
@@ -98,16 +97,16 @@ void ShadowMap::FitTo(const std::vector<Piece>& casters, const std::vector<Piece
   const Vector3 scale(1 / span.x(), 1 / span.y(), -1 / span.z());
   const Vector3 corner_L(bounds.min().x(), bounds.min().y(), bounds.max().z());
   Eigen::Matrix4d map_from_world = Eigen::Matrix4d::Identity();
-  map_from_world.topLeftCorner<3, 3>() = scale.asDiagonal() * AxesOfLamp().transpose();
+  map_from_world.topLeftCorner<3, 3>() = scale.asDiagonal() * R_LW;
   map_from_world.topRightCorner<3, 1>() = -scale.cwiseProduct(corner_L);
   map_from_world_ = map_from_world.cast<float>();
 }
 
 void ShadowMap::Draw(const std::vector<Piece>& pieces, const std::vector<Piece>& visible,
-                     MeshStore* meshes) {
+                     const Vector3& to_lamp, MeshStore* meshes) {
   // Pieces that cast no shadows do not enlarge the map: shadows are the same with and without them.
   const std::vector<Piece> casters = Casters(pieces);
-  FitTo(casters, Casters(visible));
+  FitTo(casters, Casters(visible), to_lamp);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
   glViewport(0, 0, kSize, kSize);
   const GLfloat far_plane = 1;

@@ -11,7 +11,9 @@ class ShadowMap {
 
   /// Redraws the map for the pieces that cast shadows, at the resolution that the visible pieces
   /// allow.
-  void Draw(const std::vector<Piece>& pieces, const std::vector<Piece>& visible, MeshStore* meshes);
+  /// @param to_lamp  direction, of unit length.
+  void Draw(const std::vector<Piece>& pieces, const std::vector<Piece>& visible,
+            const Vector3& to_lamp, MeshStore* meshes);
 
   /// Returns the transform from world to map: x, y are texture coordinates, z is depth, each in [0,
   /// 1] inside.
@@ -21,7 +23,8 @@ class ShadowMap {
   void BindTexture() const { glBindTexture(GL_TEXTURE_2D, texture_.name()); }
 
  private:
-  void FitTo(const std::vector<Piece>& casters, const std::vector<Piece>& receivers);
+  void FitTo(const std::vector<Piece>& casters, const std::vector<Piece>& receivers,
+             const Vector3& to_lamp);
 
   Program program_;
   GLint clip_from_world_;
@@ -30,8 +33,5 @@ class ShadowMap {
   Eigen::Matrix4f map_from_world_ = Eigen::Matrix4f::Identity();
   double texel_span_ = 0;
 };
-
-/// Returns the direction towards the lamp of the presentation style; unit length.
-Vector3 DirectionToLamp();
 
 }  // namespace smile::camera::internal

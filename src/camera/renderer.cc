@@ -56,14 +56,14 @@ void Renderer::Render(const scene::VisualModel& model, const scene::VisualState&
   RenderOptions eye_options = options;
   if (options.color && options.style == RenderStyle::kPresentation) {
     if (!s.presentation_pass) s.presentation_pass.emplace();
-    s.read_back.ReadColor(
-        s.presentation_pass->Draw(pieces, visible, view, options, &s.meshes, &s.framebuffers),
-        image);
+    s.read_back.ReadColor(s.presentation_pass->Draw(pieces, visible, view, options, model.lighting,
+                                                    &s.meshes, &s.framebuffers),
+                          image);
     eye_options.color = false;
   }
   if (eye_options.color || options.depth || options.ids) {
     const internal::Framebuffer& picture =
-        s.eye_pass.Draw(visible, view, eye_options, &s.meshes, &s.framebuffers);
+        s.eye_pass.Draw(visible, view, eye_options, model.lighting, &s.meshes, &s.framebuffers);
     if (options.ids && !internal::EyePass::HasIdsOfTheirOwn(picture)) {
       s.read_back.ReadColorAndIds(picture, eye_options.color, image);
     } else {

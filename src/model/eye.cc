@@ -26,6 +26,8 @@ RigidTransform EyeInBase() {
 constexpr double kEyeAngle = DegreesToRadians(60.0);
 /// Horizontal field of view of Baxter's three cameras, as in the manufacturer's simulator.
 constexpr double kRobotCameraAngle = DegreesToRadians(80.0);
+/// The widest field of view that an offset may give a camera of the scene.
+constexpr double kMaxAngle = DegreesToRadians(170.0);
 
 /// Returns the index of a camera's frame on the robot; nullopt if it has no such camera.
 std::optional<int> FrameOf(const robot::RobotModel& robot, std::string_view camera) {
@@ -45,10 +47,12 @@ const scene::CameraSpec* FindSceneCamera(const Model& model, std::string_view ca
 }
 
 /// Returns the view of a camera of the scene.
-CameraView ViewOf(const scene::CameraSpec& camera, const EyeSpec& spec) {
-  CameraView view{.intrinsics = CameraIntrinsics::FromVerticalFieldOfView(
-                      spec.width_px, spec.height_px, camera.vertical_field_of_view),
-                  .X_WC = LookAt(camera.p_WC, camera.p_WQ, camera.up_in_world)};
+/// @param scale  factor of its field of view.
+CameraView ViewOf(const scene::CameraSpec& camera, const EyeSpec& spec, double scale) {
+  const double angle = std::min(scale * camera.vertical_field_of_view, kMaxAngle);
+  CameraView view{
+      .intrinsics = CameraIntrinsics::FromVerticalFieldOfView(spec.width_px, spec.height_px, angle),
+      .X_WC = LookAt(camera.p_WC, camera.p_WQ, camera.up_in_world)};
   // The target must be visible from any distance.
   view.intrinsics.far = std::max(view.intrinsics.far, 2 * (camera.p_WQ - camera.p_WC).norm());
   return view;
@@ -66,6 +70,26 @@ RigidTransform EyeWithoutRobot(const Model& model) {
   const std::vector<std::string_view> words(names.begin(), names.end());
   throw std::invalid_argument("camera is " + Quoted(camera) + ", expected " + OneOf(words) +
                               DidYouMean(camera, words));
+}
+
+/// Returns the view of a camera that nothing displaces.
+/// @param scale  factor of its field of view.
+CameraView ViewInPlace(const Model& model, std::span<const double> q, const EyeSpec& spec,
+                       double scale) {
+  if (IsSceneCamera(model, spec.camera)) {
+    return ViewOf(*FindSceneCamera(model, spec.camera), spec, scale);
+  }
+  const robot::RobotModel* robot = model.robot();
+  // A robot without a head has no eye of its own: the fixed one is used, as without a robot.
+  const auto frame = robot != nullptr ? FrameOf(*robot, spec.camera) : std::nullopt;
+  const bool is_eye = spec.camera == kEyeCamera;
+  if (!frame && !is_eye) RefuseCamera(model, spec.camera);
+  return {.intrinsics = is_eye ? CameraIntrinsics::FromVerticalFieldOfView(
+                                     spec.width_px, spec.height_px, scale * kEyeAngle)
+                               : CameraIntrinsics::FromHorizontalFieldOfView(
+                                     spec.width_px, spec.height_px, scale * kRobotCameraAngle),
+          .X_WC = frame ? robot::FramePose(*robot, model.robot_base_pose(), q, *frame)
+                        : EyeWithoutRobot(model)};
 }
 
 }  // namespace
@@ -94,18 +118,12 @@ bool IsSceneCamera(const Model& model, std::string_view camera) {
 }
 
 CameraView EyeView(const Model& model, std::span<const double> q, const EyeSpec& spec) {
-  if (IsSceneCamera(model, spec.camera)) return ViewOf(*FindSceneCamera(model, spec.camera), spec);
-  const robot::RobotModel* robot = model.robot();
-  // A robot without a head has no eye of its own: the fixed one is used, as without a robot.
-  const auto frame = robot != nullptr ? FrameOf(*robot, spec.camera) : std::nullopt;
-  const bool is_eye = spec.camera == kEyeCamera;
-  if (!frame && !is_eye) RefuseCamera(model, spec.camera);
-  return {.intrinsics = is_eye ? CameraIntrinsics::FromVerticalFieldOfView(
-                                     spec.width_px, spec.height_px, kEyeAngle)
-                               : CameraIntrinsics::FromHorizontalFieldOfView(
-                                     spec.width_px, spec.height_px, kRobotCameraAngle),
-          .X_WC = frame ? robot::FramePose(*robot, model.robot_base_pose(), q, *frame)
-                        : EyeWithoutRobot(model)};
+  const auto& offsets = model.scene().camera_offsets;
+  const auto offset = std::ranges::find(offsets, spec.camera, &scene::CameraOffset::camera);
+  if (offset == offsets.end()) return ViewInPlace(model, q, spec, 1);
+  CameraView view = ViewInPlace(model, q, spec, offset->view_angle_scale);
+  view.X_WC = view.X_WC * offset->X_CD;
+  return view;
 }
 
 std::vector<int> FramesHiddenFromEye(const Model& model, bool is_robot_shown,

@@ -53,13 +53,14 @@ Model::Model(scene::SceneSpec scene, std::shared_ptr<const std::optional<RobotPl
   first_control_.emplace_back(controls_.size());
   ConnectMechanisms();
 
-  const scene::Solid table = scene::TableSolid(scene_.table);
+  visual_model_.lighting = scene_.lighting;
   // The order of names gives the ids of objects in pictures: the table, then objects, then the
   // robot.
-  visual_model_.visuals.push_back({.shape = scene::VisualShapeOf(table.shape),
-                                   .color = table.color,
-                                   .X_FV = table.X_BS,
-                                   .object_id = AddName("table", &visual_model_)});
+  const std::uint32_t table = AddName("table", &visual_model_);
+  for (scene::Visual& visual : scene::VisualsOf(scene_.table)) {
+    visual.object_id = table;
+    visual_model_.visuals.push_back(std::move(visual));
+  }
   for (ObjectIndex object : objects()) AppendVisuals(object);
   if (const auto& placement = robot_placement()) {
     X_WBase_ = RobotBasePose(scene_.table, placement->gap, placement->height);

@@ -21,6 +21,16 @@ struct CameraSpec {
   bool operator==(const CameraSpec&) const = default;
 };
 
+/// Displacement of a camera that does not stand in the scene: of one of the robot's, or of the eye.
+/// Pictures are taken from there, and brains are given that pose.
+struct CameraOffset {
+  std::string camera;           ///< as in model::CameraNames(); without effect if there is none
+  RigidTransform X_CD;          ///< pose of the displaced camera D in the camera's frame C
+  double view_angle_scale = 1;  ///< factor of the field of view
+
+  bool operator==(const CameraOffset&) const = default;
+};
+
 inline constexpr int kMaxCameras = 64;
 /// Short enough that programs can add prefixes and suffixes and still have an identifier of 63
 /// letters.

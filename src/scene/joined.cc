@@ -62,6 +62,12 @@ SceneSpec AddedTo(const SceneSpec& scene, SceneSpec joined) {
   erase_first(joined.chains, scene.chains.size());
   for (SliderSpec& slider : joined.sliders) slider.first_object -= scene.objects.size();
   for (ChainSpec& chain : joined.chains) chain.first_object -= scene.objects.size();
+  // The table belongs to the scene, with its colors, as do light and cameras.
+  joined.table = {.x_span = joined.table.x_span,
+                  .y_span = joined.table.y_span,
+                  .thickness = joined.table.thickness};
+  joined.lighting = {};
+  joined.camera_offsets.clear();
   joined.cameras.clear();
   return joined;
 }

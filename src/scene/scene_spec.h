@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "math/color.h"
 #include "scene/camera_spec.h"
+#include "scene/lighting.h"
 #include "scene/mechanism.h"
 #include "scene/shape.h"
 #include "scene/tool.h"
@@ -55,11 +57,17 @@ struct ObjectSpec {
   bool operator==(const ObjectSpec&) const = default;
 };
 
+enum class TablePattern { kPlain, kStripes, kChecks };
+
 /// The table top: z = 0 is its surface, the world origin its center.
 struct TableSpec {
   double x_span = 2.0;     ///< [m]
   double y_span = 1.2;     ///< [m]
   double thickness = 0.4;  ///< [m]
+  Color color{1, 1, 1};
+  TablePattern pattern = TablePattern::kPlain;
+  Color pattern_color{0.8, 0.8, 0.8};  ///< of every second stripe or square
+  double pattern_span = 0.1;           ///< width of a stripe or square [m]
   bool operator==(const TableSpec&) const = default;
 };
 
@@ -70,9 +78,11 @@ struct SceneSpec {
   TableSpec table;
   /// In the order of the file, members of sliders and pieces of chains among them; ids are unique.
   std::vector<ObjectSpec> objects;
-  std::vector<SliderSpec> sliders;        ///< in the order of the file
-  std::vector<ChainSpec> chains;          ///< in the order of the file
-  std::vector<CameraSpec> cameras;        ///< in the order of the file; ids are unique among them
+  std::vector<SliderSpec> sliders;  ///< in the order of the file
+  std::vector<ChainSpec> chains;    ///< in the order of the file
+  std::vector<CameraSpec> cameras;  ///< in the order of the file; ids are unique among them
+  std::vector<CameraOffset> camera_offsets;  ///< in the order of the file; at most one of a camera
+  Lighting lighting;
   int physics_version = kPhysicsVersion;  ///< older only in a recording's scene; in no scene file
 
   bool operator==(const SceneSpec&) const = default;

@@ -204,7 +204,7 @@ std::vector<Solid> SolidsOf(const Part& whole) {
 Solid TableSolid(const TableSpec& table) {
   return {.shape = Block{{table.x_span, table.y_span, table.thickness}},
           .X_BS = RigidTransform(Vector3(0, 0, -table.thickness / 2)),
-          .color = {1, 1, 1},
+          .color = table.color,
           .part_id = "table"};
 }
 

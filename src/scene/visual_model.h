@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "scene/lighting.h"
+#include "scene/scene_spec.h"
 #include "scene/solid.h"
 
 namespace smile::scene {
@@ -48,6 +50,7 @@ struct VisualModel {
   std::vector<std::string> object_names{""};
   int num_frames = 1;   ///< frame 0 is the world and never moves
   int num_choices = 0;  ///< objects that may vanish, and controls
+  Lighting lighting;
 };
 
 /// Poses X_WF, one per frame of a VisualModel; [0] is the identity.
@@ -67,5 +70,8 @@ VisualShape VisualShapeOf(const SolidShape& shape);
 /// Returns the visible pieces of an object, in its own frame: `frame` and `object_id` are 0,
 /// `choice` is the index of the piece's control, see ControlsOf(), or -1.
 std::vector<Visual> VisualsOf(const Part& whole);
+
+/// Returns the visible pieces of the table, in the world: the table itself, then its pattern.
+std::vector<Visual> VisualsOf(const TableSpec& table);
 
 }  // namespace smile::scene

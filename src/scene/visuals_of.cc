@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "base/overloaded.h"
@@ -89,6 +91,29 @@ class VisualCollector {
   int num_controls_ = 0;
 };
 
+/// Thickness of the painted pattern of a table [m]: thick enough that no camera confuses it with
+/// the table beneath, thin enough that no depth shows it.
+constexpr double kPaint = 0.0002;
+/// Limit of stripes or squares along a side of the table; narrower ones are drawn wider.
+constexpr double kMaxTiles = 64;
+
+/// Interval of a tile along one axis [m].
+struct Tile {
+  double middle = 0, span = 0;
+};
+
+/// Divides a side of the table into tiles, from its low end on; the last one may be narrower.
+std::vector<Tile> TilesAlong(double side, double span) {
+  span = std::max(span, side / kMaxTiles);
+  std::vector<Tile> tiles;
+  // The tolerance absorbs rounding: no sliver remains at the end.
+  for (double low = 0; low < side - 1e-6 * span; low += span) {
+    const double high = std::min(low + span, side);
+    tiles.push_back({.middle = (low + high) / 2 - side / 2, .span = high - low});
+  }
+  return tiles;
+}
+
 }  // namespace
 
 VisualShape VisualShapeOf(const SolidShape& shape) {
@@ -99,6 +124,30 @@ std::vector<Visual> VisualsOf(const Part& whole) {
   VisualCollector collector;
   collector.Append(whole, {});
   return collector.Take();
+}
+
+std::vector<Visual> VisualsOf(const TableSpec& table) {
+  const Solid solid = TableSolid(table);
+  std::vector<Visual> visuals{
+      {.shape = VisualShapeOf(solid.shape), .color = solid.color, .X_FV = solid.X_BS}};
+  if (table.pattern == TablePattern::kPlain) return visuals;
+  const std::vector<Tile> columns = TilesAlong(table.x_span, table.pattern_span);
+  // A stripe is a column that is as long as the table.
+  const std::vector<Tile> rows = table.pattern == TablePattern::kStripes
+                                     ? std::vector<Tile>{{.span = table.y_span}}
+                                     : TilesAlong(table.y_span, table.pattern_span);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+      // Only every second tile is painted: there are no seams through which one could look.
+      if ((i + j) % 2 == 0) continue;
+      visuals.push_back(
+          {.shape = Block{{columns[i].span, rows[j].span, kPaint}},
+           .color = table.pattern_color,
+           .X_FV = RigidTransform(Vector3(columns[i].middle, rows[j].middle, kPaint / 2)),
+           .casts_shadow = false});
+    }
+  }
+  return visuals;
 }
 
 }  // namespace smile::scene

@@ -153,12 +153,12 @@ double AttributeReader::Number(std::string_view name, double fallback, Range<dou
   return fallback;
 }
 
-Color AttributeReader::Color(std::string_view fallback) {
-  const std::string* text = Text("color");
+Color AttributeReader::Color(std::string_view fallback, std::string_view name) {
+  const std::string* text = Text(name);
   if (!text) return *ParseColor(fallback);
   if (const std::optional<smile::Color> color = ParseColor(*text)) return *color;
   const std::vector<std::string_view> names = ColorNames();
-  Refuse("color", "#RRGGBB, " + OneOf(names) + DidYouMean(*text, names));
+  Refuse(name, "#RRGGBB, " + OneOf(names) + DidYouMean(*text, names));
   return {};
 }
 

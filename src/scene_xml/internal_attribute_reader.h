@@ -43,7 +43,7 @@ class AttributeReader {
   int Choice(std::string_view name, std::span<const std::string_view> words, int fallback);
   int Count(std::string_view name, int fallback, Range<int> range);
   double Number(std::string_view name, double fallback, Range<double> range);
-  smile::Color Color(std::string_view fallback = "gray");
+  smile::Color Color(std::string_view fallback = "gray", std::string_view name = "color");
 
   /// Returns a positive length [m]; the file has units.
   double Span(std::string_view name, double fallback_units);

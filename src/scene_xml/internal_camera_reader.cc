@@ -73,4 +73,25 @@ void ReadCamera(const SceneElement& element, ReadingContext* reading,
   cameras->push_back(std::move(camera));
 }
 
+void ReadCameraOffset(const SceneElement& element, ReadingContext* reading,
+                      std::vector<scene::CameraOffset>* offsets) {
+  AttributeReader attributes(element, reading);
+  // Whether there is such a camera depends on the robot, which a scene does not know.
+  scene::CameraOffset offset{.camera = attributes.RequiredName("camera"),
+                             .X_CD = attributes.PoseOrOrigin(),
+                             .view_angle_scale = attributes.Number("fovScale", 1, kViewScale)};
+  if (!attributes.has_findings() &&
+      std::ranges::find(*offsets, offset.camera, &scene::CameraOffset::camera) != offsets->end()) {
+    attributes.Refuse("camera", "one that no other offset displaces");
+  }
+  attributes.RefuseUnknown();
+  RefuseContent(element, reading);
+  if (attributes.has_findings()) return;
+  if (offsets->size() == scene::kMaxCameras) {
+    return attributes.AddFinding("found one offset more than " +
+                                 std::to_string(scene::kMaxCameras));
+  }
+  offsets->push_back(std::move(offset));
+}
+
 }  // namespace smile::scene_xml

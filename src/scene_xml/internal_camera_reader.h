@@ -12,4 +12,8 @@ namespace smile::scene_xml {
 void ReadCamera(const SceneElement& element, ReadingContext* reading,
                 std::vector<scene::CameraSpec>* cameras);
 
+/// Reads a `cameraOffset`, and adds it to the others.
+void ReadCameraOffset(const SceneElement& element, ReadingContext* reading,
+                      std::vector<scene::CameraOffset>* offsets);
+
 }  // namespace smile::scene_xml

@@ -20,6 +20,7 @@ bool IsOfTheLanguage(std::string_view name) {
   // All elements except the shapes, which have a table of their own.
   constexpr std::array kOthers{std::string_view("accepts"),
                                std::string_view("camera"),
+                               std::string_view("cameraOffset"),
                                std::string_view("chain"),
                                std::string_view("def"),
                                std::string_view("description"),
@@ -29,6 +30,7 @@ bool IsOfTheLanguage(std::string_view name) {
                                std::string_view("include"),
                                std::string_view("instance"),
                                std::string_view("light"),
+                               std::string_view("lighting"),
                                std::string_view("sliderJoint"),
                                std::string_view("state"),
                                std::string_view("tabletop"),
@@ -73,7 +75,7 @@ const ShapeElement* FindShape(const SceneElement& element, Container container,
     names.push_back(shape.name);
   }
   if (container == Container::kTabletop)
-    names.insert(names.end(), {"camera", "chain", "sliderJoint"});
+    names.insert(names.end(), {"camera", "cameraOffset", "chain", "lighting", "sliderJoint"});
   if (container == Container::kComposite) {
     names.insert(names.end(), {"guestBondPoint", "hostBondPoint"});
   }

@@ -1,5 +1,7 @@
 #include "scene_xml/internal_root_reader.h"
 
+#include <string>
+
 #include "scene_xml/internal_attribute_reader.h"
 #include "scene_xml/internal_element_choice.h"
 #include "scene_xml/internal_units.h"
@@ -19,6 +21,26 @@ bool CheckIsScene(const SceneElement& root, ReadingContext* reading) {
   return false;
 }
 
+/// Reads the attributes of the table of a root element.
+scene::TableSpec ReadTable(AttributeReader* attributes, const ReadingContext& reading) {
+  scene::TableSpec table;
+  table.x_span = attributes->Span("xspan", 20);
+  table.y_span = attributes->Span("yspan", 12);
+  table.thickness = MetersFromUnits(kTableThicknessUnits, reading.meters_per_unit);
+  table.color = attributes->Color("white");
+  table.pattern = static_cast<scene::TablePattern>(
+      attributes->Choice("pattern", kTablePatterns, static_cast<int>(table.pattern)));
+  if (table.pattern == scene::TablePattern::kPlain) {
+    for (const char* name : {"patternColor", "patternSpan"}) {
+      attributes->Forbid(name, std::string(name) + " only with pattern=\"stripes\" or \"checks\"");
+    }
+    return table;
+  }
+  table.pattern_color = attributes->Color("lightgray", "patternColor");
+  table.pattern_span = attributes->Span("patternSpan", 1);
+  return table;
+}
+
 }  // namespace
 
 bool ReadRoot(const SceneElement& root, ReadingContext* reading, scene::SceneSpec* scene) {
@@ -28,9 +50,7 @@ bool ReadRoot(const SceneElement& root, ReadingContext* reading, scene::SceneSpe
   reading->meters_per_unit =
       attributes.Number("metersPerUnit", scene::kMetersPerUnit, kMetersPerUnitRange);
   scene->meters_per_unit = reading->meters_per_unit;
-  scene->table.x_span = attributes.Span("xspan", 20);
-  scene->table.y_span = attributes.Span("yspan", 12);
-  scene->table.thickness = MetersFromUnits(kTableThicknessUnits, reading->meters_per_unit);
+  scene->table = ReadTable(&attributes, *reading);
   attributes.RefuseUnknown();
   return true;
 }
@@ -47,8 +67,7 @@ bool CheckIncludedRoot(const SceneElement& root, ReadingContext* reading) {
                                            PlainNumberText(reading->meters_per_unit));
   }
   // Read only to be known and checked: the table is that of the main file.
-  attributes.Span("xspan", 20);
-  attributes.Span("yspan", 12);
+  ReadTable(&attributes, *reading);
   attributes.RefuseUnknown();
   return true;
 }

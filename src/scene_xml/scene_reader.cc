@@ -10,6 +10,7 @@
 #include "scene_xml/internal_expansion.h"
 #include "scene_xml/internal_inclusion.h"
 #include "scene_xml/internal_joint_reader.h"
+#include "scene_xml/internal_lighting_reader.h"
 #include "scene_xml/internal_mechanisms.h"
 #include "scene_xml/internal_mesh_cache.h"
 #include "scene_xml/internal_object_reader.h"
@@ -21,13 +22,18 @@
 namespace smile::scene_xml {
 namespace {
 
-void ReadElement(const SceneElement& element, ReadingContext* reading, ObjectList* objects) {
+void ReadElement(const SceneElement& element, ReadingContext* reading, ObjectList* objects,
+                 std::optional<scene::Lighting>* lighting) {
   if (element.Is("chain")) {
     ReadChain(element, reading, objects);
   } else if (element.Is("sliderJoint")) {
     ReadSlider(element, reading, objects);
   } else if (element.Is("camera")) {
     ReadCamera(element, reading, &objects->scene().cameras);
+  } else if (element.Is("cameraOffset")) {
+    ReadCameraOffset(element, reading, &objects->scene().camera_offsets);
+  } else if (element.Is("lighting")) {
+    ReadLighting(element, reading, lighting);
   } else if (const ShapeElement* shape = FindShape(element, Container::kTabletop, reading)) {
     scene::ObjectSpec object = ReadObject(element, *shape, Container::kTabletop, reading);
     // Read even without room, so that its faults are listed.
@@ -50,7 +56,11 @@ SceneReading ReadTree(SceneElement root, const std::filesystem::path* path,
       ResolveIncludes(path, options.search_roots, options.limits, counts, &root, &reading);
   ExpandTemplates(options.limits, has_all_files, &root, &reading);
   ObjectList objects(options.limits, &scene, findings);
-  for (const SceneElement& child : root.children) ReadElement(child, &reading, &objects);
+  std::optional<scene::Lighting> lighting;
+  for (const SceneElement& child : root.children) {
+    ReadElement(child, &reading, &objects, &lighting);
+  }
+  if (lighting) scene.lighting = *lighting;
   // A missing target may be in a missing file.
   if (has_all_files) ConnectMechanisms(&scene, &reading);
   const Sources& sources = findings->sources();

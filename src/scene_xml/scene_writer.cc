@@ -5,6 +5,7 @@
 #include "scene_xml/internal_scene_element.h"
 #include "scene_xml/internal_xml_text.h"
 #include "scene_xml/mesh_files.h"
+#include "scene_xml/value_ranges.h"
 
 // Writes a scene as one self-contained file: templates are expanded, includes inserted, ids final.
 // Reading it returns the same SceneSpec, and objects keep their order, on which indices depend.
@@ -54,6 +55,34 @@ class ElementWriter {
   std::size_t next_slider_ = 0, next_chain_ = 0;
 };
 
+/// Writes what differs from a plain white table: programs older than these attributes refuse them.
+void WriteTableLook(const scene::TableSpec& table, XmlText* text) {
+  if (table.color != scene::TableSpec().color) text->Attribute("color", ToString(table.color));
+  if (table.pattern == scene::TablePattern::kPlain) return;
+  text->Attribute("pattern", kTablePatterns[static_cast<std::size_t>(table.pattern)]);
+  text->Attribute("patternColor", ToString(table.pattern_color));
+  text->Length("patternSpan", table.pattern_span);
+}
+
+void WriteLighting(const scene::Lighting& lighting, XmlText* text) {
+  const scene::Lighting usual;
+  if (lighting == usual) return;
+  text->Open("lighting");
+  if (lighting.brightness != usual.brightness) text->Number("brightness", lighting.brightness);
+  if (lighting.color != usual.color) text->Attribute("color", ToString(lighting.color));
+  if (lighting.turn != usual.turn) text->Angle("turn", lighting.turn);
+  if (lighting.background) text->Attribute("background", ToString(*lighting.background));
+  text->Close();
+}
+
+void WriteOffset(const scene::CameraOffset& offset, XmlText* text) {
+  text->Open("cameraOffset");
+  text->Attribute("camera", offset.camera);
+  text->Pose(offset.X_CD);
+  if (offset.view_angle_scale != 1) text->Number("fovScale", offset.view_angle_scale);
+  text->Close();
+}
+
 void WriteCamera(const scene::CameraSpec& camera, XmlText* text) {
   text->Open("camera");
   text->Attribute("id", camera.id);
@@ -81,9 +110,12 @@ std::string WriteScene(const scene::SceneSpec& scene, std::span<const std::strin
   if (scene.meters_per_unit != scene::kMetersPerUnit) {
     text.Number("metersPerUnit", scene.meters_per_unit);
   }
+  WriteTableLook(scene.table, &text);
   ElementWriter(scene, origins, &text).WriteAll();
   // After the objects: cameras have an order of their own.
   for (const scene::CameraSpec& camera : scene.cameras) WriteCamera(camera, &text);
+  for (const scene::CameraOffset& offset : scene.camera_offsets) WriteOffset(offset, &text);
+  WriteLighting(scene.lighting, &text);
   text.Close();
   return text.Take();
 }

@@ -35,6 +35,12 @@ inline constexpr Range<double> kPressDegrees{1, 89};
 inline constexpr Range<double> kTurnDegrees{5, 3600};
 inline constexpr Range<double> kToolDegrees{0.1, 90};
 inline constexpr Range<double> kFieldOfViewDegrees{1, 170};
+/// Of an offset, which is small.
+inline constexpr Range<double> kViewScale{0.5, 2};
+/// Beyond, nearly all would be white.
+inline constexpr Range<double> kBrightness{0, 4};
+/// Values of `pattern`, in the order of scene::TablePattern.
+inline constexpr std::array<std::string_view, 3> kTablePatterns{"plain", "stripes", "checks"};
 
 inline constexpr int kMaxStates = 256;  ///< of one control
 inline constexpr int kMaxLights = 256;  ///< of one control

@@ -56,6 +56,8 @@ std::optional<Refusal> RefuseToAdd(const scene::SceneSpec& added, const scene::S
   }
   if (!IsOfTable(added.table, scene)) return "the objects to add have a table of another size";
   if (!added.cameras.empty()) return "a camera cannot be added";
+  if (!added.camera_offsets.empty()) return "an offset of a camera cannot be added";
+  if (added.lighting != scene::Lighting()) return "a lighting cannot be added";
   if (added.objects.empty()) return "there is no object to add";
   // Ids of destroyed objects stay in the scene, so they are refused, too.
   const std::set<std::string> known = scene::IdsOf(scene), ids = scene::IdsOf(added);

@@ -43,12 +43,13 @@ def follow(action, sensor, motor, aux):
     """Follows a path until the measured joints have arrived, not until a fixed time. The velocities
     along the path are chunks of some ticks. After its end, each tick has feedback."""
     q = sensor.arms[action.arm.index].joints
-    delay = action.time - action.path.duration
+    speed = vars(aux).get("variationSpeed", 1)
+    delay = action.time - action.path.duration / speed
     if delay > 0 and np.abs(action.path.positions[-1] - q).max() < C.joint_tolerance_rad:
         return "done"
     num_ticks = min(ticks_within(-delay, aux) + 1, C.chunk_ticks)
     # action.time is the end of the first of these ticks.
-    wanted, _ = action.path.at(action.time + aux.tickSeconds * np.arange(num_ticks))
+    wanted, _ = action.path.at(speed * (action.time + aux.tickSeconds * np.arange(num_ticks)))
     motor.ticks = num_ticks
     velocities = np.diff([q, *wanted], axis=0).T / aux.tickSeconds
     motor.arms[action.arm.index].velocities = velocities

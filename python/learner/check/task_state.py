@@ -46,6 +46,7 @@ class TaskState:
     num_looks: int = 0  # number of pictures until then
     num_still: int = 0  # number of the last of them in which nothing moved
     without: tuple = ()  # "depth", "second look": abilities that it does not use
+    order_seed: Optional[float] = None  # of the order of steps that may be next; None: as demonstrated
     see: Optional[Callable] = None  # told what is seen: from sensor, eye and steps to Blocks
 
     def __post_init__(self):

@@ -36,6 +36,13 @@ class CheckTest(unittest.TestCase):
         state.done[0] = True
         self.assertEqual(open_steps(state), [1, 2])
 
+    def test_a_seed_varies_the_order_of_open_steps(self):
+        steps = [step(block(RED, CUBE, 2 * k, -2), []) for k in range(3)]
+        steps.append(step(block(GREEN, CUBE, 0, -2, bottom=1), [0]))
+        orders = {tuple(open_steps(TaskState(steps, order_seed=seed))) for seed in range(60)}
+        self.assertEqual(len(orders), 6)
+        self.assertTrue(all(sorted(order) == [0, 1, 2] for order in orders))
+
     def test_hidden_blocks_are_remembered_but_not_missing_ones(self):
         tower = block(RED, CUBE, 0, -4), block(GREEN, CUBE, 0, -4, bottom=1)
         missing = block(BLUE, CUBE, 3, -2)

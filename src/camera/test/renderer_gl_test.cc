@@ -374,6 +374,58 @@ TEST_F(RendererTest, BackgroundIsBlackForTheRobotUnlessChosen) {
   }
 }
 
+TEST_F(RendererTest, ALightMultipliesColorsAndTurnsTheBrightSide) {
+  SmallScene scene;
+  scene.Add(scene::Block{kCubeSize}, Color{1, 0.5, 0.5}, Vector3(0, 0, 0));
+  CameraView above = HeadView(41, 41), front = above;
+  above.X_WC = LookAt({0, 0, 0.6}, {0, 0, 0});
+  front.X_WC = LookAt({0, -0.6, 0}, {0, 0, 0});
+  const auto usual = ColorAt(Render(scene, above), 20, 20);
+  const int bright_side = ColorAt(Render(scene, front), 20, 20)[0];
+  scene.model.lighting = {.brightness = 0.5, .color = {1, 0.5, 1}, .background = Color{0, 0, 1}};
+  const Image dim = Render(scene, above);
+  EXPECT_EQ(usual, (std::array{255, 128, 128}));
+  EXPECT_EQ(ColorAt(dim, 20, 20), (std::array{128, 32, 64}));
+  EXPECT_EQ(ColorAt(dim, 0, 0), (std::array{0, 0, 255}));
+  scene.model.lighting = {.turn = std::numbers::pi};
+  EXPECT_EQ(ColorAt(Render(scene, above), 20, 20), usual);
+  EXPECT_LT(ColorAt(Render(scene, front), 20, 20)[0], bright_side - 50);
+}
+
+TEST_F(RendererTest, ALampThatIsTurnedCastsShadowsToTheOtherSide) {
+  SmallScene scene = TableScene();
+  const CameraView view = HeadView(160, 120);
+  const Vector3 behind = Vector3(-0.2, 0, 0) + 0.08 * Vector3(0.9, 1, 0);
+  const int shaded = ColorAtPoint(Render(scene, view, kPresented), view, behind)[0];
+  scene.model.lighting.turn = std::numbers::pi;
+  EXPECT_GT(ColorAtPoint(Render(scene, view, kPresented), view, behind)[0], shaded + 30);
+}
+
+TEST_F(RendererTest, ATableMayHaveAPattern) {
+  scene::TableSpec table{.color = kWhite,
+                         .pattern = scene::TablePattern::kChecks,
+                         .pattern_color = kGreen,
+                         .pattern_span = 0.1};
+  SmallScene scene;
+  const auto draw = [&] {
+    scene.model.visuals = scene::VisualsOf(table);
+    for (scene::Visual& visual : scene.model.visuals) visual.object_id = 1;
+    return Render(scene, HeadView(320, 240));
+  };
+  scene.model.object_names = {"", "table"};
+  const CameraView view = HeadView(320, 240);
+  // The first square, at the left and in front, has the color of the table.
+  const Image checks = draw();
+  EXPECT_EQ(ColorAtPoint(checks, view, {-0.05, -0.05, 0}), (std::array{0, 255, 0}));
+  EXPECT_EQ(ColorAtPoint(checks, view, {0.05, -0.05, 0}), (std::array{255, 255, 255}));
+  EXPECT_EQ(ColorAtPoint(checks, view, {0.05, 0.05, 0}), (std::array{0, 255, 0}));
+  table.pattern = scene::TablePattern::kStripes;
+  const Image stripes = draw();
+  EXPECT_EQ(ColorAtPoint(stripes, view, {-0.05, -0.05, 0}),
+            ColorAtPoint(stripes, view, {-0.05, 0.25, 0}));
+  EXPECT_EQ(stripes.ids, checks.ids);
+}
+
 TEST_F(RendererTest, PresentationHasShadowsAndTheRobotsEyeHasNone) {
   SmallScene scene;
   scene.Add(scene::Block{{2, 1.2, 0.4}}, kWhite, Vector3(0, 0, -0.2));

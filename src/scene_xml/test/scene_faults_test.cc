@@ -19,8 +19,8 @@ TEST(SceneFaults, ReportsAllFaultsInOnePassInTheOrderOfTheFile) {
                          "</composite>")),
       (std::vector<std::string>{
           "test.xml:3: <blok id=\"B1\">: found an unknown element, expected block, box, camera, "
-          "chain, composite, custom, customControl, cylinder, frustum, indicatorLights, ring, "
-          "sliderJoint, "
+          "cameraOffset, chain, composite, custom, customControl, cylinder, frustum, "
+          "indicatorLights, lighting, ring, sliderJoint, "
           "sphere or toggleSwitch; did you mean \"block\"?",
           "test.xml:4: <block id=\"B2\">: found no location, expected location=\"(x,y,z)\"",
           "test.xml:5: <block id=\"B3\">: found color=\"rde\", expected #RRGGBB, black, blue, "

@@ -52,6 +52,7 @@ class SceneMaker {
     }
     ConnectMechanisms(&scene);
     AddCameras(&scene);
+    AddLooks(&scene);
     return scene;
   }
 
@@ -198,6 +199,19 @@ class SceneMaker {
     }
   }
 
+  void AddLooks(scene::SceneSpec* scene) {
+    if (Below(2) == 0) {
+      scene->table.pattern = static_cast<scene::TablePattern>(1 + Below(2));
+      scene->table.pattern_color = AnyColor();
+      scene->table.pattern_span = Length();
+    }
+    if (Below(2) == 0) scene->table.color = AnyColor();
+    if (Below(2) == 0) scene->camera_offsets = {{"eye", Pose(), Uniform(0.5, 2)}, {"b", Pose()}};
+    if (Below(2) == 0) scene->lighting = {.brightness = Uniform(0, 4), .color = AnyColor()};
+    if (Below(2) == 0) scene->lighting.background = AnyColor();
+    if (Below(2) == 0) scene->lighting.turn = DegreesToRadians(37.5);
+  }
+
   /// References to anything there is, before and behind.
   void ConnectMechanisms(scene::SceneSpec* scene) {
     for (scene::ObjectSpec& object : scene->objects) Connect(&object.whole);
@@ -277,6 +291,12 @@ TEST(SceneRoundTrip, GivesBackRandomScenesToTheLastBit) {
     EXPECT_EQ(again.meters_per_unit, scene.meters_per_unit);
     EXPECT_EQ(again.table.x_span, scene.table.x_span);
     EXPECT_EQ(again.table.y_span, scene.table.y_span);
+    EXPECT_TRUE(again.table.color == scene.table.color);
+    EXPECT_TRUE(again.table.pattern == scene.table.pattern);
+    EXPECT_TRUE(again.table.pattern_color == scene.table.pattern_color);
+    EXPECT_EQ(again.table.pattern_span, scene.table.pattern_span);
+    EXPECT_TRUE(again.camera_offsets == scene.camera_offsets);
+    EXPECT_TRUE(again.lighting == scene.lighting);
     EXPECT_TRUE(again.sliders == scene.sliders);
     EXPECT_TRUE(again.chains == scene.chains);
     EXPECT_TRUE(WrittenAndRead(again) == again);

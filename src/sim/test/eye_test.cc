@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "base/files.h"
+#include "math/angles.h"
 #include "robot/urdf_reader.h"
 
 namespace smile::sim {
@@ -40,6 +42,22 @@ TEST(Cameras, OfARobotPrecedeThoseOfTheScene) {
             (std::vector<std::string>{"eye", "head", "left_hand", "right_hand"}));
   EXPECT_EQ(EyeView(simulation, {.camera = "left_hand"}).X_WC,
             EyeView(Simulation(SceneWithCamera(), Baxter()), {.camera = "left_hand"}).X_WC);
+}
+
+TEST(Cameras, MayBeDisplaced) {
+  scene::SceneSpec scene = SceneWithCamera();
+  scene.camera_offsets = {
+      {.camera = "eye", .X_CD = RigidTransform(Vector3(0.01, 0, 0)), .view_angle_scale = 1.1},
+      {.camera = "overhead", .X_CD = RigidTransform(RotationFromFixedAxes({0, 0, 90}), {0, 0, 1})},
+      {.camera = "missing"}};
+  const Simulation displaced(std::move(scene), Baxter()), usual(SceneWithCamera(), Baxter());
+  const CameraView eye = EyeView(displaced, {}), before = EyeView(usual, {});
+  EXPECT_TRUE((before.X_WC.inverse() * eye.X_WC).translation().isApprox(Vector3(0.01, 0, 0)));
+  EXPECT_NEAR(std::atan(eye.intrinsics.cy / eye.intrinsics.fy) /
+                  std::atan(before.intrinsics.cy / before.intrinsics.fy),
+              1.1, 1e-9);
+  EXPECT_NEAR(EyeView(displaced, {.camera = "overhead"}).X_WC.translation().z(), 29, 1e-9);
+  EXPECT_EQ(EyeView(displaced, {.camera = "head"}).X_WC, EyeView(usual, {.camera = "head"}).X_WC);
 }
 
 TEST(Cameras, AreNamedWhenAnUnknownOneIsRequested) {

@@ -89,6 +89,7 @@ void AddChoices(CLI::App* generate, GenerateOptions* options) {
       "Gaussian noise in the sensors of the brain: standard deviations joints=RAD, "
       "image=FRACTION and depth=UNITS, comma-separated; of a range such as "
       "joints=0..0.01, each attempt draws one");
+  AddVariationOptions(generate, &options->variation);
 }
 
 }  // namespace

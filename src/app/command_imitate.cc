@@ -12,6 +12,7 @@
 #include "base/files.h"
 #include "experiment/imitation.h"
 #include "experiment/robot_region.h"
+#include "experiment/variation.h"
 #include "scene_xml/scene_reader.h"
 
 namespace smile::app {
@@ -21,10 +22,10 @@ struct ImitateOptions {
   std::string demo, scene, out;
   double max_seconds = experiment::kMaxImitationSeconds;
   double hold = task::kRestSeconds;
-  bool no_pictures = false, json = false, verify = false;
+  bool no_pictures = false, json = false, verify = false, oracle = false;
   LayoutOptions layout;
   EyeOptions eye;
-  std::string noise;
+  std::string noise, variation;
   RobotOptions robot;
   BrainOptions brain;
   PathOptions path;
@@ -45,12 +46,14 @@ int ImitateDemo(const ImitateOptions& options) {
   const std::filesystem::path out = options.out;
   ConsoleReporter console;
   const auto robot = PlaceRobot(options.robot, options.path);
+  const experiment::Variation changes = experiment::ParseChanges(options.variation);
   const experiment::ImitationResult outcome = experiment::Imitate(
       {.task = std::filesystem::path(options.scene).stem().string(),
        .demonstration = options.demo,
        .scene = layout::LaidOut(
            scene_xml::LoadScene(options.scene, options.path.reader()), options.layout.choice(),
            [&](double height) { return experiment::RegionOf(robot.value(), height); }),
+       .looks = changes.looks,
        .brain = options.brain.brain,
        .callback_seconds = options.brain.timeout,
        .is_attached = options.brain.attach,
@@ -61,6 +64,9 @@ int ImitateDemo(const ImitateOptions& options) {
        .is_verified = options.verify,
        .eye = EyeSpecOf(options.eye),
        .noise = ParseNoise(options.noise),
+       .behavior = changes.behavior,
+       .gives_poses = options.oracle,
+       .disturbance = changes.disturbance,
        .robot = robot},
       console.callbacks());
   console.Clear();
@@ -106,6 +112,10 @@ void AddImitate(CLI::App* program, ExitAnswer answer) {
                     "recording without the robot's pictures");
   AddEyeOptions(imitate, &options->eye);
   AddNoiseOption(imitate, &options->noise);
+  AddOracleOption(imitate, &options->oracle);
+  imitate->add_option("--variation", options->variation,
+                      "looks, behavior and disturbance of an attempt of `smile generate`, as JSON "
+                      "(docs/generation.md)");
   imitate->add_flag("--json", options->json, "result.json on stdout");
   AddRobotOptions(imitate, /*may_be_absent=*/false, &options->robot);
   AddPathOption(imitate, &options->path);

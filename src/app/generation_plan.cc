@@ -1,5 +1,6 @@
 #include "app/generation_plan.h"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -7,6 +8,7 @@
 #include "base/wording.h"
 #include "experiment/robot_region.h"
 #include "layout/layout_choice.h"
+#include "model/eye.h"
 #include "scene_xml/scene_reader.h"
 
 namespace smile::app {
@@ -72,7 +74,38 @@ std::vector<std::string> ImitateArguments(const GenerateOptions& options,
        ArgumentsOf(options.settings, attempt.variation.eye, NoiseText(attempt.variation.noise))) {
     arguments.push_back(std::move(argument));
   }
+  // Without changes, as somebody would type it who knows nothing of them.
+  if (const std::string changes = ChangesText(attempt.variation); !changes.empty()) {
+    arguments.insert(arguments.end(), {"--variation", changes});
+  }
   return arguments;
+}
+
+/// Checks that the cameras to displace exist: in a scene, one that does not has no effect.
+void RequireCameras(const std::vector<std::string>& cameras, const scene::SceneSpec& scene,
+                    const sim::RobotPlacement& robot) {
+  if (cameras.empty()) return;
+  const std::vector<std::string> names = model::CameraNames(model::Model(scene, robot));
+  const std::vector<std::string_view> words(names.begin(), names.end());
+  for (const std::string& camera : cameras) {
+    if (std::ranges::find(names, camera) != names.end()) continue;
+    throw std::invalid_argument("jitter-camera: found " + Quoted(camera) + ", expected " +
+                                OneOf(words) + DidYouMean(camera, words));
+  }
+}
+
+/// Adds the colors of the scenes' objects, which are varied one by one.
+void AddColors(const std::vector<experiment::GenerationScene>& scenes,
+               experiment::VariationChoices* choices) {
+  for (const experiment::GenerationScene& scene : scenes) {
+    std::vector<std::string> colors = experiment::ColorsOf(scene.spec);
+    if (colors.size() > experiment::kMaxColors) {
+      throw std::invalid_argument(scene.name + ": the objects have " +
+                                  std::to_string(colors.size()) + " colors, expected at most " +
+                                  std::to_string(experiment::kMaxColors));
+    }
+    choices->colors[scene.name] = std::move(colors);
+  }
 }
 
 }  // namespace
@@ -106,9 +139,12 @@ experiment::GenerationPlan PlanOf(const GenerateOptions& options) {
       .settings = ArgumentsOf(options.settings, "", "")};
   plan.settings.insert(plan.settings.end(), {"--hold", NumberText(options.hold)});
   ParseNoiseRanges(options.noise, &plan.choices);
+  AddChoices(options.variation, &plan.choices);
   for (const std::string& scene : options.scenes) {
     plan.scenes.push_back({scene, scene_xml::LoadScene(scene, options.settings.path.reader())});
+    RequireCameras(plan.choices.looks.cameras, plan.scenes.back().spec, robot.value());
   }
+  AddColors(plan.scenes, &plan.choices);
   plan.layout = [scenes = plan.scenes, robot](const experiment::Attempt& attempt) {
     const auto scene =
         std::ranges::find(scenes, attempt.variation.scene, &experiment::GenerationScene::name);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/imitate_arguments.h"
+#include "app/variation_options.h"
 #include "experiment/generation.h"
 
 namespace smile::app {
@@ -14,6 +15,7 @@ namespace smile::app {
 struct GenerateOptions {
   std::string demo, brain, out, noise;
   std::vector<std::string> scenes, levels, eyes;
+  VariationOptions variation;
   std::size_t count = 100, tries = 5;
   std::uint64_t seed = 1;
   double hold = 2;

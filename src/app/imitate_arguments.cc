@@ -18,6 +18,7 @@ void AddImitateSettings(CLI::App* command, ImitateSettings* settings) {
       ->capture_default_str()
       ->check(NumberBetween(0.0, 86400.0));
   AddTimeoutOption(command, /*brain=*/nullptr, &settings->timeout);
+  AddOracleOption(command, &settings->oracle);
   AddRobotOptions(command, /*may_be_absent=*/false, &settings->robot);
   AddPathOption(command, &settings->path);
 }
@@ -55,6 +56,7 @@ std::vector<std::string> ArgumentsOf(const ImitateSettings& settings, const std:
   if (eye != EyeOptions().camera) add("--eye", eye);
   add("--size", settings.size);
   add("--noise", noise);
+  add_flag("--oracle", settings.oracle);
   add("--robot", settings.robot.urdf);
   add("--side-file", settings.robot.side_file);
   add("--gripper", settings.robot.gripper);

@@ -208,6 +208,12 @@ void AddNoiseOption(CLI::App* command, std::string* text) {
       ->needs("--brain");
 }
 
+void AddOracleOption(CLI::App* command, bool* gives_poses) {
+  command->add_flag("--oracle", *gives_poses,
+                    "give the brain the true poses, sizes and colors of all objects "
+                    "(docs/brains.md)");
+}
+
 CLI::Validator PresentBrain() {
   return CLI::Validator(
       [](std::string& brain) {

@@ -93,6 +93,9 @@ brain::SensorNoise ParseNoise(const std::string& text);
 /// Adds `--noise`.
 void AddNoiseOption(CLI::App* command, std::string* text);
 
+/// Adds `--oracle`.
+void AddOracleOption(CLI::App* command, bool* gives_poses);
+
 /// Adds `--demonstrator`: appearance of the demonstrator in pictures, see
 /// recording::DemonstratorAppearance.
 CLI::Option* AddDemonstratorOption(CLI::App* command, std::string* appearance);

@@ -9,6 +9,8 @@
 #include "brain/brain_messages.h"
 #include "motion/channels.h"
 #include "robot/robot_visuals.h"
+#include "scene/bounds.h"
+#include "scene/solid.h"
 #include "scene/units.h"
 
 namespace smile::brain {
@@ -130,6 +132,33 @@ std::map<std::string, Eigen::RowVector3d, std::less<>> TrackersOf(
   return trackers;
 }
 
+/// Returns the objects of the scene; objects that are added later are not described.
+std::vector<ObjectDescription> DescribeObjects(const sim::Simulation& simulation) {
+  const double unit = simulation.scene().meters_per_unit;
+  std::vector<ObjectDescription> objects;
+  for (const scene::ObjectSpec& object : simulation.scene().objects) {
+    const std::vector<scene::Solid> solids = scene::SolidsOf(object.whole);
+    const Vector3 size = scene::BoundsOf(solids, RigidTransform()).size();
+    const Color color = solids.empty() ? object.whole.color : solids.front().color;
+    objects.push_back({.id = object.id(),
+                       .size = scene::ToFileUnits(size, unit).transpose(),
+                       .color = {color.red, color.green, color.blue}});
+  }
+  return objects;
+}
+
+/// Returns the poses of the first objects.
+std::vector<Eigen::Matrix4d> PosesOf(std::size_t count, const sim::Simulation& simulation) {
+  const std::vector<world::Object>& objects = simulation.tabletop().objects();
+  std::vector<Eigen::Matrix4d> poses(count, Eigen::Matrix4d::Constant(std::nan("")));
+  for (std::size_t k = 0; k < std::min(count, objects.size()); ++k) {
+    if (const auto X_WB = simulation.tabletop().PoseOf(objects[k])) {
+      poses[k] = MatrixInUnits(*X_WB, simulation);
+    }
+  }
+  return poses;
+}
+
 }  // namespace
 
 MayRead WhatMayBeRead(const std::filesystem::path& brain) {
@@ -221,6 +250,8 @@ Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
     aux.demonstration = std::filesystem::absolute(options_.demonstration).string();
     aux.attention = options_.attention;
   }
+  aux.variation = options_.variation;
+  if (options_.gives_poses) aux.objects = DescribeObjects(simulation);
   return aux;
 }
 
@@ -251,6 +282,7 @@ Sensor BrainDriver::Sense(const sim::Simulation& simulation) {
   Sensor sensor = SenseBody(simulation);
   if (TakePictureTurn(simulation)) AddPictures(simulation, &sensor);
   AddNoise(options_.noise, simulation.tick(), &sensor);
+  if (options_.gives_poses) sensor.object_poses = PosesOf(num_described_objects_, simulation);
   return sensor;
 }
 
@@ -376,6 +408,7 @@ void BrainDriver::Begin(const InitReply& reply, sim::Simulation* simulation) {
   ShowMarkers(reply.draw_markers, simulation);
   PassOn(reply.notes);
   begin_tick_ = simulation->tick();
+  num_described_objects_ = simulation->scene().objects.size();
   if (reply.watch) TakeNextFrame(simulation);
 }
 

@@ -37,6 +37,9 @@ struct BrainDriverOptions {
   DemonstrationFrames frames;           ///< of that recording; called if a brain requests to watch
   Attention attention;                  ///< of it
   SensorNoise noise;                    ///< in all sensor values
+  BehaviorVariation variation;          ///< that it is asked for
+  /// Gives the brain the true poses of the objects that exist at its start, which no robot has.
+  bool gives_poses = false;
   /// Called for each note of the brain, at the tick of the step with which it came.
   std::function<void(const sim::Note& note)> on_note;
 };
@@ -117,6 +120,7 @@ class BrainDriver {
   std::optional<Claim> claim_;
   PictureWishes wishes_;
   std::uint64_t begin_tick_ = 0;  ///< at the end of init
+  std::size_t num_described_objects_ = 0;
   std::uint64_t watched_ticks_ = 0;
   std::optional<DemonstrationFrame> frame_;      ///< shown next; nullopt unless it watches
   std::optional<std::uint64_t> last_step_tick_;  ///< also while it watches

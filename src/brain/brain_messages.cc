@@ -239,16 +239,24 @@ void AddJoints(MessageWriter& writer, std::string_view name, const std::vector<A
   writer.AddDoubles(name, std::array{1u, static_cast<std::uint32_t>(row.size())}, row);
 }
 
+/// Adds matrices as 4x4xN.
+void AddPoses(MessageWriter& writer, std::string_view name,
+              const std::vector<Eigen::Matrix4d>& poses) {
+  std::vector<double> numbers;
+  for (const Eigen::Matrix4d& pose : poses) {
+    const double* column_major = pose.data();
+    numbers.insert(numbers.end(), column_major, column_major + 16);
+  }
+  writer.AddDoubles(name, std::array{4u, 4u, static_cast<std::uint32_t>(poses.size())}, numbers);
+}
+
 /// Adds a 4x4 matrix of each arm: 4x4xN.
 template <class Arm>
 void AddPoses(MessageWriter& writer, std::string_view name, const std::vector<Arm>& arms,
               Eigen::Matrix4d Arm::*pose) {
-  std::vector<double> numbers;
-  for (const Arm& arm : arms) {
-    const double* column_major = (arm.*pose).data();
-    numbers.insert(numbers.end(), column_major, column_major + 16);
-  }
-  writer.AddDoubles(name, std::array{4u, 4u, static_cast<std::uint32_t>(arms.size())}, numbers);
+  std::vector<Eigen::Matrix4d> poses;
+  for (const Arm& arm : arms) poses.push_back(arm.*pose);
+  AddPoses(writer, name, poses);
 }
 
 /// Adds the description of arms in the general form: joints arm by arm, of which `armJointCounts`
@@ -539,6 +547,30 @@ int LineOf(const Message& message) {
   return line >= 1 && line <= std::numeric_limits<int>::max() ? static_cast<int>(line) : 0;
 }
 
+void AddVariation(MessageWriter& writer, const BehaviorVariation& variation) {
+  if (variation.speed) writer.AddScalar("variationSpeed", *variation.speed);
+  for (const auto& [name, seed] :
+       {std::pair("variationOrder", variation.order), std::pair("variationGrasp", variation.grasp),
+        std::pair("variationPath", variation.path)}) {
+    if (seed) writer.AddScalar(name, static_cast<double>(*seed));
+  }
+}
+
+void AddObjects(MessageWriter& writer, const std::vector<ObjectDescription>& objects) {
+  if (objects.empty()) return;
+  std::vector<std::string> names;
+  Eigen::MatrixX3d sizes(objects.size(), 3), colors(objects.size(), 3);
+  for (const ObjectDescription& object : objects) {
+    const auto row = static_cast<Eigen::Index>(names.size());
+    names.push_back(object.id);
+    sizes.row(row) = object.size;
+    colors.row(row) = object.color;
+  }
+  AddLines(writer, "objectNames", names);
+  AddMatrix(writer, "objectSizes", sizes);
+  AddMatrix(writer, "objectColors", colors);
+}
+
 }  // namespace
 
 std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::string_view path,
@@ -565,6 +597,8 @@ std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::st
   if (aux.camera) AddCamera(writer, *aux.camera);
   if (!aux.demonstration.empty()) writer.AddText("demonstration", aux.demonstration);
   AddAttention(writer, aux.attention);
+  AddVariation(writer, aux.variation);
+  AddObjects(writer, aux.objects);
   return writer.Finish();
 }
 
@@ -585,6 +619,7 @@ std::vector<std::byte> EncodeSensor(std::uint32_t sequence, const Sensor& sensor
   if (sensor.sends_arms) AddArms(writer, sensor.arms);
   for (const CameraPicture& picture : sensor.pictures) AddPicture(writer, picture, order);
   if (!sensor.segment_names.empty()) AddLines(writer, "segmentNames", sensor.segment_names);
+  if (!sensor.object_poses.empty()) AddPoses(writer, "objectPoses", sensor.object_poses);
   return writer.Finish();
 }
 

@@ -81,6 +81,24 @@ struct ArmDescription {
 /// Returns true for two arms of seven joints.
 bool IsClassic(std::span<const ArmDescription> arms);
 
+/// Variation of its behavior that a brain is asked for, where several ways are equally good; unset:
+/// it is not asked. Brains may ignore it.
+struct BehaviorVariation {
+  std::optional<double> speed;         ///< factor of the speed of its motions, above 0
+  std::optional<std::uint64_t> order;  ///< seed of the choice among steps that may be next
+  std::optional<std::uint64_t> grasp;  ///< seed of the choice among grasps
+  std::optional<std::uint64_t> path;   ///< seed of the choice among paths
+
+  bool operator==(const BehaviorVariation&) const = default;
+};
+
+/// Object, as described in `aux` to a brain that is given the poses of all objects.
+struct ObjectDescription {
+  std::string id;
+  Eigen::RowVector3d size;   ///< of the box around it, along its own axes [units]
+  Eigen::RowVector3d color;  ///< of its first piece: red, green, blue
+};
+
 /// Values sent once, before the program starts. (BrainProcess adds `aux.path`, and `aux.robot`: the
 /// path of the robot's files.)
 struct Aux {
@@ -95,6 +113,8 @@ struct Aux {
   double meters_per_unit = 0.1;
   std::string demonstration;  ///< folder of the recording to imitate; empty: none
   Attention attention;        ///< of that demonstration
+  BehaviorVariation variation;
+  std::vector<ObjectDescription> objects;  ///< empty unless the brain is given their poses
 };
 
 /// State of an arm.
@@ -120,6 +140,8 @@ struct Sensor {
   std::vector<CameraPicture> pictures;
   /// Names for the ids in pictures, from 1 on; empty unless segmentation was requested.
   std::vector<std::string> segment_names;
+  /// Poses in the world of Aux::objects, translations in units; not a number if it is absent.
+  std::vector<Eigen::Matrix4d> object_poses;
 };
 
 /// Motor command of an arm.

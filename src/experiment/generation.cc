@@ -63,6 +63,7 @@ Json KeyOf(const GenerationPlan& plan) {
            {{"joints", RangeJson(plan.choices.joints)},
             {"image", RangeJson(plan.choices.image)},
             {"depth", RangeJson(plan.choices.depth)}}},
+          {"variation", ToJson(plan.choices)},
           {"options", plan.settings},
           {"first_seed", plan.first_seed},
           {"tries", plan.tries}};

@@ -1,5 +1,6 @@
 #include "experiment/imitation.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/hash_text.h"
@@ -11,7 +12,9 @@ namespace {
 
 /// Returns the run of an imitation.
 RunPlan RunPlanOf(const ImitationPlan& plan, const task::Structure& goal) {
-  return {.scene = plan.scene,
+  scene::SceneSpec scene = plan.scene;
+  Apply(plan.looks, &scene);
+  return {.scene = std::move(scene),
           .robot = plan.robot,
           .brain = plan.brain,
           .brain_function = plan.brain_function,
@@ -25,8 +28,21 @@ RunPlan RunPlanOf(const ImitationPlan& plan, const task::Structure& goal) {
           .has_pictures = plan.has_pictures,
           .eye = plan.eye,
           .noise = plan.noise,
+          .behavior = plan.behavior,
+          .gives_poses = plan.gives_poses,
+          .disturbance = plan.disturbance,
           .label = "the robot builds",
-          .goal = &goal};
+          // Objects of other colors do not look like those of the goal.
+          .goal = plan.looks.colors.empty() ? &goal : nullptr};
+}
+
+/// Gives the objects the colors of another scene, which has the same ones first.
+void RestoreColors(const scene::SceneSpec& before, scene::SceneSpec* scene) {
+  const std::size_t count = std::min(before.objects.size(), scene->objects.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    scene->objects[i].whole.color = before.objects[i].whole.color;
+    scene->objects[i].whole.shape = before.objects[i].whole.shape;
+  }
 }
 
 /// Replays the recording of an imitation and adds `replay` to its result. One that differs is no
@@ -55,7 +71,8 @@ ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
   const RunResult run = Run(RunPlanOf(plan, imitation_task.structure), callbacks);
   // Scored from the recording, so that anyone can repeat the score. The recording is also what
   // people check a score against; state that only lived in memory would escape them.
-  const task::Episode outcome = task::EpisodeOf(recording::OpenRecording(plan.record));
+  task::Episode outcome = task::EpisodeOf(recording::OpenRecording(plan.record));
+  if (!plan.looks.colors.empty()) RestoreColors(plan.scene, &outcome.scene);
   Json result =
       task::ResultOf(imitation_task, outcome,
                      // Watching takes as long as the demonstration, and the rest
@@ -64,6 +81,7 @@ ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
                       .watched_seconds = run.watched_seconds,
                       .realtime_factor = run.realtime_factor,
                       .brain = BrainJson(run)});
+  if (plan.disturbance) result["disturbance"] = run.disturbance;
   if (plan.is_verified && !callbacks.IsCancelled()) AddReplay(plan.record, callbacks, &result);
   const bool has_succeeded = result["success"].get<bool>();
   return {

@@ -10,6 +10,8 @@
 #include "brain/sensor_noise.h"
 #include "experiment/brain_setup.h"
 #include "experiment/callbacks.h"
+#include "experiment/disturbance.h"
+#include "experiment/looks.h"
 #include "scene/scene_spec.h"
 #include "sim/eye.h"
 #include "sim/simulation.h"
@@ -22,6 +24,7 @@ struct ImitationPlan {
   std::string task;                     ///< its name in the result
   std::filesystem::path demonstration;  ///< recording
   scene::SceneSpec scene;
+  Looks looks;  ///< that the scene gets; objects are told apart by the colors they had before
   std::filesystem::path brain;
   brain::MessageFunction brain_function;              ///< in place of `brain`; empty for none
   double callback_seconds = brain::kCallbackSeconds;  ///< timeout per callback, wall clock [s]
@@ -33,7 +36,10 @@ struct ImitationPlan {
   double hold_seconds = task::kRestSeconds;
   bool is_verified = false;  ///< replayed at the end: a success must replay to the last bit
   sim::EyeSpec eye;
-  brain::SensorNoise noise;  ///< in the sensor values of the brain
+  brain::SensorNoise noise;                ///< in the sensor values of the brain
+  brain::BehaviorVariation behavior;       ///< that the brain is asked for
+  bool gives_poses = false;                ///< the brain is given the true poses of all objects
+  std::optional<Disturbance> disturbance;  ///< while the brain acts
   std::optional<sim::RobotPlacement> robot;
 };
 

@@ -68,6 +68,7 @@ class LiveRun {
     // The recording is started before script and brain, so that it contains their first commands.
     if (plan.script) player_.emplace(*plan.script);
     if (HasBrain()) StartBrain();
+    if (plan.disturbance) disturber_.emplace(*plan.disturbance);
   }
 
   RunResult Go() {
@@ -142,6 +143,8 @@ class LiveRun {
     brain::BrainDriverOptions options = DriverOptionsFor(plan_.brain, plan_.demonstration, &*eye_);
     options.image_seconds = plan_.image_seconds;
     options.noise = plan_.noise;
+    options.variation = plan_.behavior;
+    options.gives_poses = plan_.gives_poses;
     options.on_note = [this](const sim::Note& note) {
       notes_.Write(recording::LineOf({.tick = simulation_.tick(), .note = note}));
     };
@@ -222,6 +225,10 @@ class LiveRun {
     // Script before brain, in every tick, so that runs are deterministic.
     if (player_) AdvanceScript();
     if (is_brain_running()) {
+      if (disturber_) {
+        const std::uint64_t start = first_tick_ + driver_->watched_ticks();
+        disturber_->Advance(std::max(simulation_.tick(), start) - start, &simulation_);
+      }
       DriveBrain();
       if (!is_brain_running()) BeginFarewell();
     }
@@ -258,6 +265,7 @@ class LiveRun {
       }
     }
     if (controller_) result.recordings = controller_->directories();
+    if (disturber_) result.disturbance = disturber_->json();
     return result;
   }
 
@@ -276,6 +284,7 @@ class LiveRun {
   std::uint64_t late_ticks_ = 0;
   double worst_delay_ = 0;
   std::optional<sim::ScriptPlayer> player_;
+  std::optional<Disturber> disturber_;
   brain::BrainLog brain_log_;  ///< written to by the process's thread
   brain::BrainLog notes_;
   std::optional<brain::FunctionBrain> function_;

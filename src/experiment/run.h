@@ -10,6 +10,7 @@
 #include "brain/brain_driver.h"
 #include "brain/function_brain.h"
 #include "experiment/callbacks.h"
+#include "experiment/disturbance.h"
 #include "recorder/recording_controller.h"
 #include "scene/scene_spec.h"
 #include "sim/eye.h"
@@ -47,10 +48,13 @@ struct RunPlan {
   recorder::RecorderOptions recording;
   bool has_pictures = true;  ///< in recordings
   sim::EyeSpec eye;
-  brain::SensorNoise noise;       ///< in the sensor values of the brain
-  double image_seconds = 0.25;    ///< between pictures for the brain
-  bool is_realtime = false;       ///< paced by the wall clock, which changes no result
-  std::string label = "running";  ///< step name in progress reports
+  brain::SensorNoise noise;                ///< in the sensor values of the brain
+  brain::BehaviorVariation behavior;       ///< that the brain is asked for
+  bool gives_poses = false;                ///< the brain is given the true poses of all objects
+  std::optional<Disturbance> disturbance;  ///< while the brain acts
+  double image_seconds = 0.25;             ///< between pictures for the brain
+  bool is_realtime = false;                ///< paced by the wall clock, which changes no result
+  std::string label = "running";           ///< step name in progress reports
   /// Structure of which progress reports count the objects in place; null for none.
   const task::Structure* goal = nullptr;
 };
@@ -72,6 +76,7 @@ struct RunResult {
   std::optional<brain::Claim> brain_claim;
   std::vector<std::filesystem::path> recordings;  ///< started or continued, in order
   Json objects, controls, robot;                  ///< see world_description.h
+  Json disturbance;                               ///< see Disturber::json()
 };
 
 /// `brain` of a result: {status, message, claim}.

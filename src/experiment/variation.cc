@@ -1,48 +1,91 @@
 #include "experiment/variation.h"
 
-#include <random>
+#include <array>
 #include <string_view>
 
-#include "base/state_hash.h"
-#include "base/uniform.h"
+#include "experiment/internal_draw.h"
 
 namespace smile::experiment {
 namespace {
 
+using internal::Draw;
+
 constexpr std::size_t kMaxNameBytes = 4096;
-constexpr double kMostNoise = 1000;
+constexpr double kMostNoise = 1000, kMostSpeed = 10;
 constexpr std::uint64_t kMostSeed = std::uint64_t{1} << 53;
 
-/// Returns a generator for one of the circumstances. The layout of the same seed has another.
-std::mt19937_64 GeneratorOf(std::string_view circumstance, std::uint64_t seed) {
-  StateHash hash;
-  hash.Add(circumstance);
-  hash.Add(seed);
-  return std::mt19937_64(hash.value());
+const std::string& Choose(const std::vector<std::string>& choices, std::string_view circumstance,
+                          std::uint64_t seed) {
+  return choices[internal::DrawIndex(choices.size(), circumstance, seed)];
 }
 
-const std::string& Draw(const std::vector<std::string>& choices, std::string_view circumstance,
-                        std::uint64_t seed) {
-  std::mt19937_64 random = GeneratorOf(circumstance, seed);
-  const double place = Uniform(&random, 0, static_cast<double>(choices.size()));
-  return choices[static_cast<std::size_t>(place)];
+brain::BehaviorVariation DrawBehavior(const VariationChoices& choices, std::uint64_t seed) {
+  brain::BehaviorVariation behavior;
+  if (choices.speed) behavior.speed = Draw(*choices.speed, "speed", seed);
+  // A program of its own draws from this seed: with another one for each choice, choices that are
+  // made in the same way do not go together.
+  const auto seed_for = [&](bool varies, std::string_view circumstance) {
+    return varies ? std::optional(internal::GeneratorOf(circumstance, seed)() >> 32) : std::nullopt;
+  };
+  behavior.order = seed_for(choices.varies_order, "order");
+  behavior.grasp = seed_for(choices.varies_grasp, "grasp");
+  behavior.path = seed_for(choices.varies_path, "path");
+  return behavior;
 }
 
-double Draw(const Range& range, std::string_view circumstance, std::uint64_t seed) {
-  std::mt19937_64 random = GeneratorOf(circumstance, seed);
-  return Uniform(&random, range.low, range.high);
+template <class Value>
+Json NumberOrNull(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json ToJson(const brain::BehaviorVariation& behavior) {
+  return {{"speed", NumberOrNull(behavior.speed)},
+          {"order", NumberOrNull(behavior.order)},
+          {"grasp", NumberOrNull(behavior.grasp)},
+          {"path", NumberOrNull(behavior.path)}};
+}
+
+brain::BehaviorVariation BehaviorIn(const JsonNode& node) {
+  brain::BehaviorVariation behavior;
+  if (!node.Member("speed").IsNull()) {
+    behavior.speed = node.Member("speed").Number(0.01, kMostSpeed);
+  }
+  const auto seed_in = [&](const char* name) -> std::optional<std::uint64_t> {
+    if (node.Member(name).IsNull()) return std::nullopt;
+    return node.Member(name).Whole(0, kMostSeed);
+  };
+  behavior.order = seed_in("order");
+  behavior.grasp = seed_in("grasp");
+  behavior.path = seed_in("path");
+  return behavior;
 }
 
 }  // namespace
 
 Variation DrawVariation(const VariationChoices& choices, std::uint64_t seed) {
-  return {.scene = Draw(choices.scenes, "scene", seed),
-          .level = Draw(choices.levels, "level", seed),
-          .eye = Draw(choices.eyes, "eye", seed),
-          .noise = {.joints = Draw(choices.joints, "joints", seed),
-                    .image = Draw(choices.image, "image", seed),
-                    .depth = Draw(choices.depth, "depth", seed),
-                    .seed = seed}};
+  Variation variation{.scene = Choose(choices.scenes, "scene", seed),
+                      .level = Choose(choices.levels, "level", seed),
+                      .eye = Choose(choices.eyes, "eye", seed),
+                      .noise = {.joints = internal::DrawUnrounded(choices.joints, "joints", seed),
+                                .image = internal::DrawUnrounded(choices.image, "image", seed),
+                                .depth = internal::DrawUnrounded(choices.depth, "depth", seed),
+                                .seed = seed}};
+  const auto colors = choices.colors.find(variation.scene);
+  variation.looks =
+      DrawLooks(choices.looks,
+                colors == choices.colors.end() ? std::vector<std::string>() : colors->second, seed);
+  variation.behavior = DrawBehavior(choices, seed);
+  variation.disturbance = DrawDisturbance(choices.disturbance, seed);
+  return variation;
+}
+
+Json ToJson(const VariationChoices& choices) {
+  return {{"looks", ToJson(choices.looks)},
+          {"speed", choices.speed ? Json{choices.speed->low, choices.speed->high} : Json()},
+          {"order", choices.varies_order},
+          {"grasp", choices.varies_grasp},
+          {"path", choices.varies_path},
+          {"disturbance", ToJson(choices.disturbance)}};
 }
 
 Json ToJson(const Variation& variation) {
@@ -53,7 +96,10 @@ Json ToJson(const Variation& variation) {
            {{"joints", variation.noise.joints},
             {"image", variation.noise.image},
             {"depth", variation.noise.depth},
-            {"seed", variation.noise.seed}}}};
+            {"seed", variation.noise.seed}}},
+          {"looks", variation.looks == Looks() ? Json() : ToJson(variation.looks)},
+          {"behavior", ToJson(variation.behavior)},
+          {"disturbance", variation.disturbance ? ToJson(*variation.disturbance) : Json()}};
 }
 
 Variation VariationIn(const JsonNode& node) {
@@ -66,6 +112,35 @@ Variation VariationIn(const JsonNode& node) {
   variation.noise.image = noise.Member("image").Number(0, kMostNoise);
   variation.noise.depth = noise.Member("depth").Number(0, kMostNoise);
   variation.noise.seed = noise.Member("seed").Whole(0, kMostSeed);
+  ReadChanges(node, &variation);
+  return variation;
+}
+
+void ReadChanges(const JsonNode& node, Variation* variation) {
+  const auto has = [&](const char* name) { return node.Has(name) && !node.Member(name).IsNull(); };
+  if (has("looks")) variation->looks = LooksIn(node.Member("looks"));
+  if (has("behavior")) variation->behavior = BehaviorIn(node.Member("behavior"));
+  if (has("disturbance")) variation->disturbance = DisturbanceIn(node.Member("disturbance"));
+}
+
+std::string ChangesText(const Variation& variation) {
+  Json json = Json::object();
+  if (variation.looks != Looks()) json["looks"] = ToJson(variation.looks);
+  if (variation.behavior != brain::BehaviorVariation()) {
+    json["behavior"] = ToJson(variation.behavior);
+  }
+  if (variation.disturbance) json["disturbance"] = ToJson(*variation.disturbance);
+  return json.empty() ? "" : ToText(json);
+}
+
+Variation ParseChanges(const std::string& text) {
+  Variation variation;
+  if (text.empty()) return variation;
+  const Json json = ParseJson(text);
+  const std::string file = "--variation";
+  const JsonNode node(json, file, "");
+  node.ExpectMembers(std::array<std::string_view, 3>{"looks", "behavior", "disturbance"});
+  ReadChanges(node, &variation);
   return variation;
 }
 

@@ -61,6 +61,31 @@ TEST_F(Generate, TowersAreTheSameAfterAKillAndInShards) {
   EXPECT_EQ(Differences("whole", "merged"), "");
 }
 
+TEST_F(Generate, VariesLooksAndDisturbsWithTheSameBytesForAnyJobs) {
+  const std::string arguments =
+      "--count 2 --looks brightness=0.98..1,turn=-90..90,hue=-1..1,table=0.9..1 --pattern checks "
+      "--jitter shift=-0.05..0.05,tilt=-0.5..0.5 --speed 0.7..0.9 --choices order "
+      "--disturb fraction=1,seconds=1..2,distance=0.2 --size 320x240 ";
+  const Answer one = Smile(Towers(arguments + "--jobs 1 --out one"));
+  ASSERT_EQ(one.exit_code, 0) << one.err;
+  ASSERT_EQ(Smile(Towers(arguments + "--jobs 2 --out two")).exit_code, 0);
+  EXPECT_EQ(Differences("one", "two"), "");
+  const Json first = Json::parse(Shell("head -1 one/manifest.jsonl").out);
+  const Json& variation = first["variation"];
+  EXPECT_LT(variation["behavior"]["speed"], 0.9);
+  EXPECT_EQ(variation["looks"]["pattern"], "checks");
+  EXPECT_EQ(variation["looks"]["cameras"][0]["camera"], "eye");
+  EXPECT_EQ(variation["disturbance"]["distance"], 0.2);
+  // All of it is in the recording, which shows who took the block.
+  const std::string episode = "one/" + first["recording"].get<std::string>();
+  const std::string scene = Read(episode + "/scene.xml");
+  for (const char* word : {"<lighting", "<cameraOffset camera=\"eye\"", "pattern=\"checks\""}) {
+    EXPECT_NE(scene.find(word), std::string::npos) << word;
+  }
+  const Json result = Json::parse(Read(episode + "/../result.json"));
+  EXPECT_TRUE(result["disturbance"]["object"].is_string()) << result["disturbance"];
+}
+
 TEST_F(Generate, ReportsWhatFailsAndWhatIsWrong) {
   Write("idle.py", "def step(sensor, motor, aux):\n  aux.exit = 1\n");
   const std::string tower = "generate shown --scene " + Shipped("scenes/tower_robot.xml");
@@ -76,6 +101,12 @@ TEST_F(Generate, ReportsWhatFailsAndWhatIsWrong) {
                                                {" --brain idle.py --noise seed=3", 2},
                                                {" --brain idle.py --shard 3/2", 2},
                                                {" --brain idle.py --level easy", 2},
+                                               {" --brain idle.py --looks bright=1", 2},
+                                               {" --brain idle.py --looks hue=3..1", 2},
+                                               {" --brain idle.py --disturb fraction=2", 2},
+                                               {" --brain idle.py --jitter shift=1 "
+                                                "--jitter-camera ey",
+                                                2},
                                                {" --brain idle.py --count 0", 2}};
   for (const auto& [arguments, exit_code] : wrong) {
     EXPECT_EQ(Smile(tower + arguments + " --out wrong").exit_code, exit_code) << arguments;

@@ -72,6 +72,35 @@ TEST_F(RunBrain, NotesAreRecordedOnceWithTheirTick) {
   EXPECT_GE(notes[2].tick, 12u);
 }
 
+TEST_F(RunBrain, IsToldTheVariationAndTruePosesOnRequest) {
+  RunPlan plan =
+      PlanWith(Write("brain/told.py",
+                     "def init(aux):\n"
+                     "  print(aux.variationSpeed, aux.variationOrder)\n"
+                     "  print(aux.objectNames, aux.objectSizes[1], aux.objectColors[1])\n"
+                     "def step(sensor, motor, aux):\n"
+                     "  print(sensor.objectPoses.shape, sensor.objectPoses[:3, 3, 1])\n"
+                     "  aux.exit = True\n"));
+  plan.behavior = {.speed = 0.5, .order = 7};
+  plan.gives_poses = true;
+  const RunResult result = experiment::Run(plan);
+  EXPECT_FALSE(result.brain_error) << ToString(*result.brain_error);
+  const std::string log = Read("run/brain.log");
+  EXPECT_NE(log.find("0.5 7"), std::string::npos) << log;
+  EXPECT_NE(log.find("(4, 4, 2) [ 2.  -3.   0.5]"), std::string::npos) << log;
+  EXPECT_NE(log.find("[1. 1. 1.] [0. 0. 1.]"), std::string::npos) << log;
+}
+
+TEST_F(RunBrain, ADisturbanceReplaysAsItWas) {
+  RunPlan plan = PlanWith(Python("  aux.exit = sensor.simTime > 2\n"));
+  plan.disturbance = {.seconds = 0.5, .choice = 0.6, .direction_deg = 30, .distance = 0.4};
+  const RunResult result = experiment::Run(plan);
+  EXPECT_EQ(result.disturbance["object"], "b");
+  EXPECT_EQ(replay::Replay(recording::OpenRecording(root_ / "run")).first_difference, std::nullopt);
+  plan.record = root_ / "again";
+  EXPECT_EQ(experiment::Run(plan).state_hash, result.state_hash);
+}
+
 TEST_F(RunBrain, AMissingOneLeavesNoRecording) {
   EXPECT_THROW(experiment::Run(PlanWith(root_ / "nowhere")), InputError);
   EXPECT_FALSE(Exists("run"));

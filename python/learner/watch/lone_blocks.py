@@ -47,7 +47,9 @@ def measure_by_silhouette(color, row, column, count, eye):
     face = fit_face(*onto_plane(row, column, eye, low))
     if face.misfit > PERCEPTION.misfit or face.is_round or low < PERCEPTION.on_table or high == C.heights[1]:
         return None
-    pixel = math.sqrt(np.median(onto_plane(row, column, eye, low)[2]))
+    # Of the directions of the picture, the one in which a pixel covers most.
+    ends = [np.array(onto_plane(row + shift, column, eye, low)[:2]) for shift in (0, 1)]
+    pixel = np.median(np.hypot(*(ends[1] - ends[0])))
     growth = area_under(row, column, low + pixel, eye) - area_under(row, column, low, eye)
     width = column.max() + 1 - column.min()
     height = simplest(low, C.edge_pixels * pixel * width / growth)

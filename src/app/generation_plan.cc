@@ -74,7 +74,7 @@ std::vector<std::string> ImitateArguments(const GenerateOptions& options,
        ArgumentsOf(options.settings, attempt.variation.eye, NoiseText(attempt.variation.noise))) {
     arguments.push_back(std::move(argument));
   }
-  // Without changes, as somebody would type it who knows nothing of them.
+  // Left out if nothing is changed, as in a command that a person types.
   if (const std::string changes = ChangesText(attempt.variation); !changes.empty()) {
     arguments.insert(arguments.end(), {"--variation", changes});
   }

@@ -63,6 +63,22 @@ void ParseRanges(const std::string& text, const std::string& option,
   }
 }
 
+/// Adds the displacement of cameras.
+void AddJitter(const VariationOptions& options, experiment::LookChoices* looks) {
+  const Range view{scene_xml::kViewScale.least, scene_xml::kViewScale.most};
+  ParseRanges(options.jitter, "jitter",
+              {{"shift", &looks->shift, {-100, 100}},
+               {"tilt", &looks->tilt_deg, {-180, 180}},
+               {"view", &looks->view, view}});
+  if (options.jitter.empty()) return;
+  looks->cameras = options.jittered_cameras;
+  if (looks->cameras.empty()) looks->cameras = {sim::kEyeCamera};
+  std::ranges::sort(looks->cameras);
+  if (std::ranges::adjacent_find(looks->cameras) != looks->cameras.end()) {
+    throw std::invalid_argument("jitter-camera: found a camera twice, expected it once");
+  }
+}
+
 void AddLooks(const VariationOptions& options, experiment::LookChoices* looks) {
   const Range brightness{0, scene_xml::kBrightness.most};
   ParseRanges(options.looks, "looks",
@@ -74,20 +90,8 @@ void AddLooks(const VariationOptions& options, experiment::LookChoices* looks) {
                {"table", &looks->table, {0, 1}},
                {"tint", &looks->tint, {0, 1}},
                {"background", &looks->background, {0, 1}}});
-  const Range view{scene_xml::kViewScale.least, scene_xml::kViewScale.most};
-  ParseRanges(options.jitter, "jitter",
-              {{"shift", &looks->shift, {-100, 100}},
-               {"tilt", &looks->tilt_deg, {-180, 180}},
-               {"view", &looks->view, view}});
   if (!options.patterns.empty()) looks->patterns = options.patterns;
-  if (!options.jitter.empty()) {
-    looks->cameras = options.jittered_cameras;
-    if (looks->cameras.empty()) looks->cameras = {sim::kEyeCamera};
-    std::ranges::sort(looks->cameras);
-    if (std::ranges::adjacent_find(looks->cameras) != looks->cameras.end()) {
-      throw std::invalid_argument("jitter-camera: found a camera twice, expected it once");
-    }
-  }
+  AddJitter(options, looks);
 }
 
 }  // namespace

@@ -67,15 +67,21 @@ std::string HexOf(const Color& color) {
   return text;
 }
 
+/// Returns the indices of the objects that are links of chains.
+std::set<std::size_t> LinksOf(const scene::SceneSpec& scene) {
+  std::set<std::size_t> links;
+  for (const scene::ChainSpec& chain : scene.chains) {
+    const std::size_t end = chain.first_object + 2 + chain.link_ids.size();
+    for (std::size_t i = chain.first_object; i < end; ++i) links.insert(i);
+  }
+  return links;
+}
+
 /// Calls a function for the color of each part, except lamps, of the objects that are not links of
 /// chains: a chain has one color for all its links, in an element of its own.
 template <class Scene>
 void VisitColors(Scene* scene, const auto& visit) {
-  std::set<std::size_t> links;
-  for (const scene::ChainSpec& chain : scene->chains) {
-    const std::size_t end = chain.first_object + 2 + chain.link_ids.size();
-    for (std::size_t i = chain.first_object; i < end; ++i) links.insert(i);
-  }
+  const std::set<std::size_t> links = LinksOf(*scene);
   const auto visit_part = [&](const auto& self, auto& part) -> void {
     std::visit(
         [&](auto& shape) {
@@ -121,6 +127,18 @@ void DrawTable(const LookChoices& choices, std::uint64_t seed, Looks* looks) {
   looks->pattern_span = Draw(kPatternSpan, "pattern span", seed);
 }
 
+/// Objects of one color keep one color: tasks may depend on it.
+void DrawColors(const LookChoices& choices, const std::vector<std::string>& colors,
+                std::uint64_t seed, Looks* looks) {
+  if (IsOnly(choices.hue_deg, 0) && IsOnly(choices.value, 1)) return;
+  for (const std::string& old : colors) {
+    Hsv hsv = HsvOf(ParseColor(old).value());
+    hsv.hue += Draw(choices.hue_deg, "hue of " + old, seed);
+    hsv.value = std::min(1.0, hsv.value * Draw(choices.value, "value of " + old, seed));
+    looks->colors[old] = HexOf(ColorOf(hsv));
+  }
+}
+
 Vector3 DrawVector(const Range& range, const std::string& circumstance, std::uint64_t seed) {
   return {Draw(range, circumstance + " x", seed), Draw(range, circumstance + " y", seed),
           Draw(range, circumstance + " z", seed)};
@@ -161,15 +179,7 @@ Looks DrawLooks(const LookChoices& choices, const std::vector<std::string>& colo
     looks.background = HexOf({gray, gray, gray});
   }
   DrawTable(choices, seed, &looks);
-  if (!IsOnly(choices.hue_deg, 0) || !IsOnly(choices.value, 1)) {
-    // Objects of one color keep one color: tasks may depend on it.
-    for (const std::string& old : colors) {
-      Hsv hsv = HsvOf(ParseColor(old).value());
-      hsv.hue += Draw(choices.hue_deg, "hue of " + old, seed);
-      hsv.value = std::min(1.0, hsv.value * Draw(choices.value, "value of " + old, seed));
-      looks.colors[old] = HexOf(ColorOf(hsv));
-    }
-  }
+  DrawColors(choices, colors, seed, &looks);
   for (const std::string& camera : choices.cameras) {
     looks.cameras.push_back({.camera = camera,
                              .shift = DrawVector(choices.shift, "shift of " + camera, seed),

@@ -209,6 +209,12 @@ class LiveRun {
     return driver_ && driver_->status() == brain::BrainStatus::kRunning;
   }
 
+  /// Its time counts from the end of watching.
+  void Disturb() {
+    const std::uint64_t start = first_tick_ + driver_->watched_ticks();
+    disturber_->Advance(std::max(simulation_.tick(), start) - start, &simulation_);
+  }
+
   /// Applies the next commands of script and brain; true at the end of the run.
   bool IsOver() {
     if (callbacks_.IsCancelled()) return true;
@@ -225,10 +231,7 @@ class LiveRun {
     // Script before brain, in every tick, so that runs are deterministic.
     if (player_) AdvanceScript();
     if (is_brain_running()) {
-      if (disturber_) {
-        const std::uint64_t start = first_tick_ + driver_->watched_ticks();
-        disturber_->Advance(std::max(simulation_.tick(), start) - start, &simulation_);
-      }
+      if (disturber_) Disturb();
       DriveBrain();
       if (!is_brain_running()) BeginFarewell();
     }

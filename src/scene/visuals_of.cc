@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
 
 #include "base/overloaded.h"
 #include "scene/internal_lights.h"
@@ -91,8 +94,8 @@ class VisualCollector {
   int num_controls_ = 0;
 };
 
-/// Thickness of the painted pattern of a table [m]: thick enough that no camera confuses it with
-/// the table beneath, thin enough that no depth shows it.
+/// Height of the painted pattern above a table [m]: high enough that no camera confuses it with the
+/// table beneath, low enough that no depth shows it.
 constexpr double kPaint = 0.0002;
 /// Limit of stripes or squares along a side of the table; narrower ones are drawn wider.
 constexpr double kMaxTiles = 64;
@@ -112,6 +115,17 @@ std::vector<Tile> TilesAlong(double side, double span) {
     tiles.push_back({.middle = (low + high) / 2 - side / 2, .span = high - low});
   }
   return tiles;
+}
+
+/// Appends the upper side of a tile: it has no rim, which would show in pixels beside it.
+void AppendTile(const Tile& column, const Tile& row, SurfaceMesh* surface) {
+  const auto first = static_cast<std::uint32_t>(surface->vertices.size());
+  for (const auto& [x, y] : {std::pair(-0.5, -0.5), {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
+    const Vector3 corner(column.middle + x * column.span, row.middle + y * row.span, kPaint);
+    surface->vertices.push_back(corner.cast<float>());
+  }
+  surface->triangles.push_back({first, first + 1, first + 2});
+  surface->triangles.push_back({first, first + 2, first + 3});
 }
 
 }  // namespace
@@ -136,17 +150,16 @@ std::vector<Visual> VisualsOf(const TableSpec& table) {
   const std::vector<Tile> rows = table.pattern == TablePattern::kStripes
                                      ? std::vector<Tile>{{.span = table.y_span}}
                                      : TilesAlong(table.y_span, table.pattern_span);
+  const auto painted = std::make_shared<CustomMesh>();
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    for (std::size_t j = 0; j < rows.size(); ++j) {
-      // Only every second tile is painted: there are no seams through which one could look.
-      if ((i + j) % 2 == 0) continue;
-      visuals.push_back(
-          {.shape = Block{{columns[i].span, rows[j].span, kPaint}},
-           .color = table.pattern_color,
-           .X_FV = RigidTransform(Vector3(columns[i].middle, rows[j].middle, kPaint / 2)),
-           .casts_shadow = false});
+    // Only every second tile is painted: there are no seams through which one could look.
+    for (std::size_t j = (i + 1) % 2; j < rows.size(); j += 2) {
+      AppendTile(columns[i], rows[j], &painted->surface);
     }
   }
+  if (painted->surface.triangles.empty()) return visuals;
+  visuals.push_back(
+      {.shape = DrawnMesh{.mesh = painted}, .color = table.pattern_color, .casts_shadow = false});
   return visuals;
 }
 

@@ -18,9 +18,11 @@ from pathlib import Path
 import pdoc
 import smile
 import smile.experiment
+import smile.recording
 
-# Its annotations name a type of a package that need not be there.
-smile.experiment.pandas = types.SimpleNamespace(DataFrame=type("DataFrame", (), {"__module__": "pandas"}))
+# Annotations name a type of a package that need not be there.
+pandas = types.SimpleNamespace(DataFrame=type("DataFrame", (), {"__module__": "pandas"}))
+smile.experiment.pandas = smile.recording.pandas = pandas
 # pdoc finds names in the dictionaries of modules: those of `smile` are imported when they are first used, and
 # annotations name some that only type checkers import.
 values = {name: getattr(smile, name) for name in smile.__all__}

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "experiment/internal_chain_objects.h"
 #include "experiment/internal_draw.h"
 #include "math/angles.h"
 #include "model/relations.h"
@@ -26,13 +27,9 @@ Json PositionJson(const Vector3& p, const sim::Simulation& simulation) {
 
 /// Returns the objects that are part of chains or sliders.
 std::set<std::size_t> JoinedObjects(const scene::SceneSpec& scene) {
-  std::set<std::size_t> joined;
-  const auto add = [&](std::size_t first, std::size_t count) {
-    for (std::size_t i = first; i < first + count; ++i) joined.insert(i);
-  };
-  for (const scene::SliderSpec& slider : scene.sliders) add(slider.first_object, 2);
-  for (const scene::ChainSpec& chain : scene.chains) {
-    add(chain.first_object, 2 + chain.link_ids.size());
+  std::set<std::size_t> joined = internal::ChainObjects(scene);
+  for (const scene::SliderSpec& slider : scene.sliders) {
+    joined.insert({slider.first_object, slider.first_object + 1});
   }
   return joined;
 }

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "experiment/internal_chain_objects.h"
 #include "experiment/internal_draw.h"
 #include "math/angles.h"
 #include "math/color.h"
@@ -67,21 +68,11 @@ std::string HexOf(const Color& color) {
   return text;
 }
 
-/// Returns the indices of the objects that are links of chains.
-std::set<std::size_t> LinksOf(const scene::SceneSpec& scene) {
-  std::set<std::size_t> links;
-  for (const scene::ChainSpec& chain : scene.chains) {
-    const std::size_t end = chain.first_object + 2 + chain.link_ids.size();
-    for (std::size_t i = chain.first_object; i < end; ++i) links.insert(i);
-  }
-  return links;
-}
-
 /// Calls a function for the color of each part, except lamps, of the objects that are not links of
 /// chains: a chain has one color for all its links, in an element of its own.
 template <class Scene>
 void VisitColors(Scene* scene, const auto& visit) {
-  const std::set<std::size_t> links = LinksOf(*scene);
+  const std::set<std::size_t> links = internal::ChainObjects(*scene);
   const auto visit_part = [&](const auto& self, auto& part) -> void {
     std::visit(
         [&](auto& shape) {

@@ -82,7 +82,6 @@ class VectorEnv(gymnasium.vector.VectorEnv[dict[str, Any], npt.NDArray[np.float3
         if len(seeds) != self.num_envs:
             raise ValueError(f"seed has {len(seeds)} numbers, expected {self.num_envs}")
         list(self._pool.map(lambda env, one: env._restart(one, options), self.envs, seeds))
-        self._desired = np.array([env._episode.desired for env in self.envs])
         self._steps[:] = 0
         self._has_ended[:] = False
         measured = _in_order(range(self.num_envs), [env._measure() for env in self.envs])
@@ -103,7 +102,6 @@ class VectorEnv(gymnasium.vector.VectorEnv[dict[str, Any], npt.NDArray[np.float3
         for i, reset in zip(ended, resets):
             reset.result()
             parts.append(self.envs[i]._measure())
-            self._desired[i] = self.envs[i]._episode.desired
         measured = parts[0] if ended.size == 0 else _in_order([*going, *ended], parts)
         rewards = np.where(self._has_ended, 0.0, self.envs[0]._rewards(measured))
         terminated = (measured.scores[:, 0] == 1) & ~self._has_ended
@@ -116,7 +114,8 @@ class VectorEnv(gymnasium.vector.VectorEnv[dict[str, Any], npt.NDArray[np.float3
     def _told(self, measured: Measured) -> tuple[dict[str, Any], dict[str, Any]]:
         """Returns the observations and infos of all environments."""
         first = self.envs[0]
-        observations = first._numbers(measured, self._desired.copy())
+        desired = np.array([env._episode.desired for env in self.envs])
+        observations = first._numbers(measured, desired)
         if first._cameras:
             # Threads draw the pictures, too.
             pictures = list(self._pool.map(lambda env: env._pictures(), self.envs))

@@ -5,13 +5,15 @@ Source of the layout: diffusion_policy, common/replay_buffer.py.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import contextlib
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 import zarr
+from numcodecs import blosc
 
 from smile.datasets import statistics
 from smile.datasets.episode import Column
@@ -67,7 +69,8 @@ class Writer:
             shape = values.shape[1:]
             self._data.create_dataset(name, shape=(0, *shape), chunks=(frames_per_chunk, *shape),
                                       dtype=values.dtype)
-        self._data[name].append(values)
+        with _one_thread():
+            self._data[name].append(values)
 
     def append(self, root: zarr.Group) -> None:
         """Appends all episodes of another dataset."""
@@ -89,6 +92,17 @@ class Writer:
 
     def abandon(self) -> None:
         """Does nothing: no file stays open."""
+
+
+@contextlib.contextmanager
+def _one_thread() -> Iterator[None]:
+    """Lets Blosc compress with one thread: several write the blocks of a chunk as they finish, so
+    the same pictures would be other bytes each time."""
+    before, blosc.use_threads = blosc.use_threads, False
+    try:
+        yield
+    finally:
+        blosc.use_threads = before
 
 
 class StoredFile(Stored):

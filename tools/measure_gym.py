@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Measures how many steps per second the environments of smile.gym do.
 
-    PYTHONPATH=python:build/release/python:build/gymnasium /usr/bin/python3 tools/measure_gym.py [--seconds S]
+    PYTHONPATH=python:build/release/python:build/gymnasium /usr/bin/python3 tools/measure_gym.py [--rounds N]
 
 Each row: one environment, then a VectorEnv of 8 worlds with 1 and with 2 threads, which do the same actions in
-turns. Of many short rounds, the best of each counts, since other programs only make it slower. `times` is 2
-threads against 1.
+turns. Of many rounds of the same actions, the shortest time of each step counts, since other programs only make
+it slower. `times` is 2 threads against 1.
 """
 
 import argparse
@@ -21,14 +21,15 @@ ROWS = (("smile/Tower-v0", "tern", "joint_velocities"), ("smile/Tower-v0", "tern
 WORLDS = 8
 
 
-def rates(envs, actions, worlds):
-    """Resets, does all actions, and returns steps per second of wall clock and of CPU time."""
+def step_times(envs, actions):
+    """Resets, does all actions, and returns the wall-clock and the CPU time of each."""
     envs.reset(seed=1)
-    start, cpu = time.perf_counter(), time.process_time()
+    times = []
     for action in actions:
+        start, cpu = time.perf_counter(), time.process_time()
         envs.step(action)
-    count = worlds * len(actions)
-    return count / (time.perf_counter() - start), count / (time.process_time() - cpu)
+        times.append((time.perf_counter() - start, time.process_time() - cpu))
+    return np.array(times)
 
 
 def main():
@@ -43,12 +44,13 @@ def main():
                    for threads in (1, 2)]
         rng = np.random.default_rng(1)
         actions = rng.uniform(-1, 1, (50, *vectors[0].action_space.shape)).astype(np.float32)
-        best = np.zeros(4)
+        shortest = np.full((3, len(actions), 2), np.inf)
         for _ in range(rounds):
-            one, one_cpu = rates(single, actions[:, 0], 1)
-            best = np.maximum(best, [one, *(rates(envs, actions, WORLDS)[0] for envs in vectors), one_cpu])
-        print(f"{id}, {robot}, {control}: {best[0]:.0f}; {best[1]:.0f}; {best[2]:.0f}; "
-              f"{best[2] / best[1]:.2f}; {best[3]:.0f}", flush=True)
+            shortest = np.minimum(shortest, [step_times(single, actions[:, 0]),
+                                             *(step_times(envs, actions) for envs in vectors)])
+        one, with_one, with_two = len(actions) / shortest.sum(1) * [[1], [WORLDS], [WORLDS]]
+        print(f"{id}, {robot}, {control}: {one[0]:.0f}; {with_one[0]:.0f}; {with_two[0]:.0f}; "
+              f"{with_two[0] / with_one[0]:.2f}; {one[1]:.0f}", flush=True)
 
 
 if __name__ == "__main__":

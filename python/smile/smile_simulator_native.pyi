@@ -5,7 +5,7 @@ import numpy.typing
 import os
 import pathlib
 import typing
-__all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'VideoWriter', 'Viewer', 'analyze', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'film', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'program_name', 'read_picture', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
+__all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'ThreadTeam', 'VideoWriter', 'Viewer', 'analyze', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'film', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'program_name', 'read_picture', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
 class Model:
     """
     A scene with a robot, compiled once. It never changes; threads and simulations share it.
@@ -320,13 +320,13 @@ class TaskEpisode:
     def action_names(self) -> list[str]:
         ...
     @property
-    def desired(self) -> numpy.typing.NDArray[numpy.float64]:
-        ...
-    @property
     def num_robot_numbers(self) -> int:
         ...
     @property
     def observation_names(self) -> list[str]:
+        ...
+class ThreadTeam:
+    def __init__(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> None:
         ...
 class Viewer:
     def __init__(self, simulation: Simulation, page: os.PathLike | str | bytes, port: typing.SupportsInt | typing.SupportsIndex, speed: typing.SupportsFloat | typing.SupportsIndex) -> None:
@@ -381,7 +381,7 @@ def replay(recording: Recording, start: typing.SupportsFloat | typing.SupportsIn
     ...
 def shipped_tasks() -> list[tuple[str, str]]:
     ...
-def step_episodes(arg0: collections.abc.Sequence[TaskEpisode], arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], arg2: typing.SupportsInt | typing.SupportsIndex) -> tuple:
+def step_episodes(arg0: collections.abc.Sequence[TaskEpisode], arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64], arg2: ThreadTeam) -> tuple:
     ...
 def tool_poses(arg0: Recording, arg1: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
     ...

@@ -6,6 +6,7 @@ Usage: gym_test.py PROJECT_FOLDER. Ends with 77 where Gymnasium is not installed
 import contextlib
 import io
 import json
+import os
 import re
 import sys
 import tempfile
@@ -177,6 +178,25 @@ class ExactnessTest(Environments):
                                           vectorization_mode="vector_entry_point",
                                           max_episode_steps=5, **arguments))
             self.assertTrue(equal(sync, ours), threads)
+
+    def test_a_forked_process_steps_with_threads_of_its_own(self):
+        envs = gymnasium.make_vec("smile/Tower-v0", num_envs=2, robot="tern", threads=2,
+                                  vectorization_mode="vector_entry_point")
+        envs.reset(seed=3)
+        action = np.full(envs.action_space.shape, 0.5, np.float32)
+        envs.step(action)
+        reading, writing = os.pipe()
+        child = os.fork()
+        if child == 0:
+            try:
+                os.write(writing, envs.step(action)[0]["observation"].tobytes())
+            finally:
+                os._exit(0)
+        os.close(writing)
+        expected = envs.step(action)[0]["observation"].tobytes()
+        with os.fdopen(reading, "rb") as answer:
+            self.assertEqual(answer.read(), expected)
+        os.waitpid(child, 0)
 
     def test_worlds_in_other_processes_are_the_same(self):
         seen = []

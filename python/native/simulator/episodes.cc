@@ -11,7 +11,6 @@
 #include <exception>
 #include <functional>
 #include <numeric>
-#include <thread>
 
 #include "base/files.h"
 #include "bindings.h"
@@ -21,6 +20,7 @@
 #include "task/demonstrated_structure.h"
 #include "task/structure_json.h"
 #include "task_episode.h"
+#include "thread_team.h"
 
 namespace smile::python {
 
@@ -77,8 +77,8 @@ Array RowsOf(const std::vector<StepResult>& results, Numbers&& numbers_of) {
   return rows;
 }
 
-/// @returns a row for each result: observations (n, k), achieved goals (n, g), scores (n, 3) of
-/// score, relations and closeness; and the refusals, a text or None each.
+/// @returns a row for each result: observations (n, k), achieved and desired goals (n, g), scores
+/// (n, 3) of score, relations and closeness; and the refusals, a text or None each.
 py::tuple TupleOf(const std::vector<StepResult>& results) {
   if (results.empty()) throw std::invalid_argument("episodes is empty, expected one or more");
   std::vector<std::optional<std::string>> refusals;
@@ -88,6 +88,8 @@ py::tuple TupleOf(const std::vector<StepResult>& results) {
           results, [](const StepResult& r) -> auto& { return r.observation; }),
       RowsOf(
           results, [](const StepResult& r) -> auto& { return r.achieved; }),
+      RowsOf(
+          results, [](const StepResult& r) -> auto& { return r.desired; }),
       RowsOf(results,
              [](const StepResult& r) {
                return std::array{r.score.score, r.score.relations, r.score.closeness};
@@ -99,7 +101,7 @@ py::tuple TupleOf(const std::vector<StepResult>& results) {
 /// depend on the number of threads.
 /// @throws what the first failing episode throws, after all have ended.
 std::vector<StepResult> StepAll(const std::vector<TaskEpisode*>& episodes, const double* actions,
-                                std::size_t action_size, int num_threads) {
+                                std::size_t action_size, ThreadTeam& team) {
   std::vector<StepResult> results(episodes.size());
   std::vector<std::exception_ptr> failures(episodes.size());
   // Those that took the longest begin: a step in contact takes several times as long as one in the
@@ -121,11 +123,7 @@ std::vector<StepResult> StepAll(const std::vector<TaskEpisode*>& episodes, const
       episodes[i]->last_step_time = std::chrono::steady_clock::now() - start;
     }
   };
-  {
-    std::vector<std::jthread> helpers;
-    for (int i = 1; i < num_threads; ++i) helpers.emplace_back(work);
-    work();
-  }
+  team.Run(work);
   for (const std::exception_ptr& failure : failures) {
     if (failure) std::rethrow_exception(failure);
   }
@@ -133,7 +131,7 @@ std::vector<StepResult> StepAll(const std::vector<TaskEpisode*>& episodes, const
 }
 
 py::tuple StepEpisodes(const std::vector<TaskEpisode*>& episodes, const Array& actions,
-                       int num_threads) {
+                       ThreadTeam& team) {
   if (actions.ndim() != 2 || actions.shape(0) != static_cast<py::ssize_t>(episodes.size())) {
     throw std::invalid_argument("actions has shape " + ShapeText(actions) + ", expected (" +
                                 std::to_string(episodes.size()) + ", n)");
@@ -146,7 +144,7 @@ py::tuple StepEpisodes(const std::vector<TaskEpisode*>& episodes, const Array& a
     const double* numbers = actions.data();
     const auto size = static_cast<std::size_t>(actions.shape(1));
     const py::gil_scoped_release release;
-    results = StepAll(episodes, numbers, size, num_threads);
+    results = StepAll(episodes, numbers, size, team);
   }
   return TupleOf(results);
 }
@@ -214,9 +212,14 @@ void BindEpisode(py::module_& m) {
       .def_property_readonly("num_robot_numbers", &TaskEpisode::num_robot_numbers)
       .def_property_readonly("action_names",
                              [](const TaskEpisode& episode) { return episode.control().names(); })
-      .def_property_readonly("desired",
-                             [](const TaskEpisode& episode) { return ArrayOf(episode.desired()); })
       .def("now", [](TaskEpisode& episode) { return TupleOf({episode.Now()}); });
+  py::class_<ThreadTeam>(m, "ThreadTeam").def(py::init([](int num_threads) {
+    if (num_threads < 1) {
+      throw std::invalid_argument("num_threads is " + std::to_string(num_threads) +
+                                  ", expected 1 or more");
+    }
+    return std::make_unique<ThreadTeam>(num_threads);
+  }));
   m.def("step_episodes", &StepEpisodes);
 }
 

@@ -97,6 +97,7 @@ StepResult TaskEpisode::Measure(const sim::Simulation& simulation) {
   AppendObjects(simulation, &result.observation);
   AppendMechanisms(simulation, &result.observation);
   result.achieved = space_->Achieved(handle_.EpisodeOf(observer_));
+  result.desired = desired_;
   result.score = comparer_.Compare(result.achieved, desired_);
   return result;
 }

@@ -16,6 +16,7 @@ namespace smile::python {
 struct StepResult {
   std::vector<double> observation;  ///< see TaskEpisode::observation_names()
   std::vector<double> achieved;     ///< goal, see task::GoalSpace
+  std::vector<double> desired;      ///< goal; the same in all steps of an episode
   task::GoalScore score;
   std::optional<std::string> refusal;  ///< what of the action was impossible
 };
@@ -34,7 +35,6 @@ class TaskEpisode {
   std::vector<std::string> observation_names() const;
   std::size_t num_robot_numbers() const;
   const Control& control() const { return control_; }
-  const std::vector<double>& desired() const { return desired_; }
 
   /// Return what is the case, now or after an action. They need the simulation, but not the
   /// interpreter's lock.

@@ -53,6 +53,7 @@ class Measured(NamedTuple):
 
     observations: Floats  # (n, k), see Environment.observation_names
     achieved: Floats      # (n, g), see Environment.goal_names
+    desired: Floats       # (n, g)
     scores: Floats        # (n, 3): score, share of the relations, closeness
     refusals: list[str | None]  # what of the actions was impossible
 
@@ -128,6 +129,7 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
         self._render = (render_camera, picture_size(render_size))
         self._layout: tuple[int | None, str] = (None, "scene")
         self._studio: Studio | None = None
+        self._team = _native.ThreadTeam(1)
         self._begin(self._base)
         self._make_spaces()
 
@@ -238,7 +240,7 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
     def step(self, action: npt.ArrayLike) -> tuple[Observation, float, bool, bool, dict[str, Any]]:
         """Carries out an action (docs/gym.md)."""
         row = np.asarray(action, float).reshape(1, -1)
-        measured = Measured(*_native.step_episodes([self._episode], row, 1))
+        measured = Measured(*_native.step_episodes([self._episode], row, self._team))
         observation, info = self._told(measured)
         return observation, float(self._rewards(measured)[0]), info["is_success"], False, info
 
@@ -249,8 +251,7 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
     def _told(self, measured: Measured | None = None) -> tuple[Observation, dict[str, Any]]:
         """Returns an observation and an info."""
         rows = measured or self._measure()
-        observation = {name: values[0] for name, values in
-                       self._numbers(rows, self._episode.desired[None]).items()}
+        observation = {name: values[0] for name, values in self._numbers(rows).items()}
         if self._cameras:
             observation.update(self._pictures())
         info = {name: values[0].item() for name, values in rows.infos().items()}
@@ -258,11 +259,11 @@ class Environment(gymnasium.Env[Observation, npt.NDArray[np.float32]]):
             info["refused"] = rows.refusals[0]
         return observation, info
 
-    def _numbers(self, measured: Measured, desired: Floats) -> Observation:
+    def _numbers(self, measured: Measured) -> Observation:
         """Returns the observation without pictures, a row for each episode."""
         if self._observe == "goal":
             return {"observation": measured.observations, "achieved_goal": measured.achieved,
-                    "desired_goal": desired}
+                    "desired_goal": measured.desired}
         robot, others = np.split(measured.observations, [self._num_robot_numbers], axis=1)
         return {"agent_pos": robot, "environment_state": others}
 

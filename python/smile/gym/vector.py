@@ -47,7 +47,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[dict[str, Any], npt.NDArray[np.float3
         if kwargs.get("render_mode") == "human":
             raise ValueError("render_mode is 'human', expected 'rgb_array' or None for several worlds")
         self.num_envs = num_envs
-        self._threads = min(threads or os.cpu_count() or 1, num_envs)
+        num_threads = min(threads or os.cpu_count() or 1, num_envs)
         self._max_episode_steps = max_episode_steps
         self.envs = [Environment(**kwargs) for _ in range(num_envs)]
         first = self.envs[0]
@@ -57,7 +57,9 @@ class VectorEnv(gymnasium.vector.VectorEnv[dict[str, Any], npt.NDArray[np.float3
         self.single_observation_space = first.observation_space
         self.action_space = batch_space(first.action_space, num_envs)
         self.observation_space = batch_space(first.observation_space, num_envs)
-        self._pool = ThreadPoolExecutor(self._threads)
+        # The team steps; what Python does in threads, as resets and pictures, the pool does.
+        self._team = _native.ThreadTeam(num_threads)
+        self._pool = ThreadPoolExecutor(num_threads)
         self._steps = np.zeros(num_envs, int)
         self._has_ended: Flags = np.zeros(num_envs, bool)
 
@@ -93,29 +95,33 @@ class VectorEnv(gymnasium.vector.VectorEnv[dict[str, Any], npt.NDArray[np.float3
         rows = np.asarray(actions, float)
         if rows.shape != self.action_space.shape:
             raise ValueError(f"actions has shape {rows.shape}, expected {self.action_space.shape}")
-        going, ended = np.flatnonzero(~self._has_ended), np.flatnonzero(self._has_ended)
-        resets = [self._pool.submit(self.envs[i]._restart) for i in ended]
-        parts = []
-        if going.size > 0:
-            parts.append(Measured(*_native.step_episodes([self.envs[i]._episode for i in going],
-                                                         rows[going], self._threads)))
-        for i, reset in zip(ended, resets):
-            reset.result()
-            parts.append(self.envs[i]._measure())
-        measured = parts[0] if ended.size == 0 else _in_order([*going, *ended], parts)
-        rewards = np.where(self._has_ended, 0.0, self.envs[0]._rewards(measured))
-        terminated = (measured.scores[:, 0] == 1) & ~self._has_ended
-        self._steps = np.where(self._has_ended, 0, self._steps + 1)
+        restarts = self._has_ended
+        measured = self._restarted_or_stepped(rows) if restarts.any() else self._stepped(self.envs, rows)
+        rewards = np.where(restarts, 0.0, self.envs[0]._rewards(measured))
+        terminated = (measured.scores[:, 0] == 1) & ~restarts
+        self._steps = np.where(restarts, 0, self._steps + 1)
         truncated = self._steps >= self._max_episode_steps
         self._has_ended = terminated | truncated
         observations, infos = self._told(measured)
         return observations, rewards, terminated, truncated, infos
 
+    def _stepped(self, envs: Sequence[Environment], actions: npt.NDArray[np.float64]) -> Measured:
+        return Measured(*_native.step_episodes([env._episode for env in envs], actions, self._team))
+
+    def _restarted_or_stepped(self, actions: npt.NDArray[np.float64]) -> Measured:
+        """Restarts the environments whose episodes have ended, and steps the others."""
+        going, ended = np.flatnonzero(~self._has_ended), np.flatnonzero(self._has_ended)
+        restarts = [self._pool.submit(self.envs[i]._restart) for i in ended]
+        parts = [self._stepped([self.envs[i] for i in going], actions[going])] if going.size > 0 else []
+        for i, restart in zip(ended, restarts):
+            restart.result()
+            parts.append(self.envs[i]._measure())
+        return _in_order([*going, *ended], parts)
+
     def _told(self, measured: Measured) -> tuple[dict[str, Any], dict[str, Any]]:
         """Returns the observations and infos of all environments."""
         first = self.envs[0]
-        desired = np.array([env._episode.desired for env in self.envs])
-        observations = first._numbers(measured, desired)
+        observations = first._numbers(measured)
         if first._cameras:
             # Threads draw the pictures, too.
             pictures = list(self._pool.map(lambda env: env._pictures(), self.envs))
@@ -156,7 +162,7 @@ def _in_order(indices: Sequence[int], parts: list[Measured]) -> Measured:
     """Joins what was measured of some environments, in the order of their indices."""
     order = np.argsort(indices)
     refusals = [refusal for part in parts for refusal in part.refusals]
-    return Measured(np.concatenate([part.observations for part in parts])[order],
-                    np.concatenate([part.achieved for part in parts])[order],
-                    np.concatenate([part.scores for part in parts])[order],
-                    [refusals[i] for i in order])
+    observations, achieved, desired, scores = (
+        np.concatenate([part[column] for part in parts])[order] for column in range(4))
+    refusals = [refusal for part in parts for refusal in part.refusals]
+    return Measured(observations, achieved, desired, scores, [refusals[i] for i in order])

@@ -182,6 +182,15 @@ std::vector<RequestForm> PlaybackRequests() {
        "continues the recording from this moment of its history (docs/editing.md). Refused while "
        "recording. Until the answer, the present world continues, but nothing else can be recorded "
        "or loaded"},
+      {"record_over",
+       {recording,
+        {"hands", JsonShape::List(JsonShape::Word({"left", "right", "both", "any"})), true,
+         "whose actions are done again"},
+        {"seconds", NumberShape(), true, "from here on; before, all actions are done again"}},
+       {recording},
+       "records a new demonstration over this one, from this moment on: what these hands and no "
+       "hand did happens again at its time (`over` in `recording` of a state message). Time is "
+       "paused then. Refused like `branch`"},
   };
 }
 

@@ -61,10 +61,16 @@ JsonShape BrainNowShape() {
 JsonShape StateUpdateShape() {
   // Members that are null while they do not apply: there is always at most one of `recording` and
   // `playback`, as a recording in progress cannot be hidden.
+  const JsonShape skipped = ObjectShape({{"command", TextShape()}, {"reason", TextShape()}});
+  const JsonShape over =
+      ObjectShape({{"hands", JsonShape::List(JsonShape::Word({"left", "right", "both", "any"}))},
+                   {"actions_left", NumberShape(), true, "that will be done again"},
+                   {"skipped", JsonShape::List(skipped), true, "commands that were refused now"}});
   const JsonShape recording = ObjectShape({{"id", TextShape()},
                                            {"title", TextShape()},
                                            {"seconds", NumberShape()},
-                                           {"segments", JsonShape::List(SegmentShape())}});
+                                           {"segments", JsonShape::List(SegmentShape())},
+                                           {"over", over.OrNull(), true, "see `record_over`"}});
   const JsonShape playback = ObjectShape({{"recording", TextShape()},
                                           {"seconds", NumberShape()},
                                           {"length", NumberShape()},

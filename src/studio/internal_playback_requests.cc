@@ -3,6 +3,9 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <variant>
+
+#include "studio/hand_words.h"
 
 namespace smile::studio {
 namespace {
@@ -40,19 +43,36 @@ Json PlaybackRequests::GoLive(const page::RequestFields&) {
 }
 
 Json PlaybackRequests::Branch(const page::RequestFields& fields) {
+  return Restore(fields,
+                 BranchPoint{.step = static_cast<std::size_t>(fields.Whole("step", 1'000'000'000)),
+                             .after = fields.OptionalNumber("after", 0, kMaxSeconds)});
+}
+
+Json PlaybackRequests::RecordOver(const page::RequestFields& fields) {
+  KeptTracks kept{.seconds = fields.Number("seconds", 0, kMaxSeconds)};
+  for (const std::string& word : fields.Words("hands", kHandWords)) {
+    kept.hands.insert(*demonstrator::ParseHandName(word));
+  }
+  return Restore(fields, std::move(kept));
+}
+
+Json PlaybackRequests::Restore(const page::RequestFields& fields, Restoring::From from) {
   const std::string id = fields.Text("recording");
-  const BranchPoint from{.step = static_cast<std::size_t>(fields.Whole("step", 1'000'000'000)),
-                         .after = fields.OptionalNumber("after", 0, kMaxSeconds)};
+  const bool is_over = std::holds_alternative<KeptTracks>(from);
   // Shared by the session and the background job, either of which may end first.
-  const auto restoring = std::make_shared<Restoring>(id, library_->DirectoryOf(id), from,
+  const auto restoring = std::make_shared<Restoring>(id, library_->DirectoryOf(id), std::move(from),
                                                      RecordingOptionsOf(*options_));
   const auto work = [restoring](const recording::Progress& progress) -> Json {
     restoring->Make(progress);
     return {{"recording", restoring->recording()}};
   };
   // Runs in the session's thread: only there may the world be replaced.
-  const auto conclude = [this] {
-    if (auto made = states_->TakeRestored()) states_->Enter(std::move(made));
+  const auto conclude = [this, is_over] {
+    auto made = states_->TakeRestored();
+    if (!made) return;
+    states_->Enter(std::move(made));
+    // The user begins when ready.
+    if (is_over) states_->pace().is_paused = true;
   };
   options_->jobs->Begin({.request = fields.request(), .work = work, .conclude = conclude});
   // From now on, other requests for worlds and recordings are refused until `conclude` has run.

@@ -20,8 +20,11 @@ class PlaybackRequests {
   Json Play(const page::RequestFields& fields);
   Json GoLive(const page::RequestFields& fields);
   Json Branch(const page::RequestFields& fields);
+  Json RecordOver(const page::RequestFields& fields);
 
  private:
+  Json Restore(const page::RequestFields& fields, Restoring::From from);
+
   const SessionOptions* options_;
   const library::Library* library_;
   StateMachine* states_;

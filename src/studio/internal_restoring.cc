@@ -7,11 +7,11 @@
 
 namespace smile::studio {
 
-Restoring::Restoring(std::string recording, std::filesystem::path directory,
-                     const BranchPoint& from, recorder::RecordingController::Options options)
+Restoring::Restoring(std::string recording, std::filesystem::path directory, From from,
+                     recorder::RecordingController::Options options)
     : recording_(std::move(recording)),
       directory_(std::move(directory)),
-      from_(from),
+      from_(std::move(from)),
       options_(std::move(options)) {}
 
 std::optional<std::string> Restoring::Unmet(Need need) const {
@@ -25,15 +25,20 @@ std::optional<std::string> Restoring::Unmet(Need need) const {
 // second eye of the same specification.
 void Restoring::Make(const recording::Progress& progress) {
   const recording::Recording recording = recording::OpenRecording(directory_);
-  const recording::HistoryPoint point = recording::HistoryPointOf(
-      recording, recording::HistoryOf(recording), from_.step, from_.after);
   recorder::RecordingController::Options options = options_;
   std::optional<picture::RenderedEye> eye;
   if (options_.eye != nullptr) options.eye = &eye.emplace(options_.eye->spec());
   auto world = std::make_unique<LiveWorld>(recording.start_scene(), recording.robot(), options);
-  // Runs the log up to the point and compares each tick with the trace; may take as long as the
-  // recording.
-  world->Continue(recording, point, progress);
+  // Both run the log up to a moment, which may take as long as the recording.
+  if (const auto* kept = std::get_if<KeptTracks>(&from_)) {
+    world->RecordOver(recording, *kept, progress);
+  } else {
+    const auto& [step, after] = std::get<BranchPoint>(from_);
+    const auto history = recording::HistoryOf(recording);
+    world->Continue(recording, recording::HistoryPointOf(recording, history, step, after),
+                    progress);
+  }
+  recording_ = world->recording_directory().filename().string();
   if (CapturingEye* capturing = world->eye()) capturing->SetEye(options_.eye);
   world_ = std::move(world);
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "recorder/recording_controller.h"
 #include "recording/progress.h"
@@ -19,16 +20,18 @@ struct BranchPoint {
   std::optional<double> after;  ///< time since the step's begin [s]; nullopt for its end
 };
 
-/// Activity that continues a recording from a point of its history: the world for it is made in
-/// another thread. Until then the live world and playback continue, but nothing else is recorded or
-/// loaded.
+/// Activity that continues a recording from a point of its history, or records over it: the world
+/// for it is made in another thread. Until then the live world and playback continue, but nothing
+/// else is recorded or loaded.
 class Restoring : public Activity {
  public:
+  using From = std::variant<BranchPoint, KeptTracks>;
+
   /// @param directory  of the recording with this id.
-  Restoring(std::string recording, std::filesystem::path directory, const BranchPoint& from,
+  Restoring(std::string recording, std::filesystem::path directory, From from,
             recorder::RecordingController::Options options);
 
-  /// Returns the id of the recording.
+  /// Returns the id of the recording; after Make(), of the one that is recorded.
   const std::string& recording() const { return recording_; }
   std::optional<std::string> Unmet(Need need) const override;
 
@@ -42,7 +45,7 @@ class Restoring : public Activity {
  private:
   std::string recording_;
   std::filesystem::path directory_;
-  BranchPoint from_;
+  From from_;
   recorder::RecordingController::Options options_;
   std::unique_ptr<LiveWorld> world_;
 };

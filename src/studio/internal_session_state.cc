@@ -40,7 +40,7 @@ bool LiveState::Tick(bool is_paused) {
   // A program that thinks stops the simulated time, so that its speed does not influence the
   // result.
   if (!brain_->Drive(&world().simulation())) return false;
-  world().simulation().Tick();
+  world().Tick();
   return true;
 }
 

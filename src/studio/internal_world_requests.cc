@@ -10,6 +10,7 @@
 #include "sim/action_summary.h"
 #include "sim/add.h"
 #include "sim/command_json.h"
+#include "studio/hand_words.h"
 
 // Requests about the live world become commands, and all commands pass StateMachine::Apply().
 // Questions (support, resting place, allowed) never change the world: whatever must be tried is
@@ -20,9 +21,8 @@ namespace {
 
 /// Returns the field `hand`; throws page::RequestError for other words.
 sim::HandName HandOf(const page::RequestFields& fields) {
-  constexpr std::array<std::string_view, 4> kHands = {"left", "right", "both", "any"};
   // Word() returns one of them or throws, so the fallback is never used.
-  return demonstrator::ParseHandName(fields.Word("hand", kHands)).value_or(sim::HandName::kAny);
+  return demonstrator::ParseHandName(fields.Word("hand", kHandWords)).value_or(sim::HandName::kAny);
 }
 
 /// True for commands about history and recordings, which a copy of the world does not have.

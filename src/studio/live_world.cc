@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
+#include "base/diagnostic.h"
+#include "editing/re_simulation.h"
+#include "replay/log_player.h"
 #include "scene/solid.h"
 #include "studio/event_message.h"
 
@@ -62,7 +66,7 @@ void LiveWorld::FollowModel() {
 std::optional<sim::Refusal> LiveWorld::Apply(const sim::Command& command) {
   // The sender of a command gets its refusal as the answer; OnEvent() must not report it again.
   is_applying_ = true;
-  auto refusal = simulation_.Apply(command);
+  auto refusal = ApplyToOwn(command);
   is_applying_ = false;
   const auto* start = std::get_if<sim::StartRecording>(&command);
   if (start != nullptr && !refusal) {
@@ -70,7 +74,28 @@ std::optional<sim::Refusal> LiveWorld::Apply(const sim::Command& command) {
              .before = simulation_.history().current().id,
              .start_tick = simulation_.tick()};
   }
+  if (!is_recording()) tracks_.reset();
   return refusal;
+}
+
+std::optional<sim::Refusal> LiveWorld::ApplyToOwn(const sim::Command& command) {
+  const bool is_undo = std::holds_alternative<sim::Undo>(command);
+  const bool is_redo = std::holds_alternative<sim::Redo>(command);
+  const auto is_played = [this] {
+    return tracks_ && tracks_->HasPlayed(simulation_.history().current().id);
+  };
+  bool has_returned = false;
+  while (is_undo && is_played() && !simulation_.Apply(command)) has_returned = true;
+  if (has_returned && simulation_.Refuse(command)) return std::nullopt;  // the user did nothing yet
+  auto refusal = simulation_.Apply(command);
+  while (is_redo && !refusal && is_played() && !simulation_.Apply(command)) {
+  }
+  return refusal;
+}
+
+void LiveWorld::Tick() {
+  if (tracks_ && is_recording()) tracks_->ApplyDue(&simulation_);
+  simulation_.Tick();
 }
 
 void LiveWorld::Continue(const recording::Recording& recording, const recording::HistoryPoint& from,
@@ -87,6 +112,39 @@ void LiveWorld::Continue(const recording::Recording& recording, const recording:
   events_.clear();
 }
 
+void LiveWorld::RecordOver(const recording::Recording& recording, const KeptTracks& kept,
+                           const recording::Progress& progress) {
+  const recording::Demonstration demonstration = recording::DemonstrationOf(recording);
+  replay::LogPlayer past(demonstration.past, demonstration.start);
+  editing::RunToStart(recording, &past, &simulation_);
+  const std::string& title = recording.info.title;
+  const std::string name = title.empty() ? recording.directory.filename().string() : title;
+  if (auto refusal = Apply(sim::StartRecording{.title = name + " (over)"})) {
+    throw InputError({recording.directory.string(), 0, "", *refusal});
+  }
+  tracks_.emplace(demonstration, kept);
+  try {
+    RunToBegin(progress);
+  } catch (...) {
+    (void)Apply(sim::FinishRecording{});
+    std::error_code ignored;
+    std::filesystem::remove_all(recording_directory(), ignored);
+    throw;
+  }
+  // The events so far are news to no client.
+  events_.clear();
+}
+
+void LiveWorld::RunToBegin(const recording::Progress& progress) {
+  const double total = sim::SecondsOf(tracks_->begin() - take_.start_tick);
+  while (simulation_.tick() < tracks_->begin()) {
+    Tick();
+    if (!is_recording()) throw std::runtime_error(*controller_.failure());
+    const double done = sim::SecondsOf(simulation_.tick() - take_.start_tick);
+    if (progress && !progress(done, total)) throw std::runtime_error("it was canceled");
+  }
+}
+
 std::filesystem::path LiveWorld::recording_directory() const {
   return controller_.directories().empty() ? std::filesystem::path()
                                            : controller_.directories().back();
@@ -97,7 +155,8 @@ Json LiveWorld::DescribeRecording() const {
   return {{"id", recording_directory().filename().string()},
           {"title", take_.title},
           {"seconds", ToTenths(sim::SecondsOf(simulation_.tick() - take_.start_tick))},
-          {"segments", DescribeSegments()}};
+          {"segments", DescribeSegments()},
+          {"over", tracks_ ? tracks_->Describe() : Json()}};
 }
 
 Json LiveWorld::DescribeSegments() const {
@@ -131,7 +190,10 @@ std::optional<Json> LiveWorld::TakeFailure() {
               {"kept", std::filesystem::exists(directory / "demo.json", error)}};
 }
 
-void LiveWorld::OnMove(const sim::Simulation&, sim::ActionId, sim::ActionId) { FollowModel(); }
+void LiveWorld::OnMove(const sim::Simulation& simulation, sim::ActionId, sim::ActionId) {
+  FollowModel();
+  if (tracks_) tracks_->Follow(simulation);
+}
 
 void LiveWorld::OnCommand(const sim::Simulation&, const sim::Command& command) {
   FollowModel();

@@ -11,6 +11,7 @@
 #include "scene/bounds.h"
 #include "sim/simulation.h"
 #include "studio/capturing_eye.h"
+#include "studio/played_tracks.h"
 
 namespace smile::studio {
 
@@ -33,6 +34,15 @@ class LiveWorld : private sim::Listener {
   /// anything else is done.
   void Continue(const recording::Recording& recording, const recording::HistoryPoint& from,
                 const recording::Progress& progress);
+
+  /// Records over a demonstration: starts a new recording where the demonstration began, and runs
+  /// to the moment from which the user records, while the kept tracks act. To be called before
+  /// anything else is done.
+  /// @throws InputError; then no recording is left.
+  void RecordOver(const recording::Recording& recording, const KeptTracks& kept,
+                  const recording::Progress& progress);
+  /// Advances by a tick.
+  void Tick();
 
   /// Returns the eye of recordings; nullptr without one.
   CapturingEye* eye() { return eye_ ? &*eye_ : nullptr; }
@@ -61,6 +71,9 @@ class LiveWorld : private sim::Listener {
     std::uint64_t start_tick = 0;
   };
 
+  /// Undoes or redoes what the user did last, with what the played tracks did since.
+  std::optional<sim::Refusal> ApplyToOwn(const sim::Command& command);
+  void RunToBegin(const recording::Progress& progress);
   /// Updates bounds and markers when the model changes: another model has other objects; one of
   /// another scene also resets markers.
   void FollowModel();
@@ -75,7 +88,8 @@ class LiveWorld : private sim::Listener {
   sim::Simulation simulation_;
   recorder::RecordingController controller_;
   std::string usual_title_;
-  Take take_;  ///< that is recorded
+  Take take_;                           ///< that is recorded
+  std::optional<PlayedTracks> tracks_;  ///< over which it is recorded
   std::vector<Json> events_;
   std::string last_refusal_;
   bool is_applying_ = false;

@@ -21,6 +21,12 @@ export const texts = {
       both: "Both hands at once",
       any: "Any free hand",
     } satisfies Record<HandName, string>,
+    sentences: {
+      left: "the left hand",
+      right: "the right hand",
+      both: "both hands together",
+      any: "any hand",
+    } satisfies Record<HandName, string>,
     tab: "Hands",
     title: "Hand",
     current: "Hand that the mouse controls",
@@ -171,6 +177,7 @@ export const texts = {
     try_edit: "Simulating the edit",
     edit: "Writing the new recording",
     branch: "Returning to that moment",
+    record_over: "Returning to that moment",
     imitate: "The robot is imitating",
   } as Record<string, string>,
 
@@ -381,6 +388,17 @@ export const texts = {
     playbackBanner: "This is a recording.",
     branch: "Continue from here",
     branchWhy: "Restores this moment and continues recording; nothing is lost",
+    over: "Record over…",
+    overWhy: "Records a new demonstration from this moment on, while hands of this one act again",
+    overKeeps: (hands: HandName[]) =>
+      `Keep what ${hands.map((hand) => texts.hands.sentences[hand]).join(" and ")} ${hands.length > 1 ? "do" : "does"}`,
+    overNone: "No hand has done anything in this recording",
+    overPaused: (hands: HandName[]) =>
+      `Time is paused. When it resumes, ${hands.map((hand) => texts.hands.sentences[hand]).join(" and ")} ${hands.length > 1 ? "act" : "acts"} as recorded.`,
+    overLeft: (actions: number) => (actions === 1 ? "1 recorded action to come" : `${actions} recorded actions to come`),
+    overSkipped: (command: string, reason: string) => `Skipped: ${command} (${reason})`,
+    tracks: "What each hand held",
+    clip: (what: string, begin: number, end: number) => `${what}, ${begin.toFixed(1)} to ${end.toFixed(1)} s`,
     trim: "Trim",
     trimWhy: "Removes the beginning or end of the selected segment",
     drop: "Delete",

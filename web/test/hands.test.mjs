@@ -1,8 +1,9 @@
 // What hands can do beside carrying: two of them, the menu, destroying, snapping; and what they may not.
 
 import assert from "node:assert/strict";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { Browser, SIDE_BY_SIDE, sceneFile } from "./workbench.mjs";
+import { Browser, SIDE_BY_SIDE, replay, sceneFile } from "./workbench.mjs";
 
 const browser = new Browser();
 before(() => browser.start());
@@ -37,6 +38,35 @@ test("each hand holds its own, and takes what the other holds", async (t) => {
   await person.grasp("RedBlock", "right");
   assert.equal(held("left"), null, "handed over");
   assert.ok(witness.positionOf("RedBlock")[2] > 1.9, "it was not dropped");
+});
+
+test("one hand is recorded while the other one acts as it was recorded", async (t) => {
+  const { page, studio, witness, person } = await browser.workplace(t, { studio: BARE });
+  const held = (hand) => witness.state.hands[hand].object;
+  await page.keyboard.press("e");
+  await person.press("Record");
+  await person.grasp("RedBlock", "left");
+  await person.dragTo("RedBlock", [null, null, 3]);
+  await person.press("Finish");
+  await witness.until(() => witness.state.recording === null, "the end of the recording");
+
+  await person.press("Record over…");
+  await page.getByRole("menuitem", { name: "Keep what the left hand does" }).click();
+  await page.getByText("When it resumes, the left hand acts as recorded").waitFor();
+  const { id } = witness.state.recording;
+  assert.equal(held("left"), null, "back at the beginning");
+  await page.keyboard.press("e");
+  await person.grasp("GreenBlock", "right");
+  await page.keyboard.press(" ");
+  await witness.until(() => held("left") === "RedBlock" && held("right") === "GreenBlock", "both hands hold");
+  await witness.until(() => witness.positionOf("RedBlock")[2] > 2.5, "and the left one carries");
+  await person.press("Finish");
+  await witness.until(() => witness.state.recording === null, "the end of the recording");
+  const tracks = page.getByRole("list", { name: "What each hand held" });
+  await tracks.locator(".clip").nth(1).waitFor();
+  assert.deepEqual(await tracks.locator(".clip").allTextContents(), ["Left: RedBlock", "Right: GreenBlock"]);
+  const report = replay(join(studio.recordings, id));
+  assert.equal(report.identical, true, JSON.stringify(report));
 });
 
 test("buttons and keys move things the way they say, as one sees it", async (t) => {

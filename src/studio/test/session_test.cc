@@ -15,7 +15,29 @@
 namespace smile::studio {
 namespace {
 
-class SessionTest : public SessionFixture {};
+class SessionTest : public SessionFixture {
+ protected:
+  /// Records how the left hand puts a on b and the right one takes b, then begins to record over
+  /// it, while the left hand acts.
+  /// @returns the id of the new recording.
+  std::string RecordOverTheLeftHand() {
+    Command(R"({"do":"start","name":"take","title":"both"})");
+    PutAOnB();
+    Command(R"({"do":"grasp","hand":"right","object":"b"})");
+    Command(R"({"do":"finish"})");
+    return Do(
+        R"({"do":"record_over","recording":"take","hands":["left"],"seconds":0})")["recording"];
+  }
+};
+
+/// Returns what was done in a recording and not undone, in words.
+std::vector<std::string> DoneIn(const recording::Recording& recording) {
+  std::vector<std::string> done;
+  for (const auto& step : recording::HistoryOf(recording)) {
+    if (step.is_on_path) done.push_back(WordsOf(step));
+  }
+  return done;
+}
 
 TEST_F(SessionTest, ADemonstrationIsRecordedAndReplays) {
   Begin();
@@ -63,10 +85,9 @@ TEST_F(SessionTest, AFullDiskEndsTheRecordingAndTheStateReportsIt) {
   std::signal(SIGXFSZ, handler);
   const Json state = State();
   EXPECT_TRUE(state["recording"].is_null());
-  const Json& failure = state["failure"];
-  EXPECT_EQ(failure["recording"], "take");
-  EXPECT_NE(failure["error"].get<std::string>().find("File too large"), std::string::npos);
-  EXPECT_EQ(failure["kept"], true);
+  EXPECT_EQ(state["failure"]["recording"], "take");
+  EXPECT_NE(state["failure"]["error"].get<std::string>().find("File too large"), std::string::npos);
+  EXPECT_EQ(state["failure"]["kept"], true);
   EXPECT_EQ(Latest("error"), Json()) << "it is sent once";
   EXPECT_EQ(replay::Replay(recording::OpenRecording(root_ / "recordings/take")).first_difference,
             std::nullopt);
@@ -108,6 +129,50 @@ TEST_F(SessionTest, ARecordingIsGoneOnWithFromAnyOfItsSteps) {
   Command(R"({"do":"finish"})");
   const recording::Recording kept = recording::OpenRecording(root_ / "recordings/take");
   EXPECT_EQ(replay::Replay(kept).first_difference, std::nullopt);
+}
+
+TEST_F(SessionTest, OneHandIsRecordedWhileTheOtherOneActsAgain) {
+  Begin();
+  const std::string id = RecordOverTheLeftHand();
+  EXPECT_EQ(State()["paused"], true);
+  EXPECT_EQ(State()["recording"]["over"]["actions_left"], 2);
+  Do(R"({"do":"resume"})");
+  TickOnce();
+  Command(R"({"do":"point","hand":"right","part":"b"})");
+  TickSeconds(2.5);
+  EXPECT_EQ(State()["hands"]["left"]["object"], nullptr) << "it has put a on b";
+  // An undo reverts what the user did, and time: what the other hand did since, it does again.
+  Command(R"({"do":"undo"})");
+  EXPECT_EQ(State()["hands"]["left"]["object"], "a");
+  EXPECT_EQ(State()["recording"]["over"]["actions_left"], 1);
+  TickSeconds(1);
+  Command(R"({"do":"grasp","hand":"right","object":"b"})");
+  TickSeconds(2);
+  EXPECT_EQ(State()["recording"]["over"],
+            Json::parse(R"({"hands":["left"],"actions_left":0,"skipped":[]})"));
+  Command(R"({"do":"finish"})");
+  const recording::Recording kept = recording::OpenRecording(root_ / "recordings" / id);
+  EXPECT_EQ(kept.info.title, "both (over)");
+  EXPECT_EQ(replay::Replay(kept).first_difference, std::nullopt);
+  EXPECT_EQ(DoneIn(kept),
+            (std::vector<std::string>{"the start", "left hand takes a", "right hand takes b",
+                                      "left hand puts a on b"}));
+}
+
+TEST_F(SessionTest, WhatIsNoLongerPossibleInARecordingOverAnotherIsSkippedAndTold) {
+  Begin();
+  EXPECT_NE(Refused(R"({"do":"record_over","recording":"take","hands":["third"],"seconds":0})")
+                .find("third"),
+            std::string::npos);
+  RecordOverTheLeftHand();
+  Command(R"({"do":"grasp","hand":"right","object":"a"})");
+  Command(R"({"do":"destroy","hand":"right"})");
+  Do(R"({"do":"resume"})");
+  TickSeconds(1);
+  const Json skipped = State()["recording"]["over"]["skipped"];
+  ASSERT_FALSE(skipped.empty());
+  EXPECT_EQ(skipped[0]["command"], "left hand: grasp");
+  EXPECT_EQ(skipped[0]["reason"], "'a' no longer exists: it was destroyed");
 }
 
 TEST_F(SessionTest, TheWorldContinuesUntilThatOfARecordingIsReady) {

@@ -7,7 +7,7 @@ import { Button } from "../ui/buttons";
 import { openDialogs } from "../ui/dialog";
 import { Notices } from "../ui/notices";
 import { ControlWanted, takeControl } from "./control";
-import { failedRecording, isPaused, isPlayback, isClearingTable, isRestoring, isWatched } from "./derived_signals";
+import { failedRecording, isPaused, isPlayback, isClearingTable, isRestoring, isWatched, recordedOver } from "./derived_signals";
 
 /** Time before the page reports that connecting takes long, and time before it reports that it may fail. */
 const PATIENCE_MS = 800;
@@ -96,7 +96,7 @@ function Present() {
       )}
       {isPaused.value && !isPlayback.value && (
         <div class="banner">
-          <span>{texts.time.paused}</span>
+          <span>{recordedOver.value ? texts.timeline.overPaused(recordedOver.value.hands) : texts.time.paused}</span>
           <Button
             label={texts.time.resume}
             kind="accent"

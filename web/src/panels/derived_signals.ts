@@ -19,6 +19,8 @@ export const recordingId = computed(() => state.value?.recording?.id ?? null);
 export const mayAct = computed(() => may("command") === true);
 export const mayControl = computed(() => mayControlNow() === true);
 export const liveSegments = settled(() => state.value?.recording?.segments ?? []);
+/** The hands that act again while the user records; null without. */
+export const recordedOver = settled(() => state.value?.recording?.over ?? null);
 export const brain = settled(() => state.value?.brain ?? null);
 /** A brain is at work, or is about to. */
 export const isBrainAtWork = computed(() => ["starting", "running"].includes(brain.value?.status ?? ""));

@@ -11,7 +11,9 @@ import { Menu } from "../ui/menu";
 import { EditDialog, type EditKind } from "./edit_dialog";
 import { isRecording, liveSegments, mayControl, recordingId } from "./derived_signals";
 import { isTimelineOpen, renamed, sheet } from "./page";
+import { Over, RecordOverButton } from "./record_over";
 import { chosenSegment, opened, pictureOfSegment, titleOf } from "./recordings";
+import { Tracks } from "./tracks";
 
 const { timeline: words } = texts;
 const RATES = [0.25, 0.5, 1, 2, 4];
@@ -208,6 +210,12 @@ function EditButtons({ id, timeline }: { id: string; timeline: Timeline }) {
         disabled={may("branch") !== true || here === null}
         onClick={() => here && void branch(id, here.step, here.after)}
       />
+      <RecordOverButton
+        id={id}
+        timeline={timeline}
+        seconds={moment.value}
+        onStarted={() => (opened.value = null)}
+      />
       <Button label={words.trim} icon="cut" title={why(words.trimWhy)} disabled={isBlocked} onClick={edit("trim")} />
       <Button label={words.drop} icon="trash" title={why(words.dropWhy)} disabled={isBlocked} onClick={edit("drop")} />
       <HistoryButton id={id} timeline={timeline} />
@@ -236,6 +244,7 @@ function OpenedTimeline({ id, timeline }: { id: string; timeline: Timeline }) {
   return (
     <>
       <Scrubber id={id} timeline={timeline} />
+      <Tracks segments={timeline.segments} seconds={timeline.seconds} />
       <ol class="segments" aria-label={words.segments}>
         {timeline.segments.map(({ number, deed, begin, end }) => (
           <SegmentCard
@@ -288,6 +297,7 @@ function Head() {
           {words.recording} · {texts.seconds(recording.seconds)}
         </span>
       )}
+      <Over />
       {open && isTimelineOpen.value && (
         <>
           <span class="timeline-moment">{words.of(moment.value, open.timeline.seconds)}</span>

@@ -100,6 +100,16 @@ editing::Edit ParseSpeed(const std::string& text) {
   return speed;
 }
 
+editing::Edit ParseShift(const std::string& text) {
+  EditText in(text, "the number of a segment, or a range, and seconds, like 3:0.5 or 3-4:-0.5");
+  editing::Shift shift{.first = in.Number<int>()};
+  shift.last = in.Take('-') ? in.Number<int>() : shift.first;
+  in.Expect(':');
+  shift.seconds = in.Number<double>();
+  in.ExpectEnd();
+  return shift;
+}
+
 /// All options for edits, in the order of the help text.
 constexpr EditOption kEditOptions[] = {
     {"--drop", "N[-M]", "remove segments N to M", &ParseDrop},
@@ -109,6 +119,8 @@ constexpr EditOption kEditOptions[] = {
     {"--max-pause", "S", "shorten longer pauses to S seconds", &ParseMaxPause},
     {"--retime", "N:SECONDS", "change the duration of segment N to this time [s]", &ParseRetime},
     {"--speed", "F", "increase the speed of all segments by the factor F", &ParseSpeed},
+    {"--shift", "N[-M]:SECONDS",
+     "shift what the hand of segment N does in segments N to M; other hands stay", &ParseShift},
 };
 
 }  // namespace

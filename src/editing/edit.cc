@@ -12,6 +12,7 @@
 
 #include "base/overloaded.h"
 #include "base/wording.h"
+#include "editing/internal_shift.h"
 #include "motion/trajectory_shape.h"
 #include "sim/command_json.h"
 #include "sim/simulation.h"
@@ -212,6 +213,11 @@ void Perform(const Speed& speed, recording::Demonstration* demonstration) {
       SpeedUp(speed.factor, demonstration->meters_per_unit, &command);
     }
   }
+}
+
+void Perform(const Shift& shift, recording::Demonstration* demonstration) {
+  CheckNumber("last segment", shift.last, shift.first, demonstration->num_recorded - 1);
+  PerformShift(shift, *Find(shift.first, demonstration), demonstration);
 }
 
 }  // namespace

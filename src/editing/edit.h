@@ -55,7 +55,16 @@ struct Speed {
   bool operator==(const Speed&) const = default;
 };
 
-using Edit = std::variant<Drop, Move, Trim, MaxPause, Retime, Speed>;
+/// Shifts in time what one hand does in segments, while all else stays as it is: up to the commands
+/// of that hand before and after it. The result has no pauses.
+struct Shift {
+  int first = 0, last = 0;  ///< begins with an action of the hand
+  double seconds = 0;       ///< later; negative for earlier
+
+  bool operator==(const Shift&) const = default;
+};
+
+using Edit = std::variant<Drop, Move, Trim, MaxPause, Retime, Speed, Shift>;
 
 /// Longest duration of an edited demonstration, unless it was longer before [s].
 inline constexpr double kMaxSeconds = 86400;

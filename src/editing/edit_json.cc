@@ -90,6 +90,12 @@ Edit ReadRetime(EditFields* in) {
 
 Edit ReadSpeed(EditFields* in) { return Speed{.factor = in->Number("factor")}; }
 
+Edit ReadShift(EditFields* in) {
+  Shift shift{.first = in->Integer("first"), .seconds = in->Number("seconds")};
+  shift.last = in->Has("last") ? in->Integer("last") : shift.first;
+  return shift;
+}
+
 // One table holds names and readers, so the list in the message cannot differ from what is
 // understood.
 struct EditKind {
@@ -97,12 +103,13 @@ struct EditKind {
   Edit (*read)(EditFields*);
 };
 /// All edits, by the value of `do`.
-constexpr std::array<EditKind, 6> kEditKinds{{{"drop", &ReadDrop},
+constexpr std::array<EditKind, 7> kEditKinds{{{"drop", &ReadDrop},
                                               {"move", &ReadMove},
                                               {"trim", &ReadTrim},
                                               {"max_pause", &ReadMaxPause},
                                               {"retime", &ReadRetime},
-                                              {"speed", &ReadSpeed}}};
+                                              {"speed", &ReadSpeed},
+                                              {"shift", &ReadShift}}};
 
 Edit ParseEdit(const Json& json) {
   if (!json.is_object() || !json.contains("do") || !json["do"].is_string()) {

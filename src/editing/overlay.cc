@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "editing/internal_tracks.h"
 #include "sim/action_summary.h"
 
 namespace smile::editing {
@@ -13,20 +14,6 @@ namespace {
 
 using demonstrator::HandName;
 using recording::SegmentCommand;
-
-/// Returns all commands, with offsets from the start of the demonstration.
-std::vector<SegmentCommand> CommandsOf(const recording::Demonstration& demonstration) {
-  std::vector<SegmentCommand> commands;
-  std::uint64_t begin = 0;
-  for (const recording::EditableSegment& segment : demonstration.segments) {
-    for (SegmentCommand command : segment.commands) {
-      command.offset += begin;
-      commands.push_back(std::move(command));
-    }
-    begin += segment.duration;
-  }
-  return commands;
-}
 
 /// Gives a command to another hand.
 void GiveTo(HandName hand, SegmentCommand* command) {
@@ -44,15 +31,15 @@ void GiveTo(HandName hand, SegmentCommand* command) {
 }
 
 /// Returns the commands of hands, with offsets from the start of the first demonstration.
-std::vector<SegmentCommand> HandCommandsOf(const Overlay& overlay, std::size_t num_lines) {
-  std::vector<SegmentCommand> commands = CommandsOf(overlay.demonstration);
-  std::erase_if(commands, [](const SegmentCommand& command) {
-    return !sim::HandOf(command.command).has_value();
+std::vector<TrackCommand> HandCommandsOf(const Overlay& overlay, std::size_t num_lines) {
+  std::vector<TrackCommand> commands = CommandsOf(overlay.demonstration);
+  std::erase_if(commands, [](const TrackCommand& one) {
+    return !sim::HandOf(one.command.command).has_value();
   });
   if (commands.empty()) {
     throw std::invalid_argument("it has no command of a hand, expected a demonstration by hands");
   }
-  for (SegmentCommand& command : commands) {
+  for (auto& [command, segment] : commands) {
     if (overlay.hand) GiveTo(*overlay.hand, &command);
     command.offset += overlay.begin;
     command.line += num_lines;
@@ -60,38 +47,18 @@ std::vector<SegmentCommand> HandCommandsOf(const Overlay& overlay, std::size_t n
   return commands;
 }
 
-/// Cuts commands, in order, into segments: each action begins one.
-std::vector<recording::EditableSegment> CutAtActions(std::vector<SegmentCommand> commands,
-                                                     std::uint64_t duration) {
-  std::vector<recording::EditableSegment> segments{{.number = 0}};
-  std::uint64_t begin = 0;
-  for (SegmentCommand& command : commands) {
-    if (IsAction(command.command)) {
-      segments.back().duration = command.offset - begin;
-      begin = command.offset;
-      segments.push_back({.number = static_cast<int>(segments.size())});
-    }
-    command.offset -= begin;
-    segments.back().commands.push_back(std::move(command));
-  }
-  segments.back().duration = duration - begin;
-  return segments;
-}
-
 }  // namespace
 
 recording::Demonstration Overlaid(const recording::Demonstration& first, const Overlay& overlay,
                                   std::size_t num_lines) {
-  std::vector<SegmentCommand> commands = CommandsOf(first);
-  for (SegmentCommand& command : HandCommandsOf(overlay, num_lines)) {
-    commands.push_back(std::move(command));
-  }
-  std::ranges::stable_sort(commands, {}, &SegmentCommand::offset);
+  std::vector<TrackCommand> commands = CommandsOf(first);
+  for (TrackCommand& one : HandCommandsOf(overlay, num_lines)) commands.push_back(std::move(one));
   recording::Demonstration both = first;
   both.segments =
       CutAtActions(std::move(commands),
                    std::max(first.duration(), overlay.begin + overlay.demonstration.duration()));
   both.num_recorded = static_cast<int>(both.segments.size());
+  for (int i = 0; i < both.num_recorded; ++i) both.segments[static_cast<std::size_t>(i)].number = i;
   return both;
 }
 

@@ -401,6 +401,8 @@ export const texts = {
     clip: (what: string, begin: number, end: number) => `${what}, ${begin.toFixed(1)} to ${end.toFixed(1)} s`,
     trim: "Trim",
     trimWhy: "Removes the beginning or end of the selected segment",
+    shift: "Shift",
+    shiftWhy: "Shifts in time what the hand does in the selected segment; other hands stay",
     drop: "Delete",
     dropWhy: "Removes the selected segment",
     chooseFirst: "Select a segment first",
@@ -433,8 +435,12 @@ export const texts = {
   },
 
   edit: {
-    dropTitle: (segment: string) => `Delete “${segment}”`,
-    trimTitle: (segment: string) => `Trim “${segment}”`,
+    titles: {
+      drop: (segment: string) => `Delete “${segment}”`,
+      trim: (segment: string) => `Trim “${segment}”`,
+      shift: (segment: string) => `Shift “${segment}”`,
+    },
+    later: "Later by",
     original: "The recording stays unchanged; the edit creates a new one.",
     from: "From",
     to: "To",

@@ -67,6 +67,22 @@ test("one hand is recorded while the other one acts as it was recorded", async (
   assert.deepEqual(await tracks.locator(".clip").allTextContents(), ["Left: RedBlock", "Right: GreenBlock"]);
   const report = replay(join(studio.recordings, id));
   assert.equal(report.identical, true, JSON.stringify(report));
+
+  // What one hand did is shifted: the page says what comes of it, and the other hand's row stays.
+  const begins = () => tracks.locator(".clip").evaluateAll((clips) => clips.map((clip) => clip.style.left));
+  const before = await begins();
+  await page.getByRole("button", { name: /left hand takes RedBlock/ }).click();
+  await person.press("Shift");
+  const dialog = page.getByRole("dialog", { name: "Shift “left hand takes RedBlock”" });
+  await dialog.getByRole("slider", { name: "Later by (s)" }).fill("-4");
+  await dialog.getByText(/it is shifted by -4 s, expected -?[\d.]+ to/).waitFor();
+  await dialog.getByRole("slider", { name: "Later by (s)" }).fill("0.25");
+  await dialog.getByRole("status").getByText(/ends|lasts/i).first().waitFor();
+  await dialog.getByRole("textbox").last().fill("Later");
+  await person.press("Save as a new recording", dialog);
+  await dialog.waitFor({ state: "detached" });
+  await page.locator(".timeline-name", { hasText: "Later" }).waitFor();
+  assert.notEqual((await begins())[0], before[0], "the clip is elsewhere");
 });
 
 test("buttons and keys move things the way they say, as one sees it", async (t) => {

@@ -44,9 +44,9 @@ class EditTest : public recorder::RecordingFixture {
       offsets.push_back(command.offset);
     return offsets;
   }
-  static std::string Complaint(const Edit& edit) {
+  static std::string Complaint(const Edit& edit, recording::Demonstration made = Short()) {
     try {
-      (void)Edited(Short(), edit);
+      (void)Edited(std::move(made), edit);
     } catch (const std::invalid_argument& error) {
       return error.what();
     }
@@ -274,6 +274,30 @@ TEST_F(EditTest, NamesTheLineThatIsBehindTheEnd) {
               std::string::npos)
         << error.what();
   }
+}
+
+TEST_F(EditTest, ShiftMovesWhatOneHandDoesWhileOthersStay) {
+  constexpr HandName kLeft = HandName::kLeft, kRight = HandName::kRight;
+  recording::Demonstration made{.num_recorded = 4, .meters_per_unit = 0.1};
+  made.segments = {
+      {.number = 0, .duration = 60},
+      {.number = 1,
+       .commands = {{1, 0, sim::Grasp{kLeft, "a"}}, {2, 20, sim::MoveTo{.hand = kLeft}}},
+       .duration = 40},
+      {.number = 2,
+       .commands = {{3, 0, sim::Grasp{kRight, "b"}}, {4, 10, sim::MoveTo{.hand = kLeft}}},
+       .duration = 20},
+      {.number = 3, .commands = {{5, 0, sim::Release{kLeft}}}, .duration = 30}};
+  const auto later = Edited(made, Shift{1, 3, 0.5});
+  EXPECT_EQ(later.duration(), 150u);
+  EXPECT_EQ(Numbers(later), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(later.segments[1].duration, 10u);
+  EXPECT_EQ(Offsets(later.segments[2]), (std::vector<std::uint64_t>{0, 10, 40}));
+  EXPECT_EQ(Numbers(Edited(made, Shift{2, 2, -1})), (std::vector<int>{0, 2, 1, 3}));
+  EXPECT_EQ(Complaint(Shift{1, 1, 0.5}, made),
+            "it is shifted by 0.5 s, expected -1 to 0.16 s: between what the left hand does before "
+            "and after");
+  EXPECT_EQ(Complaint(Shift{0, 0, 0.5}, made), "segment 0 is not the action of a hand");
 }
 
 TEST_F(EditTest, AnotherDemonstrationActsAtTheSameTime) {

@@ -9,7 +9,16 @@ import { titleOf } from "./recordings";
 import { type Edits, useSaving, Waiting } from "./simulated";
 
 const { edit: words } = texts;
-export type EditKind = "drop" | "trim";
+export type EditKind = "drop" | "trim" | "shift";
+
+/** The segment that is edited. */
+export interface EditedSegment {
+  number: number;
+  title: string;
+  seconds: number;
+  /** The last segment that is shifted with it. */
+  last: number;
+}
 
 /** What becomes of a recording by an edit, as docs/editing.md has it. */
 interface Report {
@@ -29,6 +38,8 @@ interface Report {
 const MAX_SENTENCES = 8;
 const PAUSE_MS = 300;
 const TRIM_STEPS = 200;
+/** [s]; a longer way takes several edits. */
+const MAX_SHIFT = 5;
 
 function sentencesOf(report: Report): string[] {
   const sentences = [
@@ -65,8 +76,8 @@ function Effect({ trial }: { trial: Trial }) {
   );
 }
 
-/** The effect of an edit, as soon as it is simulated; simulated again whenever `from` or `to` changes. */
-function useTrial(recording: string, edits: Edits, from: number, to: number) {
+/** The effect of an edit, as soon as it is simulated; simulated again whenever one of its numbers changes. */
+function useTrial(recording: string, edits: Edits, numbers: number[]) {
   const trial = useSignal<Trial>({ state: "trying" });
   useEffect(() => {
     let isLatest = true;
@@ -85,7 +96,7 @@ function useTrial(recording: string, edits: Edits, from: number, to: number) {
       clearTimeout(timer);
       cancel();
     };
-  }, [from, to]);
+  }, numbers);
   return trial;
 }
 
@@ -119,18 +130,20 @@ function Ends({ from, to, seconds }: { from: Signal<number>; to: Signal<number>;
 export function EditDialog(props: {
   kind: EditKind;
   recording: string;
-  segment: { number: number; title: string; seconds: number };
+  segment: EditedSegment;
   onClose: () => void;
 }) {
   const { kind, recording, segment } = props;
   const from = useSignal(0);
   const to = useSignal(segment.seconds);
+  const later = useSignal(0);
   const name = useSignal(words.nameOf(titleOf(recording)));
-  const edits: Edits =
-    kind === "drop"
-      ? [{ do: "drop", first: segment.number, last: segment.number }]
-      : [{ do: "trim", segment: segment.number, from: from.value, to: to.value }];
-  const trial = useTrial(recording, edits, from.value, to.value);
+  const edits: Edits = {
+    drop: [{ do: "drop", first: segment.number, last: segment.number }],
+    trim: [{ do: "trim", segment: segment.number, from: from.value, to: to.value }],
+    shift: [{ do: "shift", first: segment.number, last: segment.last, seconds: later.value }],
+  }[kind];
+  const trial = useTrial(recording, edits, [from.value, to.value, later.value]);
   const { isSaving, save, cancel } = useSaving(props.onClose);
   const close = () => {
     cancel();
@@ -138,7 +151,7 @@ export function EditDialog(props: {
   };
   return (
     <Dialog
-      title={kind === "drop" ? words.dropTitle(segment.title) : words.trimTitle(segment.title)}
+      title={words.titles[kind](segment.title)}
       onClose={close}
       actions={
         <>
@@ -155,6 +168,18 @@ export function EditDialog(props: {
     >
       <p class="hint">{words.original}</p>
       {kind === "trim" && <Ends from={from} to={to} seconds={segment.seconds} />}
+      {kind === "shift" && (
+        <Slider
+          label={words.later}
+          value={later.value}
+          min={-MAX_SHIFT}
+          max={MAX_SHIFT}
+          step={0.05}
+          digits={2}
+          unit="s"
+          onInput={(value) => (later.value = value)}
+        />
+      )}
       <section class="effect" aria-label={words.effect} role="status">
         <h3>{words.effect}</h3>
         <Effect trial={trial.value} />

@@ -13,7 +13,7 @@ import { isRecording, liveSegments, mayControl, recordingId } from "./derived_si
 import { isTimelineOpen, renamed, sheet } from "./page";
 import { Over, RecordOverButton } from "./record_over";
 import { chosenSegment, opened, pictureOfSegment, titleOf } from "./recordings";
-import { Tracks } from "./tracks";
+import { endOfClip, Tracks } from "./tracks";
 
 const { timeline: words } = texts;
 const RATES = [0.25, 0.5, 1, 2, 4];
@@ -217,6 +217,12 @@ function EditButtons({ id, timeline }: { id: string; timeline: Timeline }) {
         onStarted={() => (opened.value = null)}
       />
       <Button label={words.trim} icon="cut" title={why(words.trimWhy)} disabled={isBlocked} onClick={edit("trim")} />
+      <Button
+        label={words.shift}
+        title={why(words.shiftWhy)}
+        disabled={isBlocked || !timeline.segments.some(({ number, deed }) => number === chosen && deed?.hand)}
+        onClick={edit("shift")}
+      />
       <Button label={words.drop} icon="trash" title={why(words.dropWhy)} disabled={isBlocked} onClick={edit("drop")} />
       <HistoryButton id={id} timeline={timeline} />
     </>
@@ -270,7 +276,12 @@ function EditOf({ id, timeline }: { id: string; timeline: Timeline }) {
       key={`${edit.kind} ${edit.segment}`}
       kind={edit.kind}
       recording={id}
-      segment={{ number: segment.number, title: wordsOf(segment), seconds: segment.end - segment.begin }}
+      segment={{
+        number: segment.number,
+        title: wordsOf(segment),
+        seconds: segment.end - segment.begin,
+        last: endOfClip(timeline.segments, segment.number),
+      }}
       onClose={() => (edited.value = null)}
     />
   );

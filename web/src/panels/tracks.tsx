@@ -1,5 +1,4 @@
-import type { ActionSummary, HandName } from "../protocol";
-import { HANDS } from "../protocol";
+import { HANDS, type ActionSummary, type HandName, type Timeline } from "../protocol";
 import { handColors } from "../colors";
 import { texts } from "../texts";
 
@@ -10,15 +9,12 @@ export interface Clip {
   end: number;
 }
 
-interface Moment {
-  deed: ActionSummary | null;
-  begin: number;
-}
+type Segment = Timeline["segments"][number];
 
 const ENDS: ActionSummary["do"][] = ["put", "drop", "release", "destroy"];
 
 /** The hands that did something, each with what it held, in order. */
-export function tracksOf(segments: Moment[], end: number): Map<HandName, Clip[]> {
+export function tracksOf(segments: Segment[], end: number): Map<HandName, Clip[]> {
   const tracks = new Map<HandName, Clip[]>();
   for (const hand of HANDS) {
     const clips: Clip[] = [];
@@ -34,8 +30,16 @@ export function tracksOf(segments: Moment[], end: number): Map<HandName, Clip[]>
   return tracks;
 }
 
+/** The number of the segment in which a hand leaves what it took in this one; the same for other actions. */
+export function endOfClip(segments: Segment[], number: number): number {
+  const taken = segments.find((one) => one.number === number)?.deed;
+  if (taken?.do !== "take") return number;
+  const later = segments.filter((one) => one.number > number && one.deed?.hand === taken.hand);
+  return later.find(({ deed }) => deed !== null && ENDS.includes(deed.do))?.number ?? number;
+}
+
 /** One row for each hand, one above another: who held what, and what happened at the same time. */
-export function Tracks({ segments, seconds }: { segments: Moment[]; seconds: number }) {
+export function Tracks({ segments, seconds }: { segments: Segment[]; seconds: number }) {
   const tracks = tracksOf(segments, seconds);
   const percent = (time: number) => `${(100 * time) / Math.max(seconds, 1e-9)}%`;
   return (

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "editing/edit.h"
+
+namespace smile::editing {
+
+/// Performs the edit.
+/// @param segment  the one with the number `shift.first`.
+/// @throws std::invalid_argument if it is of no hand, or there is no room.
+void PerformShift(const Shift& shift, const recording::EditableSegment& segment,
+                  recording::Demonstration* demonstration);
+
+}  // namespace smile::editing

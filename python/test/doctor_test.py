@@ -7,17 +7,21 @@ import json
 import re
 import shutil
 import sys
+import tempfile
 import unittest
+from pathlib import Path
 
 # First: it finds the packages below, or ends the test.
-from exported_dataset import FPS, SIZE, Exported
+from exported_dataset import FPS, SIZE, Exported, imitation
 
 import av
+import h5py
 import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
+import zarr
 
-from smile.datasets import examine
+from smile.datasets import examine, export
 
 
 class DoctorTest(Exported):
@@ -151,6 +155,77 @@ class DoctorTest(Exported):
                 path.write_bytes(damaged)
                 examine(self.copy)
             path.write_bytes(content)
+
+
+class OtherFormatsTest(unittest.TestCase):
+    """Each damage to a dataset of robomimic, Zarr or CSV is found, with advice."""
+
+    def exported(self, format):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        folder = Path(temporary.name)
+        self.dataset = folder / "dataset"
+        export([imitation(folder / "seed-0007", True)], self.dataset, format=format, cameras={"eye": SIZE}, fps=5,
+               task="build")
+        self.assertEqual([finding for finding in examine(self.dataset) if finding.is_error], [])
+
+    finds = DoctorTest.finds
+
+    @property
+    def copy(self):
+        return self.dataset
+
+    def test_robomimic(self):
+        self.exported("robomimic")
+        self.finds("warning: actions: never changes in the dimensions 0, .*--drop-constant")
+        with h5py.File(self.dataset / "demo.hdf5", "r+") as file:
+            demo = file["data/demo_0"]
+            demo.attrs["num_samples"] = 3
+            demo["obs/short"] = np.zeros((2, 7))
+            demo["obs/lost"] = np.full((len(demo["actions"]), 1), np.nan)
+            demo["obs/pale_image"] = np.zeros((len(demo["actions"]), 4, 4, 3), np.float32)
+            demo["actions"][0, 0] = 2
+            file["data/demo_7"] = h5py.Empty("f")
+            file["mask/test"] = np.array(["demo_9"], "S16")
+            file["data"].attrs["total"] = 9
+            del file["data"].attrs["env_args"]
+        for pattern in ("demo_0: num_samples is 3, but there are", "demo_0: obs/short has 2 frames",
+                        "demo_0: obs/lost has numbers that are not finite", "obs/pale_image has pictures of float32",
+                        "demo_0: has actions beyond -1 to 1", "demo_7: has no actions", "mask/test: lists demo_9",
+                        "demo.hdf5: total is 9, but there are", "data has no env_args"):
+            self.finds(pattern)
+        file = self.dataset / "demo.hdf5"
+        file.write_bytes(file.read_bytes()[:5000])
+        self.assertRegex(str(examine(file)[0]), "demo.hdf5: cannot be read .*cut")
+
+    def test_zarr(self):
+        self.exported("zarr")
+        root = zarr.open(str(self.dataset / "replay.zarr"))
+        root["data/action"][0, 0] = np.inf
+        root["data/sim.tick"].resize(3)
+        (self.dataset / "replay.zarr/data/eye/0.0.0.0").unlink()
+        self.finds("data/action: action has numbers that are not finite")
+        self.finds("data/sim.tick: has 3 frames, but the last episode ends at")
+        self.finds("data/eye: lacks 1 of . chunks, which are read as zeros")
+        root["meta/episode_ends"][0] = 0
+        self.assertRegex(str(examine(self.dataset / "replay.zarr")[0]), "meta/episode_ends: does not ascend")
+        shutil.rmtree(self.dataset / "replay.zarr/meta")
+        self.finds("replay.zarr: cannot be read, or has no data and meta/episode_ends")
+
+    def test_csv(self):
+        self.exported("csv")
+        table = self.dataset / "episode_000000.csv"
+        text = table.read_text()
+        for damaged, pattern in ((text.rsplit("\n", 2)[0] + "\n", "frames, but is listed with"),
+                                 (text.replace("timestamp", "time", 1), "has other columns .*such as time"),
+                                 (text.replace("0.0", "nan", 1), "not finite"), (text[:-30], "cannot be read"),
+                                 (None, "episode_000000.csv: is missing")):
+            table.unlink() if damaged is None else table.write_text(damaged)
+            self.finds(pattern)
+        (self.dataset / "episode_000000.observation.images.eye.mp4").write_bytes(b"cut")
+        self.finds("eye.mp4: has no index of a film")
+        (self.dataset / "info.json").write_text("{")
+        self.finds("info.json, episodes.csv: cannot be read")
 
 
 if __name__ == "__main__":

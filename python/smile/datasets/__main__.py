@@ -110,9 +110,10 @@ def _merge(options: argparse.Namespace) -> int:
 def _add_doctor(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "doctor", help="check a dataset",
-        description="Checks a LeRobot dataset, v3.0 or v2.1, for faults with which programs fail to read it or "
-                    "learn nothing from it, and reports what to do. Ends with 0 if there are no errors, else 1.")
-    parser.add_argument("dataset", metavar="DATASET", help="folder of the dataset")
+        description="Checks a dataset, of LeRobot v3.0 or v2.1, robomimic, Zarr, or tables that SMILE exported, for "
+                    "faults with which programs fail to read it or learn nothing from it, and reports what to do. "
+                    "Ends with 0 if there are no errors, else 1.")
+    parser.add_argument("dataset", metavar="DATASET", help="folder of the dataset, or HDF5 file")
     parser.set_defaults(run=_doctor)
 
 

@@ -15,6 +15,19 @@ from smile.datasets import lerobot, statistics
 from smile.datasets.lerobot import Row, path_of, write_json
 
 
+EPISODES = "episodes.csv"
+
+
+def header_of(features: Mapping[str, Any]) -> list[str]:
+    """Returns the names of the columns: a column for each dimension of the features."""
+    header: list[str] = []
+    for name, feature in features.items():
+        if feature["dtype"] != "video":
+            names = feature["names"]
+            header += [name] if names is None else [f"{name}.{one}" for one in names]
+    return header
+
+
 class Writer(lerobot.Writer):
     """A folder with a table and films for each episode in the making."""
 
@@ -25,17 +38,15 @@ class Writer(lerobot.Writer):
     DATA_MEGABYTES, FILM_MEGABYTES = 0, 0
 
     def _write_frames(self, values: Mapping[str, npt.NDArray[Any]]) -> Row:
-        header: list[str] = []
         blocks = []
         for name, feature in self.features.items():
             if feature["dtype"] == "video":
                 continue
-            names = feature["names"]
-            header += [name] if names is None else [f"{name}.{one}" for one in names]
             numbers = values[name].reshape(len(values[name]), -1)
             # The shortest text that reads back as the same number.
             blocks.append((numbers.astype(int) if numbers.dtype == bool else numbers).astype(str))
-        _write_table(self._folder / path_of(self.DATA, self.num_episodes), header, np.hstack(blocks).tolist())
+        _write_table(self._folder / path_of(self.DATA, self.num_episodes), header_of(self.features),
+                     np.hstack(blocks).tolist())
         return {}
 
     def _list(self, row: Row) -> None:
@@ -46,7 +57,7 @@ class Writer(lerobot.Writer):
 
     def _write_meta(self, totals: dict[str, statistics.Statistics]) -> None:
         header = list(self._episodes[0])
-        _write_table(self._folder / "episodes.csv", header,
+        _write_table(self._folder / EPISODES, header,
                      ([_text_of(row[name]) for name in header] for row in self._episodes))
         write_json(self._folder / "info.json", self._info())
         write_json(self._folder / "stats.json", totals)

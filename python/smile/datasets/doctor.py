@@ -1,4 +1,4 @@
-"""Checks of LeRobot datasets, ours or another's, for the faults that users report."""
+"""Checks of datasets, ours or another's, for the faults that users report."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import pyarrow as pa
 
 from smile.datasets import statistics
 from smile.datasets.features import DEFAULTS
-from smile.datasets.layout import Layout, LayoutError, ListedEpisode, read_layout, read_table
+from smile.datasets.layout import Layout, LayoutError, ListedEpisode, place_of, read_layout, read_table
 from smile.datasets.mp4 import Film, read_film
 from smile.datasets.sources import Source
 
@@ -36,14 +36,25 @@ class Finding(NamedTuple):
 
 
 def examine(folder: Path) -> list[Finding]:
-    """Checks a dataset; returns the faults, in the order in which a reader would meet them."""
+    """Checks a dataset of any format; returns the faults, in the order in which a reader would meet
+    them. Those of HDF5 need h5py, those of Zarr need zarr."""
     try:
-        layout = read_layout(Path(folder))
+        format, path = place_of(Path(folder))
+        if not format.startswith("lerobot"):
+            return list(_examiner_of(format)(path))
+        layout = read_layout(path)
     except LayoutError as error:
         return [Finding(True, error.where, error.message, error.advice)]
     checks: list[Callable[[Layout], Iterator[Finding]]] = [
-        _features, _counts, _statistics, _frames, _films, _recordings]
+        _features, _counts, _statistics, _frames, find_film_faults, find_recording_faults]
     return [finding for check in checks for finding in check(layout)]
+
+
+def _examiner_of(format: str) -> Callable[[Path], Iterator[Finding]]:
+    # Imported late: they need this module, and two of them h5py or zarr.
+    from smile.datasets import array_doctor, csv_doctor
+    return {"robomimic": array_doctor.examine_robomimic, "zarr": array_doctor.examine_zarr,
+            "csv": csv_doctor.examine_csv}[format]
 
 
 def _features(layout: Layout) -> Iterator[Finding]:
@@ -192,7 +203,7 @@ def _are_finite(column: Any) -> bool:
     return True
 
 
-def _films(layout: Layout) -> Iterator[Finding]:
+def find_film_faults(layout: Layout) -> Iterator[Finding]:
     films: dict[Path, Film | None] = {}
     for episode in layout.episodes:
         for part in episode.films.values():
@@ -243,7 +254,7 @@ def _part_of_film(layout: Layout, episode: ListedEpisode, where: str, begin: flo
                       "pictures: sums of rounded times drift", "write from_timestamp as a number of pictures / fps")
 
 
-def _recordings(layout: Layout) -> Iterator[Finding]:
+def find_recording_faults(layout: Layout) -> Iterator[Finding]:
     """Of a dataset of SMILE: the recordings that it carries are those that it was made from."""
     for episode in layout.episodes:
         folder = layout.folder / f"extras/episode_{episode.index:06d}"

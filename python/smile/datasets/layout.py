@@ -65,31 +65,34 @@ class Layout:
         return [name for name, feature in self.features.items() if feature.get("dtype") == "video"]
 
 
-def format_of(folder: Path) -> str:
-    """Returns the format of a dataset, as in FORMATS. Raises LayoutError if it is none of them."""
-    for name, format in (("demo.hdf5", "robomimic"), ("replay.zarr", "zarr"), ("episodes.csv", "csv")):
-        if (folder / name).exists():
-            return format
-    version = _read_json(folder / "meta/info.json").get("codebase_version")
+def place_of(path: Path) -> tuple[str, Path]:
+    """Returns the format of a dataset, as in FORMATS, and its file or folder. Raises LayoutError if it
+    is none of them."""
+    if path.is_file() and path.suffix in (".hdf5", ".h5"):
+        return "robomimic", path
+    if (path / ".zgroup").exists():
+        return "zarr", path
+    for pattern, format in (("*.hdf5", "robomimic"), ("*.zarr", "zarr")):
+        found = sorted(path.glob(pattern))
+        if len(found) == 1:
+            return format, found[0]
+    if (path / "episodes.csv").exists():
+        return "csv", path
+    version = _read_json(path / "meta/info.json").get("codebase_version")
     if version not in VERSIONS:
         raise LayoutError("meta/info.json", f"codebase_version is {version!r}, expected {' or '.join(VERSIONS)}",
                           "convert the dataset with LeRobot's own scripts")
-    return f"lerobot-{version}"
+    return f"lerobot-{version}", path
 
 
 def read_layout(folder: Path) -> Layout:
     """Reads the meta data. Raises LayoutError if that is not possible."""
     info = _read_json(folder / "meta/info.json")
-    version = info.get("codebase_version")
-    if version not in VERSIONS:
-        expected = " or ".join(VERSIONS)
-        raise LayoutError("meta/info.json", f"codebase_version is {version!r}, expected {expected}",
-                          "convert the dataset with LeRobot's own scripts")
     for name, kind in (("fps", (int, float)), ("features", dict), ("data_path", str)):
         if not isinstance(info.get(name), kind) or info[name] == 0:
             raise LayoutError("meta/info.json", f"{name} is {info.get(name)!r}", "make the dataset again")
     layout = Layout(folder, info)
-    (_read_version_3 if version == "v3.0" else _read_version_2)(layout)
+    (_read_version_3 if info["codebase_version"] == "v3.0" else _read_version_2)(layout)
     return layout
 
 
@@ -98,7 +101,8 @@ def _read_json(path: Path) -> dict[str, Any]:
     try:
         content = json.loads(path.read_text())
     except FileNotFoundError:
-        raise LayoutError(name, "is missing", "expected the folder of a LeRobot dataset") from None
+        raise LayoutError(name, "is missing", "expected the folder of a LeRobot dataset, an HDF5 file, or Zarr "
+                          "arrays") from None
     except ValueError as error:
         raise LayoutError(name, f"is not JSON: {error}", "make the dataset again") from None
     if not isinstance(content, dict):

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from smile.datasets.exporting import Report, constant_of, pixels_of
-from smile.datasets.layout import LayoutError, format_of
+from smile.datasets.layout import LayoutError, place_of
 from smile.datasets.lerobot import Row, Writer, write_json
 from smile.datasets.stored import Csv, Stored, Version2, Version3
 from smile.datasets.target import new_folder, refuse_existing
@@ -60,7 +60,7 @@ def merge(datasets: Iterable[str | os.PathLike[str]], folder: str | os.PathLike[
 
 def _stored(folder: Path) -> Stored:
     try:
-        format = format_of(folder)
+        format, _ = place_of(folder)
     except LayoutError as error:
         raise ValueError(f"{folder}: is no dataset that SMILE exported ({error})") from None
     # Imported late: these need h5py or zarr.

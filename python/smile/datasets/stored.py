@@ -41,9 +41,11 @@ class Stored(ABC):
     def common(self) -> Row:
         """Returns what all datasets of a merge must agree on."""
 
-    @abstractmethod
     def require_sound(self) -> None:
         """Raises ValueError if something is missing or was changed."""
+        errors = [finding for finding in examine(self.folder) if finding.is_error]
+        if errors:
+            raise self._mend(f"{errors[0].where}: {errors[0].message}")
 
     @abstractmethod
     def new_writer(self, folder: Path) -> Any:
@@ -101,11 +103,6 @@ class _Tables(Stored):
     def common(self) -> Row:
         return {**{name: self.info[name] for name in ("codebase_version", "fps", "robot_type", "features")},
                 **{name: self.about[name] for name in ("action", "dropped")}}
-
-    def require_sound(self) -> None:
-        errors = [finding for finding in examine(self.folder) if finding.is_error]
-        if errors:
-            raise ValueError(f"{errors[0]}; mend {self.folder}, or export it again")
 
     def new_writer(self, folder: Path) -> lerobot.Writer:
         columns = {name: Column(_no_rows(feature), feature["names"])
@@ -221,15 +218,9 @@ class Csv(_Tables):
     META = "smile.json"
     WRITER = csv_films.Writer
 
-    def require_sound(self) -> None:
-        for row in self._rows():
-            number = int(row["episode_index"])
-            for path in (self.WRITER.DATA, *(path_of(self.WRITER.FILMS, number, one.key) for one in self.cameras)):
-                if not (self.folder / path_of(path, number)).exists():
-                    raise self._mend(f"{path_of(path, number)} is missing")
-
     def _rows(self) -> list[Row]:
-        with (self.folder / "episodes.csv").open("rb") as file:
+        path = self.folder / csv_films.EPISODES
+        with path.open("rb") as file:
             names = file.readline().decode().strip().split(",")
         text = pa.csv.ConvertOptions(column_types=dict.fromkeys(names, pa.string()))
         lines = pa.csv.ParseOptions(newlines_in_values=True)

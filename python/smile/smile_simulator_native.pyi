@@ -5,7 +5,7 @@ import numpy.typing
 import os
 import pathlib
 import typing
-__all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'ThreadTeam', 'VideoWriter', 'Viewer', 'analyze', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'film', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'program_name', 'read_picture', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
+__all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'ThreadTeam', 'VideoWriter', 'Viewer', 'analyze', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'film', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'pieces_of', 'program_name', 'read_picture', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
 class Model:
     """
     A scene with a robot, compiled once. It never changes; threads and simulations share it.
@@ -238,6 +238,8 @@ class FrameReader:
         ...
     def render(self, arg0: typing.SupportsInt | typing.SupportsIndex, arg1: str, arg2: typing.SupportsInt | typing.SupportsIndex, arg3: typing.SupportsInt | typing.SupportsIndex, arg4: bool, arg5: bool, arg6: bool) -> tuple:
         ...
+    def state(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> tuple:
+        ...
 class VideoWriter:
     def __init__(self, arg0: os.PathLike | str | bytes, arg1: typing.SupportsInt | typing.SupportsIndex, arg2: typing.SupportsInt | typing.SupportsIndex, arg3: typing.SupportsFloat | typing.SupportsIndex) -> None:
         ...
@@ -370,6 +372,8 @@ def jump_ticks(arg0: Recording) -> list[int]:
 def load(arg0: os.PathLike | str | bytes, arg1: str | None, arg2: collections.abc.Sequence[os.PathLike | str | bytes]) -> Model:
     ...
 def open(arg0: os.PathLike | str | bytes) -> Recording:
+    ...
+def pieces_of(arg0: Recording) -> list:
     ...
 def program_name() -> str:
     ...

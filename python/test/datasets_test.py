@@ -3,6 +3,7 @@
 Usage: datasets_test.py PROJECT_FOLDER
 """
 
+import io
 import json
 import os
 import re
@@ -22,10 +23,12 @@ from exported_dataset import (
 import av
 import duckdb
 import h5py
+import mcap.reader
 import numpy as np
 import pandas
 import pyarrow.parquet as pq
 import zarr
+from mcap_protobuf.decoder import DecoderFactory
 
 import smile
 from smile.datasets import examine, export
@@ -284,6 +287,84 @@ class ZarrTest(unittest.TestCase):
         np.testing.assert_array_equal(root["data/action"][:ends[0] - 1][:, joints],
                                       root["data/state"][1:ends[0]][:, joints])
         self.assertEqual([one["task"] for one in root.attrs["episodes"]], ["build", "build"])
+
+
+class McapTest(unittest.TestCase):
+    """What the mcap package reads, with Foxglove's own messages, is the recording."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = Path(SHARED.name) / "mcap"
+        export([ROBOT], folder, format="mcap", cameras={"eye": SIZE}, fps=5, task="build")
+        cls.path, cls.recording, cls.messages = folder / "episode_000000.mcap", smile.open(ROBOT), {}
+        with cls.path.open("rb") as stream:
+            for _, channel, message, decoded in mcap.reader.make_reader(
+                    stream, decoder_factories=[JsonDecoder(), DecoderFactory()]).iter_decoded_messages():
+                cls.messages.setdefault(channel.topic, []).append((message.log_time, decoded))
+        ticks = [values["value"] for _, values in cls.messages["/sim/tick"]]
+        cls.rows = np.searchsorted(cls.recording.ticks, ticks)
+
+    def test_features_and_joints_have_times_from_the_start(self):
+        state = self.messages["/observation/state"]
+        self.assertEqual([time for time, _ in state], [k * 200_000_000 for k in range(len(state))])
+        joints = [name for name in state[0][1] if "gripper" not in name]
+        expected = self.recording.joints[self.rows][:, [self.recording.joint_names.index(name) for name in joints]]
+        np.testing.assert_array_equal([[values[name] for name in joints] for _, values in state],
+                                      expected.astype(np.float32))
+        third = {joint.name: joint.position for joint in self.messages["/joint_states"][3][1].joints}
+        self.assertEqual(third, state[3][1])
+
+    def test_frames_are_where_the_objects_and_cameras_are(self):
+        for k, row in enumerate(self.rows):
+            frames = {one.child_frame_id: one for one in self.messages["/tf"][k][1].transforms}
+            for i, id in enumerate(self.recording.object_ids):
+                p, q = frames[id].translation, frames[id].rotation
+                np.testing.assert_allclose([p.x, p.y, p.z, q.w, q.x, q.y, q.z], self.recording.poses[row, i],
+                                           atol=1e-12)
+        p, q = frames["camera/eye"].translation, frames["camera/eye"].rotation
+        pose = self.recording.at(self.recording.ticks[row] / 60).render("eye", SIZE).pose
+        np.testing.assert_allclose([p.x, p.y, p.z], pose[:3, 3], atol=1e-6)
+        np.testing.assert_allclose(rotated(q, [0, 0, 1]), pose[:3, 2], atol=1e-6)
+
+    def test_shapes_are_shown_once_in_their_frames(self):
+        (_, update), = self.messages["/scene"]
+        entities = {entity.id: entity for entity in update.entities}
+        self.assertEqual(set(entities) & {"world", "RedBlock"}, {"world", "RedBlock"})
+        block, = entities["RedBlock"].triangles
+        corners = np.array([[point.x, point.y, point.z] for point in block.points])
+        np.testing.assert_allclose(np.abs(corners), 0.05, atol=1e-6)
+        self.assertEqual((len(block.indices), entities["RedBlock"].frame_id), (36, "RedBlock"))
+        frames = {one.child_frame_id for one in self.messages["/tf"][0][1].transforms}
+        self.assertEqual({entity.frame_id for entity in update.entities} - frames, {"world"})
+
+    def test_pictures_are_lossless(self):
+        _, image = self.messages["/camera/eye/image"][4]
+        with av.open(io.BytesIO(image.data)) as png:
+            found = next(png.decode(video=0)).to_ndarray(format="rgb24")
+        picture = self.recording.at(self.recording.ticks[self.rows[4]] / 60).render("eye", SIZE)
+        np.testing.assert_array_equal(found, picture.rgb)
+        np.testing.assert_allclose(self.messages["/camera/eye/calibration"][4][1].K, picture.intrinsics.ravel())
+
+    def test_has_the_subtasks_and_the_origin(self):
+        with self.path.open("rb") as stream:
+            metadata = {one.name: one.metadata for one in mcap.reader.make_reader(stream).iter_metadata()}["smile"]
+        names = json.loads(metadata["sparse_subtask_names"])
+        self.assertEqual([log.message for _, log in self.messages["/subtasks"]], names)
+        self.assertEqual((metadata["task"], metadata["smile/state_hash"]),
+                         ("build", f"{self.recording.hashes[-1]:016x}"))
+
+
+class JsonDecoder:
+    """Decodes messages in JSON, as viewers do."""
+
+    def decoder_for(self, encoding, schema):
+        return json.loads if encoding == "json" and schema.encoding == "jsonschema" else None
+
+
+def rotated(q, v):
+    """Rotates a vector by a quaternion of Foxglove's."""
+    axis = np.array([q.x, q.y, q.z])
+    return np.asarray(v) + 2 * np.cross(axis, np.cross(axis, v) + q.w * np.asarray(v))
 
 
 class CsvTest(unittest.TestCase):

@@ -16,6 +16,7 @@ from exported_dataset import FPS, SIZE, Exported, imitation
 
 import av
 import h5py
+import mcap.writer
 import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
@@ -211,6 +212,24 @@ class OtherFormatsTest(unittest.TestCase):
         self.assertRegex(str(examine(self.dataset / "replay.zarr")[0]), "meta/episode_ends: does not ascend")
         shutil.rmtree(self.dataset / "replay.zarr/meta")
         self.finds("replay.zarr: cannot be read, or has no data and meta/episode_ends")
+
+    def test_mcap(self):
+        self.exported("mcap")
+        path = self.dataset / "episode_000000.mcap"
+        content = path.read_bytes()
+        with (self.dataset / "episode_000001.mcap").open("wb") as stream:
+            writer = mcap.writer.Writer(stream, compression=mcap.writer.CompressionType.NONE)
+            writer.start()
+            channel = writer.register_channel("/odd", "json", 0)
+            for time, data in ((5, b"{}"), (3, b'{"x": NaN}')):
+                writer.add_message(channel, time, data, time)
+            writer.finish()
+        for pattern in ("/odd has messages whose times go back", "/odd has messages that are not JSON",
+                        "episode_000001.mcap: differs from episode_000000.mcap in the topic"):
+            self.finds(pattern)
+        for damaged in (content[:-3000], content[:5000] + b"?" + content[5001:]):
+            path.write_bytes(damaged)
+            self.finds("episode_000000.mcap: cannot be read .*cut")
 
     def test_csv(self):
         self.exported("csv")

@@ -22,6 +22,7 @@ try:
     import av  # noqa: F401
     import duckdb  # noqa: F401
     import h5py  # noqa: F401
+    import mcap  # noqa: F401
     import pandas  # noqa: F401
     import pyarrow as pa
     import pyarrow.parquet as pq

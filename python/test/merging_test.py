@@ -152,6 +152,14 @@ class OtherFormatsTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "part-1: data/sim.tick: has 3 frames, but the last episode ends at"):
             merge([self.out / "part-0", self.out / "part-1"], self.out / "again")
 
+    def test_mcap(self):
+        once, merged = self.merged("mcap", self.runs)
+        self.assert_same_files(once, merged)
+        path = self.out / "part-1/episode_000000.mcap"
+        path.write_bytes(path.read_bytes()[:-3000])
+        with self.assertRaisesRegex(ValueError, "part-1: episode_000000.mcap: cannot be read .*; mend it"):
+            merge([self.out / "part-0", self.out / "part-1"], self.out / "again")
+
     def test_robomimic(self):
         once, merged = self.merged("robomimic", self.runs)
         with h5py.File(once / "demo.hdf5") as first, h5py.File(merged / "demo.hdf5") as second:

@@ -37,7 +37,7 @@ class Finding(NamedTuple):
 
 def examine(folder: Path) -> list[Finding]:
     """Checks a dataset of any format; returns the faults, in the order in which a reader would meet
-    them. Those of HDF5 need h5py, those of Zarr need zarr."""
+    them. Those of HDF5 need h5py, those of Zarr zarr, those of MCAP mcap."""
     try:
         format, path = place_of(Path(folder))
         if not format.startswith("lerobot"):
@@ -51,9 +51,9 @@ def examine(folder: Path) -> list[Finding]:
 
 
 def _examiner_of(format: str) -> Callable[[Path], Iterator[Finding]]:
-    # Imported late: they need this module, and two of them h5py or zarr.
-    from smile.datasets import array_doctor, csv_doctor
-    return {"robomimic": array_doctor.examine_robomimic, "zarr": array_doctor.examine_zarr,
+    # Imported late: they need this module, and packages of their own.
+    from smile.datasets import array_doctor, csv_doctor, mcap_doctor
+    return {"mcap": mcap_doctor.examine_mcap, "robomimic": array_doctor.examine_robomimic, "zarr": array_doctor.examine_zarr,
             "csv": csv_doctor.examine_csv}[format]
 
 

@@ -8,7 +8,7 @@ import os
 import shutil
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 else:
     _native = load("smile_simulator_native")
 
-FORMATS = ("lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr", "csv")
+FORMATS = ("lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr", "mcap", "csv")
 RATES = tuple(fps for fps in range(1, TICKS_PER_SECOND + 1) if TICKS_PER_SECOND % fps == 0)
 # Statistics of colors are of at most as many pictures of an episode.
 _SAMPLED_PICTURES = 100
@@ -123,6 +123,8 @@ def _write(plan: Plan, options: Options, target: Path, say: Callable[[str], None
                 say(f"episode {number + 1} of {len(plan.sources)}: {source.path}, {len(episode)} frames")
                 drawn = _draw(episode, writer.films)
                 episode.columns.update(_pose_columns(plan.cameras, drawn.poses))
+                if options.format == "mcap":
+                    cast(Any, writer).observe(episode, drawn.intrinsics)
                 writer.add(episode.columns, options.task if options.task is not None else _task_of(episode),
                            drawn.films, drawn.pixels, _more_about(episode, fps))
                 intrinsics.update(drawn.intrinsics)
@@ -153,8 +155,8 @@ def pixels_of(writer: Writer) -> dict[str, Any]:
 
 
 def _writer_of(format: str) -> type[Writer]:
-    # Imported late: some of these need h5py or zarr.
-    late = {"robomimic": "robomimic", "zarr": "zarr_arrays", "csv": "csv_films"}
+    # Imported late: some of these need packages of their own.
+    late = {"robomimic": "robomimic", "zarr": "zarr_arrays", "mcap": "mcap_messages", "csv": "csv_films"}
     if format in late:
         writer: type[Writer] = importlib.import_module(f"smile.datasets.{late[format]}").Writer
         return writer

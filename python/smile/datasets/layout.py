@@ -70,6 +70,8 @@ def place_of(path: Path) -> tuple[str, Path]:
     is none of them."""
     if path.is_file() and path.suffix in (".hdf5", ".h5"):
         return "robomimic", path
+    if path.is_file() and path.suffix == ".mcap" or any(path.glob("*.mcap")):
+        return "mcap", path
     if (path / ".zgroup").exists():
         return "zarr", path
     for pattern, format in (("*.hdf5", "robomimic"), ("*.zarr", "zarr")):
@@ -101,8 +103,8 @@ def _read_json(path: Path) -> dict[str, Any]:
     try:
         content = json.loads(path.read_text())
     except FileNotFoundError:
-        raise LayoutError(name, "is missing", "expected the folder of a LeRobot dataset, an HDF5 file, or Zarr "
-                          "arrays") from None
+        raise LayoutError(name, "is missing", "expected the folder of a LeRobot dataset, an HDF5 file, Zarr "
+                          "arrays or MCAP files") from None
     except ValueError as error:
         raise LayoutError(name, f"is not JSON: {error}", "make the dataset again") from None
     if not isinstance(content, dict):

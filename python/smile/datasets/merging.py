@@ -63,8 +63,8 @@ def _stored(folder: Path) -> Stored:
         format, _ = place_of(folder)
     except LayoutError as error:
         raise ValueError(f"{folder}: is no dataset that SMILE exported ({error})") from None
-    # Imported late: these need h5py or zarr.
-    late = {"robomimic": "robomimic", "zarr": "zarr_arrays"}
+    # Imported late: these need packages of their own.
+    late = {"robomimic": "robomimic", "zarr": "zarr_arrays", "mcap": "mcap_messages"}
     if format in late:
         kind: type[Stored] = importlib.import_module(f"smile.datasets.{late[format]}").StoredFile
         return kind(folder)

@@ -64,3 +64,18 @@ for goal = {[], step}
     show([known(move.block).position, move.room.position, move.room.yaw]);
   end
 end
+
+% Visible points as a skyline, as parts of a tool, and as a load.
+k = (0:399)';
+points = [mod(37 * k, 101) / 20, mod(23 * k, 67) / 20, mod(11 * k, 29) / 10 + 0.1];
+for margin = [0.1, 0.65]
+  skyline = widened(skylineOf(points), margin);
+  show(skyline.corner);
+  show(skyline.heights);
+  show(arrayfun(@(i) isSkylineBelow(skyline, points(i, :) + [0, 0, 0.5]), 1:400));
+end
+tool = newBlock([], [2, 0.5, 1], [1, 1.5, 0.5], 0.4);
+some = points(1:3:end, :);
+is_tool = belongsTo(tool, some);
+show(is_tool);
+show(loadOf(some(is_tool, :), 0.5, [1, 0, 0, 1; 0, -1, 0, 2; 0, 0, -1, 3; 0, 0, 0, 1]));

@@ -13,8 +13,10 @@ import numpy as np
 from act.finger_room import grasp_yaws, is_grasp_blocked
 from check.task_state import TaskState
 from plan.free_places import is_free
+from plan.loads import belongs_to, load_of
 from plan.making_room import room_moves
 from plan.moves import Move
+from plan.skyline import skyline_of
 from see.eye import Eye, onto_plane, to_pixel
 from see.faces import fit_face
 from things.areas import overlap
@@ -73,6 +75,23 @@ def moves_that_make_room(eye):
         assert moves
         for move in moves:
             yield [*move.block.position, *move.room.position, move.room.yaw]
+
+    yield from what_a_tool_passes()
+
+
+def what_a_tool_passes():
+    """Visible points as a skyline, as parts of a tool, and as a load."""
+    k = np.arange(400)
+    points = np.column_stack([37 * k % 101 / 20, 23 * k % 67 / 20, 11 * k % 29 / 10 + 0.1])
+    for margin in 0.1, 0.65:
+        skyline = skyline_of(points).widened(margin)
+        yield skyline.corner
+        yield skyline.heights.T
+        yield [skyline.is_below(points[i:i + 1] + [0, 0, 0.5]) for i in k]
+    tool = Block(None, np.array([2, 0.5, 1]), np.array([1, 1.5, 0.5]), 0.4)
+    is_tool = belongs_to(tool, points[::3])
+    yield is_tool
+    yield load_of(points[::3][is_tool], 0.5, np.array([[1, 0, 0, 1], [0, -1, 0, 2], [0, 0, -1, 3], [0, 0, 0, 1]])).points.T
 
 
 def main():

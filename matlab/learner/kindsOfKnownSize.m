@@ -36,8 +36,8 @@ end
 
 function yes = hasSideBelow(color, area, codes)
 % Returns true if a darker shade of a color is visible below most of an area.
-  lowest = accumarray(area(:, 2), area(:, 1), [columns(codes), 1], @max);
-  below = find(lowest > 0 & lowest < rows(codes));
+  lowest = accumarray(area(:, 2), area(:, 1), [size(codes, 2), 1], @max);
+  below = find(lowest > 0 & lowest < size(codes, 1));
   shades = colorsOfCodes(codes(sub2ind(size(codes), lowest(below) + 1, below)));
   is_side = arrayfun(@(k) isDarkerShade(shades(k, :), color), 1:rows(shades));
   yes = ~isempty(below) && mean(is_side) > constants().watching.min_shaded;

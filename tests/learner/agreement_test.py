@@ -91,7 +91,8 @@ def what_a_tool_passes():
     tool = Block(None, np.array([2, 0.5, 1]), np.array([1, 1.5, 0.5]), 0.4)
     is_tool = belongs_to(tool, points[::3])
     yield is_tool
-    yield load_of(points[::3][is_tool], 0.5, np.array([[1, 0, 0, 1], [0, -1, 0, 2], [0, 0, -1, 3], [0, 0, 0, 1]])).points.T
+    pose = np.array([[1, 0, 0, 1], [0, -1, 0, 2], [0, 0, -1, 3], [0, 0, 0, 1]])
+    yield load_of(points[::3][is_tool], 0.5, pose).points.T
 
 
 def main():

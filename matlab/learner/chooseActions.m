@@ -36,11 +36,25 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
     state.claim = struct('done', true, 'reason', reason);
     return
   end
+  [actions, state] = planOneOf(open, state, find(~used), eye, arms, sensor);
+end
 
-  % The next step in the demonstrated order; while that is blocked, one of the other open steps.
+function [actions, state] = planOneOf(open, state, free, eye, arms, sensor)
+% Plans the next of some steps in the demonstrated order; while that is blocked, one of the others, next time: a 1xN cell
+% of actions; {} if all are blocked.
+%   open  their numbers
+%   free  numbers of the known blocks that are in no step's place
+  insisted = state.insistsOn;
+  state.insistsOn = [];
   k = open(1 + mod(state.numBlocked, numel(open)));
-  [actions, state, reason] = planStep(state, k, find(~used), sensor, eye, arms);
-  if ~isempty(actions), return; end
+  if any(ismember(insisted, open)), k = insisted; end
+  is_last_resort = isequal(k, insisted) || state.numBlocked >= numel(open);
+  [actions, state, reason] = planStep(state, k, free, is_last_resort, eye, arms, sensor);
+  if ~isempty(actions)
+    state.numBlocked = 0;
+    if is_last_resort, state.insistsOn = k; end
+    return
+  end
   if state.numBlocked == 0, state.firstFailure = [describeStep(state.steps(k)), ': ', reason]; end
   state.numBlocked = state.numBlocked + 1;
   if state.numBlocked > numel(open) + 1

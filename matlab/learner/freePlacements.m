@@ -10,13 +10,7 @@ function places = freePlacements(arms, eye, block, taken, goal, unexplained)
   x = x(:);
   y = y(:);
   covered = [x, y, repmat(block.size(1:2), numel(x), 1) + c.place_margin, yaw(:)];
-  with_fingers = covered + [0, 0, 0, c.place_fingers, 0];
-  free = true(numel(x), 1);
-  margin = constants().clearance.site_margin;
-  for rectangle = footprint(taken, margin)', free = free & ~overlap(rectangle', with_fingers); end
-  % Square blocks can also be held across the other sides.
-  is_long = ~arrayfun(@hasEqualSides, taken);
-  for rectangle = gripperClearance(taken(is_long))', free = free & ~overlap(rectangle', covered); end
+  free = isFree(covered, taken);
   for arm = arms
     free = free & sqrt((x - arm.foot(1)) .^ 2 + (y - arm.foot(2)) .^ 2) > c.foot_distance;
   end

@@ -8,10 +8,8 @@ else  % a recording without texts: from its pictures alone
   demo = watchDemonstration(aux.demonstration);
 end
 [steps, container, appearances] = inferTask(demo, aux.attention);
-if isfield(demo, 'events')
-  [keyframes, goal] = explain(demo, appearances, container);
-  aux.notes = strcat({'understood: '}, strtrim(printPage(keyframes, goal)));
-end
+[keyframes, goal] = explain(demo, appearances, container);
+aux.notes = strcat({'understood: '}, strtrim(printPage(keyframes, goal)));
 presses = inferDevices(demo, steps, appearances);
 printSteps(steps);
 printPresses(presses, steps);

@@ -38,6 +38,7 @@ function [actions, place, is_temporary, reason] = planMove(state, k, move, eye, 
     left = [state.left, block];
     left = left(arrayfun(@(it) isSameKind(block, it), left));
   end
+  if ~isempty(move.room), sites = cellfun(@(site) [site, move.room], sites, 'UniformOutput', false); end
   [actions, place, reason] = planTemporaryPlacement(arms, eye, block, others, sites, sensor, goal, ...
                                                     state.failures, left, state.unexplained);
 end

@@ -1,7 +1,8 @@
-function [actions, state, reason] = planStep(state, k, free, sensor, eye, arms)
+function [actions, state, reason] = planStep(state, k, free, is_last_resort, eye, arms, sensor)
 % Plans the first possible of the moves that may come next for step k: a 1xN cell of actions; {} and a reason if
 % there is none.
-%   free  numbers of the known blocks that are in no step's place
+%   free            numbers of the known blocks that are in no step's place
+%   is_last_resort  whether no other step can be done either
   c = constants().task_planning;
   actions = {};
   reason = 'no matching block is visible';
@@ -12,10 +13,7 @@ function [actions, state, reason] = planStep(state, k, free, sensor, eye, arms)
     reason = sprintf('blocks were put aside %d times already', c.max_temporary_placements);
     return
   end
-  moves = [uncoveringMoves(state, free, eye), proposeMoves(state, k, free)];
-  opening = max([arms.opening]) - constants().arms.opening_margin;
-  moves = [moves, turningMoves(state.steps(k), state.known, free, opening)];
-  for move = [moves, clearingMoves(state, moves, free)]
+  for move = movesFor(state, k, free, is_last_resort, eye, arms, sensor)
     if numFailures(state, state.known(move.block)) >= c.max_failed_grasps
       reason = sprintf('%d grasps of a block failed', c.max_failed_grasps);
       continue
@@ -28,7 +26,6 @@ function [actions, state, reason] = planStep(state, k, free, sensor, eye, arms)
     if is_temporary, state.left(end + 1) = from; end
     state.known(move.block) = [];
     state.known = [state.known, place];
-    state.numBlocked = 0;
     grasp = actions{find(cellfun(@(it) strcmp(it.kind, 'grasp'), actions), 1)};
     state.grasp = grasp.grasp;
     state.moved = state.steps(k).name;
@@ -36,6 +33,18 @@ function [actions, state, reason] = planStep(state, k, free, sensor, eye, arms)
     state.notes(end + 1) = actionNote(state.moved, from, move, place, is_temporary, grasp.arm);
     return
   end
+end
+
+function moves = movesFor(state, k, free, is_last_resort, eye, arms, sensor)
+% Returns the moves that may come next for step k, the best first: a 1xN struct array, see newMove.
+  moves = [uncoveringMoves(state, free, eye), proposeMoves(state, k, free)];
+  opening = max([arms.opening]) - constants().arms.opening_margin;
+  moves = [moves, turningMoves(state.steps(k), state.known, free, opening)];
+  moves = [moves, clearingMoves(state, moves, free)];
+  if ~is_last_resort, return; end
+  % Room on the table, and for fingers beside what is built.
+  moves = [moves, roomMoves(state, k, moves, free, arms, eye, sensor)];
+  moves = [moves, clearingMoves(state, moves, 1:numel(state.known))];
 end
 
 function count = numFailures(state, block)

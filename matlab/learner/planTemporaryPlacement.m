@@ -20,32 +20,13 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
     tried = noBlocks();
     for place = freePlacements(arms, eye, block, [others, site{1}], goal, unexplained)
       has_yaw = tried([tried.yaw] == place.yaw);
-      if isNear(place, left) || isNear(place, has_yaw) || isGraspBlocked(place, site{1}) || ...
-         isTopHidden(place, site{1}, eye) || blocksGrasps(place, others) || ~canReach(arms, place)
-        continue
-      end
-      can_continue = isempty(goal) || ~isempty(planPickAndPlace(arms, place, goal, others, sensor, []));
-      if can_continue, [actions, reason] = planPickAndPlace(arms, block, place, others, sensor, failures); end
+      if isNear(place, left) || isNear(place, has_yaw), continue; end
+      if ~isSuitable(place, arms, eye, others, site{1}), continue; end
+      [actions, why] = planToPlace(arms, block, place, others, sensor, goal, failures);
       if ~isempty(actions), return; end
+      if ~isempty(why), reason = why; end
       tried(end + 1) = place;
       if numel(tried) == constants().task_planning.max_place_attempts, break; end
     end
-  end
-end
-
-function yes = isNear(place, left)
-% Returns true if a place is close to one of some others.
-  near = constants().task_planning.near_place_distance;
-  yes = any(arrayfun(@(it) norm(it.position - place.position) < near, left));
-end
-
-function yes = blocksGrasps(place, others)
-% Returns true if a block at a place would leave no room for the fingers at one of the others that can be
-% grasped without it.
-  yes = false;
-  for i = find(arrayfun(@(it) isClose(it, place), others))
-    rest = others([1:i - 1, i + 1:end]);
-    yes = ~isempty(graspYaws(others(i), rest)) && isempty(graspYaws(others(i), [rest, place]));
-    if yes, return; end
   end
 end

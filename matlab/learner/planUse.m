@@ -13,13 +13,19 @@ function [actions, state, problem] = planUse(use, alignment, surface, state, arm
   inScene = @(at) [rotated(at(1:2) - alignment.place, -alignment.angle), at(3)];
   way = {inScene(use.begin), inScene(use.pose(1:3))};
   turn = use.pose(4) - alignment.angle - tool.yaw;
+  is_tool = belongsTo(tool, surface.points);
+  looks = surface.points(is_tool, :);
+  around = surface.points(~is_tool, :);
+  % On the straight way to its work, the tool passes as in the demonstration, and may touch what it changes.
+  fixed = around(~isChanged(use, alignment, around, state.shown), :);
+  avoided = [surroundingsOf(around), surroundingsOf(fixed)];
   problem = 'no arm brings it there and back';
   for arm = nearestFirst(arms(arrayfun(@(arm) canHold(arm, tool.size(2)), arms)), tool.position(1))
     q = sensor.arms(arm.index).joints(:)';
     for across = graspYaws(tool, others)
       attempt = newGrasp(tool.position, arm, across);
       if hasFailed(attempt, state.failures), continue; end
-      actions = planArmUse(arm, tool, across, way, turn, q);
+      actions = planArmUse(arm, tool, looks, across, way, turn, avoided, q);
       if isempty(actions), continue; end
       state.grasp = attempt;
       problem = '';

@@ -1,70 +1,72 @@
 function demo = watchDemonstration(folder)
-% Reconstructs a demonstration from the pictures of a recording without texts: as readDemonstration, but
-% without single moves, and with
+% Reconstructs a demonstration from the pictures of a recording without texts: as readDemonstration, and with
 %   demo.appearances  as from measureObjects
-% Objects are named by their colors. There is no model of the demonstrator: an arm occludes blocks, or is
-% taken for one.
   eye = eyeOf(folder);
-  objects = trackBlocks();
-  before = noBlocks();  % the blocks in the previous picture
-  kinds = [];
-  cache = containers.Map();
-  free = false;  % pixels that were background in some picture so far
-  for frame = picturesToWatch(folder)
-    picture = double(imread(frame.file)) / 255;
-    table = tableColor(picture);
-    tops = segmentTopFaces(picture, table);
-    if isempty(kinds), kinds = learnBlockKinds(tops, picture, eye, table); end
-    if isempty(kinds)
-      error('%s shows no block by itself, so the sizes of the blocks are unknown', frame.file);
-    end
-    seen = recognizeBlocks(tops, eye, kinds, cache);
-    if ~frame.isQuiet, seen = lessReliable(seen); end
-    resting = seen(frame.isQuiet | arrayfun(@(block) stays(block, before), seen));
-    objects = trackBlocks(objects, resting, @(block) isTableVisible(picture, eye, block, table), ...
-                          @(block) isFree(free, eye, block));
-    before = seen;
-    free = free | isBackground(picture, table);
+  pictures = picturesOf(folder);
+  palette = newPalette(codesIn(pictures(1).file));
+  % The first picture, those of a still scene, and the next one after each.
+  is_telling = [true, pictures(1:end - 1).isStill] | [pictures.isStill];
+  [kinds, palette] = learnKinds({pictures(is_telling).file}, palette, eye);
+  if isempty(kinds), error('no picture in %s shows a block by itself', folder); end
+  tracker = newTracker(kinds, palette, eye);
+  for it = pictures
+    [classes, palette] = classesOf(codesIn(it.file), palette);
+    tracker = trackPicture(tracker, it.frame, classes, it.isStill);
   end
-  appearances = noBlocks();
-  for it = objects, appearances(end + 1) = newBlock(it.color, it.size, it.position, it.yaw); end
-  demo = struct('folder', folder, 'ids', {namesOf(objects)}, 'moves', zeros(0, 8), 'eye', eye, ...
-                'start', vertcat(objects.start), ...
-                'appearances', appearances);
-  places = vertcat(objects.position);
-  demo.final = [places, zeros(size(places, 1), 2), vertcat(objects.yaw) * 180 / pi];
-  [when, order] = sort([objects.placed]);
-  demo.placed = order(when > 0);
+  demo = demonstrationOf(folder, eye, tracker.objects(~cellfun(@isempty, {tracker.objects.block})), kinds);
 end
 
-function yes = stays(block, before)
-% Returns true if a block of this color was at the same place in the previous picture.
-  yes = any(arrayfun(@(other) sameColor(other.color, block.color) && ...
-                              norm(other.position - block.position) < 0.05, before));
+function demo = demonstrationOf(folder, eye, objects, kinds)
+% Returns the demonstration of what tracked objects did: a hand takes each and puts it where it rested next. How it moved in
+% between the pictures may not show: it counts as lifted.
+  c = constants().watching;
+  demo = struct('folder', folder, 'ids', {namesOf(objects, kinds)}, 'moves', zeros(0, 8), 'placed', [], ...
+                'events', struct('frame', {}, 'word', {}, 'fields', {}), 'eye', eye, 'appearances', noBlocks());
+  deeds = zeros(0, 4);  % frame, height, number of the place and of the object
+  for n = 1:numel(objects)
+    it = objects(n);
+    first = it.start;
+    above = 0;
+    if isempty(first)
+      first = it.placed(1).block;
+      above = c.lifted;
+    end
+    demo.appearances(n) = first;
+    demo.events(n) = struct('frame', 0, 'word', 'create', 'fields', {demo.ids(n)});
+    demo.moves(n, :) = [0, n, poseAbove(first, above)];
+    for k = 1:numel(it.placed), deeds(end + 1, :) = [it.placed(k).frame, it.placed(k).block.position(3), k, n]; end
+  end
+  % Deeds that end in the same picture are one after the other, the lower one first.
+  deeds = sortrows(deeds);
+  for k = 1:rows(deeds)
+    when = deeds(k, 1) + c.between * (k - 1);
+    n = deeds(k, 4);
+    block = objects(n).placed(deeds(k, 3)).block;
+    demo.events(end + 1) = struct('frame', when, 'word', 'grasp', 'fields', {{'Hand', demo.ids{n}}});
+    demo.events(end + 1) = struct('frame', when, 'word', 'release', 'fields', {{'Hand'}});
+    demo.moves(end + 1:end + 2, :) = [when, n, poseAbove(block, c.lifted); when, n, poseAbove(block, 0)];
+    demo.placed(end + 1) = n;
+  end
+  for n = 1:numel(objects)
+    poses = demo.moves(demo.moves(:, 2) == n, 3:8);
+    demo.start(n, :) = poses(1, :);
+    demo.final(n, :) = poses(end, :);
+  end
 end
 
-function seen = lessReliable(seen)
-% Reduces the pixel counts of blocks seen during motion: such a block may not be quite at its final place,
-% and may appear larger because it is closer to the eye.
-  for k = 1:numel(seen), seen(k).pixels = 0.9 * seen(k).pixels; end
+function pose = poseAbove(block, above)
+% Returns the pose of a block, raised by a height, 1x6: x y z [units], angles about x, y, z [degrees].
+  pose = [block.position + [0, 0, above], 0, 0, block.yaw * 180 / pi];
 end
 
-function yes = isBackground(picture, table)
-% Returns the mask, HxW logical, of the pixels that show the table or nothing.
-  yes = all(picture == 0, 3) | colorMask(picture, table);
-end
-
-function yes = isFree(free, eye, block)
-% Returns true if the middle of a block's top was background in some picture before.
-  pixel = pixelAt(block.position + [0, 0, block.size(3) / 2], eye);
-  yes = ~isscalar(free) && free(pixel(2), pixel(1));
-end
-
-function names = namesOf(objects)
-% Returns names for objects, 1xN cell: color and number.
+function names = namesOf(objects, kinds)
+% Returns names for tracked objects, 1xN cell: their colors, and numbers.
+  words = {'Red', 'Green', 'Blue', 'Yellow', 'Cyan', 'Magenta', 'Orange', 'Brown', 'White', 'Gray', 'Black'};
+  colors = [1 0 0; 0 1 0; 0 0 1; 1 1 0; 0 1 1; 1 0 1; 1 0.5 0; 0.25 0.16 0.1; 1 1 1; 0.5 0.5 0.5; 0 0 0];
   names = cell(1, 0);
   for k = 1:numel(objects)
-    word = colorName(objects(k).color);
-    names{k} = sprintf('%s %d', word, 1 + sum(strncmp(names, [word, ' '], numel(word) + 1)));
+    [~, nearest] = min(sum((colors - kinds(objects(k).kind).color) .^ 2, 2));
+    count = sum(strcmp(regexprep(names, '\d+$', ''), words{nearest}));
+    names{k} = sprintf('%s%d', words{nearest}, 1 + count);
   end
 end

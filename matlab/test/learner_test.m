@@ -21,6 +21,7 @@ try
   check_planning();
   check_site();
   check_clearing();
+  check_making_room();
   check_resting();
   check_failures();
   check_parts();

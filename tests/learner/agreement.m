@@ -6,6 +6,16 @@ function show(numbers)
   printf('%.17g\n', double(numbers));
 end
 
+% No robot is here: each place is suitable, and each plan possible.
+function yes = isSuitable(varargin)
+  yes = true;
+end
+
+function [actions, reason] = planToPlace(varargin)
+  actions = {0};
+  reason = '';
+end
+
 eye.intrinsics = [415.7, 0, 320; 0, 415.7, 240; 0, 0, 1];
 c = cos(2.55);
 s = sin(2.55);
@@ -31,8 +41,41 @@ for k = 0:39
   show(graspYaws(place, other));
   show(isGraspBlocked(place, other));
   show(yawDifference(place, 1 - 0.2 * k));
+  show(isFree(rectangles, [place, other]));
 end
 [x, y] = meshgrid(-20:20, -20:20);
 inside = hypot(x, y) < 20;
 face = fitFace(x(inside), y(inside), ones(nnz(inside), 1));
 show([face.center, face.sides, face.misfit, face.isRound]);
+
+% Of which blocks, and for which place of a plank, if any plan succeeds.
+color = [0, 0, 0];
+eye.pose(2:3, 3) = [s; c];
+eye.pose(3, 2) = -s;
+known = newBlock(color, [5, 1, 1], [-4, -0.2, 0.5], 0);
+for x = -6:3:6
+  for y = [-4.5, -2.8, -1], known(end + 1) = newBlock(color, [1, 1, 1], [x, y, 0.5], 0); end
+end
+step = newStep(newBlock(color, [1, 1, 1], [0, -2, 0.5], 0), 'step');
+state = initialTaskState(step, []);
+state.known = known;
+for goal = {[], step}
+  for move = roomMoves(state, 1, newMove(1, goal{1}), 1:numel(known), [], eye, [])
+    show([known(move.block).position, move.room.position, move.room.yaw]);
+  end
+end
+
+% Visible points as a skyline, as parts of a tool, and as a load.
+k = (0:399)';
+points = [mod(37 * k, 101) / 20, mod(23 * k, 67) / 20, mod(11 * k, 29) / 10 + 0.1];
+for margin = [0.1, 0.65]
+  skyline = widened(skylineOf(points), margin);
+  show(skyline.corner);
+  show(skyline.heights);
+  show(arrayfun(@(i) isSkylineBelow(skyline, points(i, :) + [0, 0, 0.5]), 1:400));
+end
+tool = newBlock([], [2, 0.5, 1], [1, 1.5, 0.5], 0.4);
+some = points(1:3:end, :);
+is_tool = belongsTo(tool, some);
+show(is_tool);
+show(loadOf(some(is_tool, :), 0.5, [1, 0, 0, 1; 0, -1, 0, 2; 0, 0, -1, 3; 0, 0, 0, 1]));

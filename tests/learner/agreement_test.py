@@ -6,14 +6,22 @@
 import math
 import subprocess
 import sys
+from unittest.mock import patch
 
 import numpy as np
 
 from act.finger_room import grasp_yaws, is_grasp_blocked
+from check.task_state import TaskState
+from plan.free_places import is_free
+from plan.loads import belongs_to, load_of
+from plan.making_room import room_moves
+from plan.moves import Move
+from plan.skyline import skyline_of
 from see.eye import Eye, onto_plane, to_pixel
 from see.faces import fit_face
 from things.areas import overlap
 from things.blocks import Block, yaw_difference
+from things.steps import Step
 
 
 def answers():
@@ -41,11 +49,50 @@ def answers():
         yield grasp_yaws(place, [other])
         yield is_grasp_blocked(place, [other])
         yield yaw_difference(place, 1 - 0.2 * k)
+        yield is_free(np.array(rectangles), [place, other])
     x, y = (it.T.ravel() for it in np.meshgrid(np.arange(-20, 21), np.arange(-20, 21)))
     inside = np.hypot(x, y) < 20
     face = fit_face(x[inside], y[inside], np.ones(inside.sum()))
     assert face.is_round and abs(face.sides[0] - 40) < 0.5
     yield [*face.center, *face.sides, face.misfit, face.is_round]
+    robot_pose = np.array([[1, 0, 0, 0.1], [0, c, s, -6.1], [0, -s, c, 11.6], [0, 0, 0, 1]])
+    yield from moves_that_make_room(Eye(eye.intrinsics, robot_pose))
+
+
+def moves_that_make_room(eye):
+    """Of which blocks, and for which place of a plank, if any plan succeeds."""
+    color, cube = np.zeros(3), np.ones(3)
+    plank = Block(color, np.array([5.0, 1, 1]), np.array([-4, -0.2, 0.5]), 0.0)
+    cubes = [Block(color, cube, np.array([x, y, 0.5]), 0.0) for x in range(-6, 7, 3) for y in (-4.5, -2.8, -1)]
+    step = Step(color, cube, np.array([0, -2, 0.5]), 0.0, "step", [])
+    state = TaskState([step])
+    state.known = [plank, *cubes]
+    state.unexplained = np.zeros((0, 2))
+    for goal in None, step:
+        with patch("plan.making_room.is_suitable", return_value=True), \
+                patch("plan.making_room.plan_to_place", return_value=([0], None)):
+            moves = room_moves(state, step, [Move(plank, goal)], state.known, [], eye, None)
+        assert moves
+        for move in moves:
+            yield [*move.block.position, *move.room.position, move.room.yaw]
+
+    yield from what_a_tool_passes()
+
+
+def what_a_tool_passes():
+    """Visible points as a skyline, as parts of a tool, and as a load."""
+    k = np.arange(400)
+    points = np.column_stack([37 * k % 101 / 20, 23 * k % 67 / 20, 11 * k % 29 / 10 + 0.1])
+    for margin in 0.1, 0.65:
+        skyline = skyline_of(points).widened(margin)
+        yield skyline.corner
+        yield skyline.heights.T
+        yield [skyline.is_below(points[i:i + 1] + [0, 0, 0.5]) for i in k]
+    tool = Block(None, np.array([2, 0.5, 1]), np.array([1, 1.5, 0.5]), 0.4)
+    is_tool = belongs_to(tool, points[::3])
+    yield is_tool
+    pose = np.array([[1, 0, 0, 1], [0, -1, 0, 2], [0, 0, -1, 3], [0, 0, 0, 1]])
+    yield load_of(points[::3][is_tool], 0.5, pose).points.T
 
 
 def main():

@@ -22,7 +22,8 @@ end
 
 function decideOn(folder, aux)
   printf('case %s\n', folder);
-  demo = readDemonstration(fullfile(folder, 'shown'));
+  shown = fullfile(folder, 'shown');
+  if exist(fullfile(shown, '0.txt'), 'file'), demo = readDemonstration(shown); else, demo = watchDemonstration(shown); end
   [steps, container, appearances] = inferTask(demo, struct('object', {}, 'properties', {}));
   [keyframes, goal] = explain(demo, appearances, container);
   for keyframe = keyframes
@@ -47,7 +48,7 @@ function decideOn(folder, aux)
   file = fopen(fullfile(folder, 'look.depth'));
   sensor.depthVision = fread(file, [size(sensor.rgbVision, 2), Inf], 'double')';
   fclose(file);
-  eye = eyeOf(fullfile(folder, 'shown'));
+  eye = eyeOf(shown);
   aux.cameraIntrinsics = eye.intrinsics;
   aux.cameraPose = eye.pose;
   arms = armsOf(aux);

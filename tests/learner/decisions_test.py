@@ -1,6 +1,6 @@
 """The learner chooses the same actions in Python and in Octave: from the same demonstration and the
 same picture of a scene, both find the same facts, infer the same steps, detect the same blocks, choose
-the same site and plan the same actions, also with switches and tools.
+the same site and plan the same actions, also with switches and tools, and from pictures alone.
 
     decisions_test.py SMILE SOURCE OCTAVE...
 
@@ -23,14 +23,16 @@ from PIL import Image
 from act.grippers import arms_for
 from act.robot_arms import arms_of
 from check.task_state import TaskState
-from explain.demonstration import read_demonstration
+from explain.demonstration import has_texts, read_demonstration
 from explain.devices import infer_devices
 from explain.explanation import explain
 from explain.sentences import page_of
 from explain.task_model import infer_task
+from explain.watching import watch_demonstration
 from plan.task_planning import choose_actions
 
-# For each robot: task, and the layout of the robot's scene; [] keeps the scene as it is.
+# For each robot: task, and the layout of the robot's scene; [] keeps the scene as it is. After a slash, the demonstrator in
+# the pictures of a recording without texts.
 CASES = {
     "baxter": [("tower", ["--seed", "1"]), ("tower", ["--seed", "2", "--level", "distractors"]),
                ("tower", ["--seed", "4", "--level", "stacked"]), ("row", ["--seed", "1"]),
@@ -43,7 +45,8 @@ CASES = {
                ("lid", ["--seed", "1", "--level", "piles"]), ("plank", ["--seed", "1"]),
                ("plank", ["--seed", "4"]), ("drive", ["--seed", "1", "--level", "fixtures"]),
                ("drive", ["--seed", "3", "--level", "fixtures"]), ("scissors", []),
-               ("scissors", ["--seed", "2", "--level", "fixtures"])],
+               ("scissors", ["--seed", "2", "--level", "fixtures"]),
+               ("tower/ghost", ["--seed", "1"]), ("swap/forearm", ["--seed", "1", "--level", "fixtures"])],
     "tern": [("tower", ["--seed", "1", "--robot", "tern"])],
 }
 TOLERANCE = 1e-6  # of units and radians
@@ -88,6 +91,7 @@ def prepare(smile, source, name, task, layout):
     scene. Returns the folder of both."""
     case = Path(name)
     case.mkdir()
+    task, _, demonstrator = task.partition("/")
     robot = layout[layout.index("--robot"):] if "--robot" in layout else []
     scene = f"{source}/scenes/{task}_robot.xml"
     shown = Path(f"shown_{task}")
@@ -95,7 +99,11 @@ def prepare(smile, source, name, task, layout):
         subprocess.run([smile, "run", f"{source}/scenes/{task}.xml", "--kinematic", "--commands",
                         f"{source}/examples/{task}.jsonl", "--record", shown], check=True,
                        stdout=subprocess.DEVNULL)
-    (case / "shown").symlink_to(shown.resolve())
+    if demonstrator:
+        subprocess.run([smile, "rerender", shown, "--demonstrator", demonstrator, "--no-symbols", "--out",
+                        case / "shown"], check=True, stdout=subprocess.DEVNULL)
+    else:
+        (case / "shown").symlink_to(shown.resolve())
     if layout:
         subprocess.run([smile, "layout", scene, *layout, "--out", case / "scene.xml"], check=True,
                        stdout=subprocess.DEVNULL)
@@ -104,7 +112,7 @@ def prepare(smile, source, name, task, layout):
                     "--timeout", "60", *robot],
                    check=True, stdout=subprocess.DEVNULL,
                    env=os.environ | {"LOOK": str(case.resolve())})
-    print(f"{case}: {task} {' '.join(layout)}")
+    print(f"{case}: {task} {demonstrator} {' '.join(layout)}")
     return str(case)
 
 
@@ -113,7 +121,8 @@ def decisions(case, aux):
 
     aux: what the brain knows of the robot
     """
-    demo = read_demonstration(f"{case}/shown")
+    shown = f"{case}/shown"
+    demo = read_demonstration(shown) if has_texts(shown) else watch_demonstration(shown)
     steps, container = infer_task(demo, {})
     presses = infer_devices(demo, steps)
     building = TaskState(steps, container, presses=presses, shown=demo.eye)

@@ -26,6 +26,27 @@ function check_uses()
     [k, tool] = findTool(use, known, surfaceOf(picture, heights, eye), eye);
     check(k == 1 && abs(sin((tool.yaw - yaw) / 2)) < 1e-9, 'a tool is turned as its surroundings look');
   end
+  checkCarrying(eye);
+end
+
+function checkCarrying(eye)
+% What sticks out of a carried tool avoids what the eye sees, and so do hand and arm.
+  [picture, heights] = pictureOf([knife(-2, -3, 0), block([0.5, 0.3, 0.2], [0.5, 0.5, 3], 3, -3, 0, 0)]);
+  points = surfaceOf(picture, heights, eye).points;
+  is_tool = belongsTo(block([1, 0, 0], [1.8, 0.5, 0.8], -2, -3, 0, 0), points);
+  check(abs(max(points(is_tool, 1)) + 0.3) < 0.05, 'the blue tip is a part of the tool');
+  check(all(points(~is_tool, 1) > 2), 'the post is not');
+  around = surroundingsOf(points(~is_tool, :));
+  eval('function pose = smileForward(~, ~, q), pose = [diag([1, -1, -1]), q(:); 0, 0, 0, 1]; end');
+  eval('function points = armPoints(~, q), points = [q; q + [0, -1, 3]]; end');
+  remove = onCleanup(@() clear('-f', 'smileForward', 'armPoints'));
+  arm = struct('robot', [], 'name', '', 'reach', 0.75);
+  load = loadOf(points(is_tool, :), 0.4, smileForward([], '', [-2, -3, 0.6]));
+  for k = [0.5, 1.5, 1.5, 2.5; 2, 2, 4, 3.5; 1, 0, 1, 0; 1, 1, 1, 0]
+    path.positions = [k(1), -3, k(2)];
+    check(avoids(around, arm, path, load) == k(3), 'the tip passes over the post');
+    check(avoids(around, arm, path) == k(4), 'the empty hand also beside it');
+  end
 end
 
 function blocks = knife(x, y, yaw)

@@ -38,7 +38,8 @@ class Tracker:
                 found = rested
             if not found:
                 break
-            self._place(frame, max(found, key=lambda it: it.seen), is_first)
+            # Of those that are seen as well, the first one: sums differ by their rounding.
+            self._place(frame, max(found, key=lambda it: round(it.seen, 6)), is_first)
         believe(self.objects)
         if is_settled:
             for it in self._resting():

@@ -1,0 +1,54 @@
+function moves = roomMoves(state, k, moves, free, arms, eye, sensor)
+% Returns the moves that make room for the blocks of other moves, which have no free place on the table: a 1xN struct array,
+% see newMove, for the first of those blocks for which some make it. As few as possible are put aside.
+%   k     number of the step that comes next
+%   free  numbers of the known blocks that are in no step's place
+  container = asBlocks(state.container);
+  sites = {[asBlocks(state.steps), container], [asBlocks(state.steps([find(state.done), k])), container]};
+  proposed = moves(cellfun(@isempty, {moves.turns}));
+  moves = noMoves();
+  is_loose = ~arrayfun(@(i) hasObjectsOn(state.known(i), state.known(free)), free);
+  for move = proposed
+    movable = setdiff(free(is_loose), move.block, 'stable');
+    for site = sites
+      [place, blocks] = roomFor(state, move, movable, site{1}, arms, eye, sensor);
+      for i = blocks, moves(end + 1) = newMove(i, [], [], place); end
+      if ~isempty(moves), return; end
+    end
+  end
+end
+
+function [place, blocks] = roomFor(state, move, movable, site, arms, eye, sensor)
+% Returns a place for the block of a move on the table, and the numbers of those of some movable blocks that are in its way,
+% 1xN; [] and 1x0 if there is none.
+%   site  blocks to keep clear of, existing or planned
+  c = constants().task_planning;
+  known = state.known;
+  block = known(move.block);
+  fixed = [known(setdiff(1:numel(known), [move.block, movable])), assumedSupport(block)];
+  left = noBlocks();
+  if isempty(move.goal), left = [state.left, block]; end
+  places = freePlacements(arms, eye, block, [fixed, site], move.goal, state.unexplained);
+  in_way = cell(1, numel(places));
+  is_possible = false(1, numel(places));
+  for i = 1:numel(places)
+    covered = footprint(places(i), c.place_margin / 2);
+    in_way{i} = movable(~arrayfun(@(j) isFree(covered, known(j)), movable));
+    is_possible(i) = ~isempty(in_way{i}) && numel(in_way{i}) <= c.max_put_aside && ~isNear(places(i), left);
+  end
+  places = places(is_possible);
+  in_way = in_way(is_possible);
+  [~, order] = sort(cellfun(@numel, in_way));
+  num_tried = 0;
+  for i = order
+    place = places(i);
+    blocks = in_way{i};
+    others = withHeldParts([fixed, known(setdiff(movable, blocks, 'stable'))]);
+    if ~isSuitable(place, arms, eye, others, site), continue; end
+    if ~isempty(planToPlace(arms, block, place, others, sensor, move.goal, state.failures)), return; end
+    num_tried = num_tried + 1;
+    if num_tried == c.max_place_attempts, break; end
+  end
+  place = [];
+  blocks = zeros(1, 0);
+end

@@ -1,8 +1,10 @@
-"""Tests the example that trains a policy, for a few steps, in the environment of tools/get_training_packages.sh.
+"""Tests the examples that train policies, for a few steps, in the environment of tools/get_training_packages.sh.
 
 Usage: training_test.py PROJECT_FOLDER. Ends with 77 without that environment.
 """
 
+import json
+import os
 import subprocess
 import sys
 import tempfile
@@ -38,6 +40,22 @@ class TrainingTest(unittest.TestCase):
             curve = (outs[0] / "curve.csv").read_text().split()
             self.assertEqual((curve[0], len(curve)), ("steps,seconds,success", 3))
             self.assertIn(">4,096</text>", (outs[0] / "curve.svg").read_text())
+
+    def test_policies_of_generated_demonstrations_are_compared(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "out"
+            command = [PYTHON, PROJECT / "examples/policy/train.py", out, "--counts", "1", "2", "--steps", "40",
+                       "--layouts", "1", "--seconds", "40", "--smile", os.environ["SMILE"]]
+            done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            self.assertEqual(done.returncode, 0, done.stdout)
+            self.assertRegex(done.stdout, r"2 demonstrations, \d+ samples: \d+ s, \d+ s of CPU time")
+            rows = [line.split(",") for line in (out / "curve.csv").read_text().split()]
+            self.assertEqual([row[0] for row in rows], ["brain", "state_1", "state_2", "learner", "replay"])
+            self.assertEqual(rows[3][1:3], ["1", "1"])
+            self.assertIn(">state_2</text>", (out / "curve.svg").read_text())
+            brains = json.loads((out / "compared/evaluation.json").read_text())["brains"]
+            self.assertLessEqual({cause for brain in brains[:2] for cause in brain["summary"]["causes"]},
+                                 {"time_up", "never_taken", "misplaced", "toppled", "fell_off_table"})
 
 
 if __name__ == "__main__":

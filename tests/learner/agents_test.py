@@ -18,7 +18,7 @@ from pathlib import Path
 SHOWN, OTHER = "tower.xml", "tower_robot.xml"
 CASES = [("idle", OTHER, 1, False), ("replay", SHOWN, None, True), ("replay", OTHER, 1, False),
          ("relative_replay", OTHER, 1, True), ("without_depth", OTHER, 1, True),
-         ("without_second_look", OTHER, 1, True), ("oracle", OTHER, 1, True)]
+         ("without_second_look", OTHER, 1, True), ("oracle", OTHER, 1, True), ("true_poses", OTHER, 1, True)]
 MAX_LINES = 200
 
 
@@ -32,7 +32,7 @@ def main(smile, source):
                         f"{source}/examples/tower.jsonl", "--record", "shown"], check=True,
                        stdout=subprocess.DEVNULL)
         for k, (agent, scene, seed, succeeds) in enumerate(CASES):
-            layout = ["--seed", str(seed)] if seed else []
+            layout = (["--seed", str(seed)] if seed else []) + (["--oracle"] if agent == "true_poses" else [])
             run = subprocess.run([smile, "imitate", "shown", f"{source}/scenes/{scene}", "--brain",
                                   agents / f"{agent}.py", "--no-pictures", "--timeout", "60", "--out",
                                   f"done{k}", *layout], stdout=subprocess.PIPE,

@@ -17,7 +17,7 @@ import numpy as np
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "learner"))
 import learner
-from blocks import Block
+from things.blocks import Block
 from learner import step
 
 

@@ -1,0 +1,348 @@
+"""Trains policies on robot demonstrations that `smile generate` makes of one demonstration by hand.
+
+    tools/get_training_packages.sh
+    build/training/bin/python examples/policy/train.py OUT
+
+Behavior cloning with action chunks: networks look at the poses of all objects and of the tools, and say to what an
+arm moves, and where its tool should be in the next second, in steps of .1 s. They are trained on growing numbers of
+demonstrations, and compared with the learner, which made them, and with a replay of the demonstrated motions, in
+layouts that none has seen. Writes into the folder OUT, where the same command continues: the demonstration `shown`,
+the generated demonstrations `made`, the dataset `data`, of each policy weights and program, the evaluation
+`compared`, curve.csv and curve.svg. docs/policy.md shows the result.
+
+Action chunks: T. Zhao et al., "Learning Fine-Grained Bimanual Manipulation with Low-Cost Hardware" (2023).
+"""
+
+import argparse
+import csv
+import hashlib
+import json
+import os
+import subprocess
+import sys
+import time
+from functools import partial
+from pathlib import Path
+from typing import NamedTuple
+
+import h5py
+import jax
+import jax.numpy as jnp
+import numpy as np
+import optax
+
+import network
+
+FOLDER = Path(__file__).resolve().parent
+PROJECT = FOLDER.parents[1]
+UNIT = 0.1                 # [m]
+HIDDEN, LAYERS = 256, 3
+BATCH, LEARNING_RATE = 512, 1e-3
+TEST_SEED = 500_001        # of the layouts in which policies are evaluated; demonstrations begin at 1
+START_WEIGHT = 10          # of samples where both arms wait: few, but they decide
+REFERENCE_REACH = 1.6      # how far from an object others are put, middle to middle [units]
+ORACLE = ("--oracle", "--size", "64x48")
+
+
+class Samples(NamedTuple):
+    """Frames as an arm sees them, one a row."""
+
+    own: np.ndarray       # tools
+    other: np.ndarray
+    objects: np.ndarray
+    spot: np.ndarray      # to which it moves, as it stands
+    goal: np.ndarray      # the same with the yaw in which the tool arrives
+    chunk: np.ndarray     # where the tool is in the next steps
+    kind: np.ndarray      # whether the goal is the table, and where it waits
+    side: np.ndarray
+    decision: np.ndarray  # 0: none moves; 1 + k: this arm moves to target k; then those of the other arm
+    turn: np.ndarray      # quarters between spot and goal
+    weight: np.ndarray
+
+
+def smile(options, *arguments):
+    """Runs the program. It exports with this Python, and runs brains with the system's."""
+    environment = os.environ | ({"SMILE_PYTHON": sys.executable} if arguments[0] == "export" else {})
+    subprocess.run([options.smile, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL, env=environment)
+
+
+def make_data(options):
+    """Demonstrates, generates and exports what is not there yet. Returns the dataset."""
+    shown, made, data = (options.out / name for name in ("shown", "made", "data"))
+    if not shown.exists():
+        smile(options, "run", PROJECT / f"scenes/{options.task}.xml", "--kinematic", "--commands",
+              PROJECT / f"examples/{options.task}.jsonl", "--record", shown)
+    smile(options, "generate", shown, "--scene", PROJECT / f"scenes/{options.task}_robot.xml", *ORACLE, "--brain",
+          PROJECT / "python/examples/agents/true_poses.py", "--count", max(options.counts), "--jobs", options.jobs,
+          "--out", made)
+    if not data.exists():
+        smile(options, "export", made, "--to", "robomimic", "--camera", "none", "--fps", 60 // network.STEP_TICKS,
+              "--no-extras", "--out", data)
+    return data / "demo.hdf5"
+
+
+def rotations(quaternions):
+    """(…, 3, 3) of (…, 4): w x y z."""
+    w, x, y, z = np.moveaxis(np.asarray(quaternions, float), -1, 0)
+    rows = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
+    return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
+
+
+def places(poses, yaw_of):
+    """(frames, N, 4): x y z [units] and yaw of poses, (frames, 7 N)."""
+    poses = np.asarray(poses).reshape(len(poses), -1, 7)
+    turned = rotations(poses[..., 3:])
+    yaws = np.array([[yaw_of(one) for one in frame] for frame in turned])
+    return np.concatenate([poses[..., :3] / UNIT, yaws[..., None]], axis=-1)
+
+
+def is_moving(tools, wanted):
+    """Which frames to keep: a policy that sees only the present never ends a pause, so it learns only the last one."""
+    moves = np.abs(np.diff(tools, axis=0)).max(axis=(1, 2)) > 0.005
+    moves |= np.abs(np.diff(wanted, axis=0)).max(axis=1) > 0.005
+    moves = np.append(moves, False)
+    moves[np.flatnonzero(moves)[-1] + 1:][:10] = True
+    return moves
+
+
+def targets_of(tools, objects, arm):
+    """For each frame, to what an arm moves, and the yaw of its tool there.
+
+    The number of an object, N for the table, -1 for where it waits. It moves to what it takes or puts
+    something on next; but it waits as long as the other arm works in between.
+    """
+    at_rest = np.abs(tools[..., :3] - tools[0, :, :3]).max(axis=-1) < 0.02
+    holds = tools[:, arm, 4] < network.HELD
+    targets, yaws = np.full(len(tools), -1), np.zeros(len(tools))
+    first = 0
+    for event in np.flatnonzero(np.diff(holds)) + 1:
+        away = np.linalg.norm(objects[event, :, :3] - tools[event, arm, :3], axis=-1)
+        held = away.argmin()
+        target = held
+        if not holds[event]:
+            below = np.linalg.norm(objects[event, :, :3] - objects[event, held, :3], axis=-1)
+            below[held] = np.inf
+            target = below.argmin() if below.min() < REFERENCE_REACH else len(objects[0])
+        waits = first + np.flatnonzero(at_rest[first:event, arm] & ~at_rest[first:event, 1 - arm])
+        begin = waits[-1] + 1 if len(waits) else first
+        returns = begin + np.flatnonzero(at_rest[begin:event, arm] & ~np.append(True, at_rest[begin:event - 1, arm]))
+        begin = returns[-1] if len(returns) else begin
+        targets[begin:event], yaws[begin:event] = target, tools[event, arm, 3]
+        first = event
+    return targets, yaws
+
+
+def read_episode(demo):
+    """Samples of both arms, each seen as by a left arm."""
+    state, commands = demo["obs/state"][:], demo["unscaled_actions"][:]
+    grippers = [7, 15]
+    tools = places(demo["obs/tool_poses"], network.yaw_of_tool)
+    tools[..., 3] = np.unwrap(tools[..., 3], axis=0)
+    tools = np.concatenate([tools, state[:, grippers, None] / UNIT], axis=-1)
+    wanted = commands[:, grippers] / UNIT
+    objects = places(demo["obs/object"], network.yaw_of_object)
+    moves = is_moving(tools, wanted)
+    tools, wanted, objects = tools[moves], wanted[moves], objects[moves]
+    steps = np.arange(len(tools))[:, None] + np.arange(network.STEPS)
+    later, now = np.minimum(steps + 1, len(tools) - 1), np.minimum(steps, len(tools) - 1)
+    known = [targets_of(tools, objects, arm) for arm in range(2)]
+    frames, count = np.arange(len(tools)), objects.shape[1]
+    table, waiting = np.zeros((len(tools), 1, 4)), np.tile(tools[0, None, :, :4], (len(tools), 1, 1))
+    spots = np.concatenate([objects, table, waiting], axis=1)
+    samples = []
+    for arm in range(2):
+        targets, yaws = known[arm]
+        goal = spots[frames, np.where(targets < 0, count + 1 + arm, targets)]
+        turns = np.where(targets < 0, 0, np.rint((yaws - goal[:, 3]) / (np.pi / 2)))
+        spot = goal.copy()
+        goal[:, 3] += turns * np.pi / 2
+        chunk = np.concatenate([tools[later, arm, :4] - tools[:, None, arm, :4],
+                                ((wanted[now, arm] - network.OPENING) * network.OPENING_SCALE)[..., None]], axis=-1)
+        rows = [tools[:, arm], tools[:, 1 - arm], objects, spot, goal, chunk]
+        if arm == 1:
+            rows, turns = [network.mirrored(np, it) for it in rows], -turns
+        others = known[1 - arm][0]
+        decision = np.where(targets >= 0, 1 + targets, np.where(others >= 0, 2 + count + others, 0))
+        at_rest = (np.abs(tools[..., :3] - tools[0, :, :3]).max(axis=(1, 2)) < 0.02)
+        kind = np.stack([targets == count, targets < 0], axis=-1)
+        samples.append(Samples(*rows, kind, np.full((len(tools), 1), arm), decision, turns,
+                               np.where(at_rest, START_WEIGHT, 1)))
+    return Samples(*(np.concatenate(both).astype(np.float32) for both in zip(*samples)))
+
+
+def read(dataset):
+    """Returns samples of each episode, the objects' names, and the joints at the start."""
+    with h5py.File(dataset) as file:
+        data = file["data"]
+        names = json.loads(data.attrs["names.sim.object_poses"])[::7]
+        start = data["demo_0/obs/state"][0, :16].reshape(2, 8)[:, :7]
+        episodes = [read_episode(data[f"demo_{k}"]) for k in range(len(data))]
+    return episodes, [name.rsplit(".", 1)[0] for name in names], start
+
+
+def displaced(key, own, objects):
+    """Displaces tools beside their paths, with what they hold. Returns tools, objects and displacements."""
+    keys = jax.random.split(key, 4)
+    count = own.shape[0]
+    scale = jax.random.choice(keys[0], jnp.array([0, 0.05, 0.3]), (count, 1))
+    # Heights tell when to grasp and to release: there, little is changed.
+    move = scale * jax.random.normal(keys[1], (count, 4)) * jnp.array([1, 1, 0.1, 1])
+    is_near = jnp.linalg.norm(objects[..., :3] - own[:, None, :3] + jnp.array([0, 0, 0.3]), axis=-1) < 0.4
+    is_held = (is_near & (own[:, None, 4] < network.HELD))[..., None]
+    noise = 0.02 * jax.random.normal(keys[3], objects.shape)
+    # A gripper may be anywhere between open and closed while it closes or opens.
+    opening = own[:, 4] + jax.random.uniform(keys[2], (count,), minval=-0.14, maxval=0.05)
+    opening = jnp.where(own[:, 4] < network.HELD, own[:, 4], jnp.maximum(opening, network.HELD))
+    own = jnp.concatenate([own[:, :4] + move, opening[:, None]], axis=-1)
+    return own, objects + is_held * move[:, None] + noise, move
+
+
+def decide_loss(layers, key, s):
+    own, objects, _ = displaced(key, s.own, s.objects)
+    other, objects, _ = displaced(jax.random.fold_in(key, 1), s.other, objects)
+    errors = optax.softmax_cross_entropy_with_integer_labels(
+        network.run(jnp, layers, network.see(jnp, own, other, objects, s.side)), s.decision.astype(int))
+    return (s.weight * errors).mean()
+
+
+def turn_loss(layers, key, s):
+    own, _, _ = displaced(key, s.own, s.objects)
+    errors = optax.softmax_cross_entropy_with_integer_labels(
+        network.run(jnp, layers, network.aim(jnp, own, s.spot, s.side)), s.turn.astype(int) + network.TURNS)
+    return (s.weight * (1 - s.kind[:, 1]) * errors).mean()
+
+
+def move_loss(layers, key, s):
+    """The chunk leads back to the path in two steps."""
+    own, objects, move = displaced(key, s.own, s.objects)
+    back = jnp.minimum(1, jnp.arange(1, network.STEPS + 1) / 2)[:, None] * move[:, None]
+    wanted = s.chunk.at[..., :4].add(-back)
+    weight = 1 / (0.3 + jnp.linalg.norm(s.chunk[:, -1, :3], axis=-1))
+    errors = jnp.abs(network.chunk(jnp, layers, own, objects, s.goal, s.kind, s.side) - wanted)
+    return (weight[:, None, None] * errors).mean()
+
+
+def train(loss, inputs, outputs, samples, steps, seed):
+    """Returns the layers of a network, averaged over the last steps."""
+    schedule = optax.warmup_cosine_decay_schedule(0, LEARNING_RATE, steps // 10, steps)
+    optimizer = optax.chain(optax.clip_by_global_norm(1.0), optax.adamw(schedule, weight_decay=1e-3))
+    key = jax.random.key(seed)
+    sizes = [inputs, *[HIDDEN] * LAYERS, outputs]
+    layers = [(jax.random.normal(jax.random.fold_in(key, k), (a, b)) * (2 / a)**0.5 * (0.1 if k == LAYERS else 1),
+               jnp.zeros(b)) for k, (a, b) in enumerate(zip(sizes, sizes[1:]))]
+
+    @partial(jax.jit, donate_argnums=0)
+    def some_steps(carry, keys, samples):
+        def one_step(carry, key):
+            layers, state, mean = carry
+            chosen = jax.random.randint(key, (BATCH,), 0, len(samples.own))
+            error, slope = jax.value_and_grad(loss)(layers, key, Samples(*(part[chosen] for part in samples)))
+            change, state = optimizer.update(slope, state, layers)
+            layers = optax.apply_updates(layers, change)
+            return (layers, state, jax.tree.map(lambda m, p: m + 0.002 * (p - m), mean, layers)), error
+        return jax.lax.scan(one_step, carry, keys)
+
+    carry = (layers, optimizer.init(layers), jax.tree.map(jnp.copy, layers))
+    for k in range(0, steps, 500):
+        keys = jax.random.split(jax.random.fold_in(key, 1000 + k), min(500, steps - k))
+        carry, errors = some_steps(carry, keys, samples)
+    print(f"{loss.__name__} {float(errors.mean()):.4f}", flush=True)
+    return carry[2]
+
+
+def train_all(samples, steps, seed):
+    """Returns the layers of the three networks."""
+    one = Samples(*(part[:1] for part in samples))
+    targets = samples.objects.shape[1] + 1
+    inputs = {"decide": network.see(np, one.own, one.other, one.objects, one.side).shape[-1],
+              "turn": network.aim(np, one.own, one.spot, one.side).shape[-1],
+              "move": network.approach(np, one.own, one.objects, one.goal, one.kind, one.side).shape[-1]}
+    outputs = {"decide": 1 + 2 * targets, "turn": 1 + 2 * network.TURNS,
+               "move": network.STEPS * (network.OUTPUTS + network.SHARES)}
+    losses = {"decide": decide_loss, "turn": turn_loss, "move": move_loss}
+    samples = Samples(*map(jnp.asarray, samples))
+    return {name: train(losses[name], inputs[name], outputs[name], samples,
+                        steps // 2 if name == "turn" else steps, seed) for name in inputs}
+
+
+def write_policy(path, nets, names, start):
+    """Weights, and a program that acts with them."""
+    arrays = {f"{net}_{kind}{k}": np.asarray(it) for net, layers in nets.items() for k, both in enumerate(layers)
+              for kind, it in zip(("weights", "biases"), both)}
+    np.savez(path.with_suffix(".npz"), names=names, start=start, **arrays)
+    used = (path.with_suffix(".npz"), FOLDER / "policy.py", FOLDER / "network.py")
+    identity = hashlib.sha256(b"".join(it.read_bytes() for it in used)).hexdigest()
+    path.with_suffix(".py").write_text(
+        # `evaluate` keeps the finished runs of a program that has not changed.
+        f"# With {identity}\nimport sys\n\nsys.path.append({str(FOLDER)!r})\nfrom policy import Policy\n\n"
+        f"init, step = Policy({str(path.with_suffix('.npz').resolve())!r}).functions()\n")
+
+
+def evaluate(options, policies):
+    """Returns the summary of each brain, by its name."""
+    brains = [*policies, PROJECT / "python/learner/learner.py", PROJECT / "python/examples/agents/replay.py"]
+    smile(options, "evaluate", options.out / "shown", "--scene", PROJECT / f"scenes/{options.task}_robot.xml",
+          "--oracle", "--scenes", options.layouts, "--seed", TEST_SEED, "--seconds", options.seconds,
+          "--jobs", options.jobs, "--out", options.out / "compared",
+          *(part for brain in brains for part in ("--brain", brain)))
+    found = json.loads((options.out / "compared/evaluation.json").read_text())["brains"]
+    return {one["name"]: one["summary"] for one in found}
+
+
+def write_curve(out, summaries):
+    """curve.csv and curve.svg: success against the number of demonstrations."""
+    rows = [(name, each["successes"], each["runs"], *each["success_interval"]) for name, each in summaries.items()]
+    with open(out / "curve.csv", "w", newline="") as file:
+        csv.writer(file).writerows([("brain", "successes", "runs", "low", "high"), *rows])
+    parts = []
+    for k in range(5):
+        parts.append(f'<path d="M60 {220 - 45 * k}H480" stroke="#8884"/>'
+                     f'<text x="52" y="{224 - 45 * k}" text-anchor="end">{25 * k}%</text>')
+    for k, (name, successes, runs, low, high) in enumerate(rows):
+        x, y = 60 + 420 * (k + 0.5) / len(rows), 220 - 180 * successes / max(1, runs)
+        parts.append(f'<path d="M{x:.0f} {220 - 180 * low:.1f}V{220 - 180 * high:.1f}" stroke="#1a7fc1" '
+                     'stroke-width="2"/>'
+                     f'<circle cx="{x:.0f}" cy="{y:.1f}" r="4" fill="#1a7fc1"/>'
+                     f'<text x="{x:.0f}" y="242" text-anchor="middle">{name}</text>')
+    (out / "curve.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 520 260" width="520" height="260" role="img">'
+        "<title>Success in new layouts</title><style>text{font:13px sans-serif;fill:#333}"
+        "@media(prefers-color-scheme:dark){text{fill:#ddd}}</style>"
+        f'<text x="60" y="22">Success in new layouts</text>{"".join(parts)}</svg>\n')
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("out", type=Path)
+    parser.add_argument("--task", choices=("tower", "row"), default="tower")
+    parser.add_argument("--counts", type=int, nargs="+", default=[50, 200, 750], help="of demonstrations")
+    parser.add_argument("--steps", type=int, default=6000, help="of training, of each policy")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--layouts", type=int, default=40)
+    parser.add_argument("--seconds", type=int, default=60, help="limit of a run")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--smile", type=Path, default=PROJECT / "build/release/bin/smile")
+    options = parser.parse_args()
+    options.out.mkdir(parents=True, exist_ok=True)
+
+    episodes, names, start = read(make_data(options))
+    policies = []
+    for count in options.counts:
+        begun = time.monotonic(), time.process_time()
+        samples = Samples(*(np.concatenate(parts) for parts in zip(*episodes[:count])))
+        nets = train_all(samples, options.steps, options.seed)
+        policies.append(options.out / f"state_{count}.py")
+        write_policy(policies[-1], nets, names, start)
+        print(f"{count} demonstrations, {len(samples.own)} samples: {time.monotonic() - begun[0]:.0f} s, "
+              f"{time.process_time() - begun[1]:.0f} s of CPU time", flush=True)
+    summaries = evaluate(options, policies)
+    write_curve(options.out, summaries)
+    for name, each in summaries.items():
+        low, high = each["success_interval"]
+        print(f"{name}: {each['successes']} of {each['runs']}, 95 %: {100 * low:.1f} to {100 * high:.1f} %")
+
+
+if __name__ == "__main__":
+    main()

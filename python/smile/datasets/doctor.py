@@ -53,8 +53,8 @@ def examine(folder: Path) -> list[Finding]:
 def _examiner_of(format: str) -> Callable[[Path], Iterator[Finding]]:
     # Imported late: they need this module, and packages of their own.
     from smile.datasets import array_doctor, csv_doctor, mcap_doctor
-    return {"mcap": mcap_doctor.examine_mcap, "robomimic": array_doctor.examine_robomimic, "zarr": array_doctor.examine_zarr,
-            "csv": csv_doctor.examine_csv}[format]
+    return {"robomimic": array_doctor.examine_robomimic, "zarr": array_doctor.examine_zarr,
+            "mcap": mcap_doctor.examine_mcap, "csv": csv_doctor.examine_csv}[format]
 
 
 def _features(layout: Layout) -> Iterator[Finding]:

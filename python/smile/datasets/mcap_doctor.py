@@ -51,7 +51,8 @@ def _file(path: Path, topics: set[str]) -> Iterator[Finding]:
             yield Finding(True, path.name, f"cannot be read ({error})", "install that package: zstandard or lz4")
             return
         except (McapError, struct.error, ValueError, OSError) as error:
-            yield Finding(True, path.name, f"cannot be read ({error!r}): {_CUT}", "remove the episode, or make it again")
+            yield Finding(True, path.name, f"cannot be read ({error!r}): {_CUT}",
+                          "remove the episode, or make it again")
             return
     if not counts:
         yield Finding(True, path.name, "has no messages", "remove the episode")

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "base/files.h"
 #include "base/hash_text.h"
 #include "base/state_hash.h"
 #include "scene_xml/mesh_files.h"
@@ -62,35 +63,51 @@ std::vector<fs::path> FilesBelow(const fs::path& folder) {
   return files;
 }
 
-std::string HashOfFiles(const std::vector<fs::path>& files, const fs::path& folder) {
+StateHash HashOfFiles(const std::vector<fs::path>& files, const fs::path& folder) {
   StateHash hash;
   for (const fs::path& file : files) {
     // Names are part of the content: renaming a file changes the hash.
     hash.Add(std::string_view(file.lexically_relative(folder).native()));
     AddFile(file, &hash);
   }
-  return HashText(hash.value());
+  return hash;
+}
+
+/// Appends the Python files in a folder, and those of the packages in it, in any order.
+void AddModules(const fs::path& folder, std::vector<fs::path>* files) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const fs::path& path = entry.path();
+    if (entry.is_regular_file() && path.extension() == ".py") files->push_back(path);
+    // Not through links, which may lead back here.
+    const bool is_package = entry.is_directory() && fs::exists(path / "__init__.py");
+    if (is_package && !entry.is_symlink()) AddModules(path, files);
+  }
+}
+
+StateHash HashOfProgram(const fs::path& brain) {
+  if (fs::is_directory(brain)) return HashOfFiles(FilesBelow(brain), brain);
+  if (brain.extension() != ".py") return HashOfFiles({brain}, brain.parent_path());
+  // A Python program may import any module next to it.
+  const fs::path program = fs::absolute(brain);
+  std::vector<fs::path> files;
+  AddModules(program.parent_path(), &files);
+  std::ranges::sort(files);
+  // Added once more, so that two programs in one folder have different hashes.
+  files.push_back(program);
+  return HashOfFiles(files, program.parent_path());
 }
 
 }  // namespace
 
 std::string ContentOf(const fs::path& path) {
-  if (fs::is_directory(path)) return HashOfFiles(FilesBelow(path), path);
-  return HashOfFiles({path}, path.parent_path());
+  if (fs::is_directory(path)) return HashText(HashOfFiles(FilesBelow(path), path).value());
+  return HashText(HashOfFiles({path}, path.parent_path()).value());
 }
 
 std::string ContentOfBrain(const fs::path& brain) {
-  if (brain.extension() != ".py") return ContentOf(brain);
-  const fs::path folder = fs::absolute(brain).parent_path();
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    // A Python program may import any module next to it.
-    if (entry.is_regular_file() && entry.path().extension() == ".py") files.push_back(entry.path());
-  }
-  std::ranges::sort(files);
-  // Added once more, so that two programs in one folder have different hashes.
-  files.push_back(fs::absolute(brain));
-  return HashOfFiles(files, folder);
+  StateHash hash = HashOfProgram(brain);
+  AddFile(DataFile("learner/constants.json"), &hash);
+  return HashText(hash.value());
 }
 
 std::string ContentOf(const scene::SceneSpec& scene) {

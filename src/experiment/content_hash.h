@@ -14,8 +14,9 @@ namespace smile::experiment {
 /// @throws std::runtime_error if one cannot be read, or the folder is too large.
 std::string ContentOf(const std::filesystem::path& path);
 
-/// Hash of a brain: of a folder or a file, and for a Python file also of the others beside
-/// it, which it may import.
+/// Hash of a brain: of a folder or a file, and for a Python file also of the others beside it and
+/// of the packages there, which it may import. The constants of the shipped learners are in it,
+/// too.
 std::string ContentOfBrain(const std::filesystem::path& brain);
 
 std::string ContentOf(const scene::SceneSpec& scene);

@@ -31,6 +31,18 @@ TEST_F(ContentHash, OfAPythonProgramIncludesItsNeighboursButNotItsCache) {
   EXPECT_NE(ContentOfBrain(root_ / "a/helper.py"), ContentOfBrain(brain));
 }
 
+TEST_F(ContentHash, OfAPythonProgramIncludesThePackagesBesideIt) {
+  const fs::path brain = Write("a/brain.py", "import parts.see\n");
+  Write("a/parts/see.py", "1");
+  const std::string without = ContentOfBrain(brain);
+  Write("a/parts/__init__.py", "");
+  fs::create_directory_symlink(root_ / "a/parts", root_ / "a/parts/again");
+  const std::string before = ContentOfBrain(brain);
+  EXPECT_NE(before, without) << "now it can be imported";
+  Write("a/parts/see.py", "2");
+  EXPECT_NE(ContentOfBrain(brain), before);
+}
+
 TEST_F(ContentHash, OfAFolderIgnoresCaches) {
   Write("a/brain.py", "1");
   const std::string before = ContentOf(root_ / "a");

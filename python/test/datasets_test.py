@@ -367,6 +367,38 @@ def rotated(q, v):
     return np.asarray(v) + 2 * np.cross(axis, np.cross(axis, v) + q.w * np.asarray(v))
 
 
+class MapsTest(unittest.TestCase):
+    """Depth and numbers of objects are those that the simulator draws, without loss."""
+
+    def test_in_each_format_that_keeps_numbers(self):
+        recording, folder = smile.open(ROBOT), Path(SHARED.name) / "maps"
+        for format in ("robomimic", "zarr", "mcap"):
+            export([ROBOT], folder / format, format=format, cameras={"eye": SIZE}, fps=5, maps=["id", "depth"])
+            self.assertEqual([finding for finding in examine(folder / format) if finding.is_error], [])
+        with h5py.File(folder / "robomimic/demo.hdf5") as file:
+            obs, tick = file["data/demo_0/obs"], int(file["data/demo_0/states"][3, 0])
+            found = {"robomimic": [obs[f"eye_{name}"][3, :, :, 0] for name in ("depth", "id")]}
+        data = zarr.open(str(folder / "zarr/replay.zarr"), mode="r")["data"]
+        found["zarr"] = [data[f"eye_{name}"][3] for name in ("depth", "id")]
+        with (folder / "mcap/episode_000000.mcap").open("rb") as stream:
+            messages = mcap.reader.make_reader(stream, decoder_factories=[DecoderFactory()]).iter_decoded_messages(
+                ["/camera/eye/depth", "/camera/eye/id"])
+            images = [decoded for _, _, message, decoded in messages if message.log_time == 600_000_000]
+        self.assertEqual([image.encoding for image in images], ["32FC1", "mono16"])
+        found["mcap"] = [np.frombuffer(image.data, kind).reshape(image.height, image.width)
+                         for image, kind in zip(images, ("<f4", "<u2"))]
+        expected = recording.at(tick / 60).render("eye", SIZE, channels=("depth", "id"))
+        for format, (depth, id) in found.items():
+            np.testing.assert_array_equal(depth, expected.depth, format)
+            np.testing.assert_array_equal(id, expected.id, format)
+
+    def test_films_keep_none(self):
+        with self.assertRaisesRegex(ValueError, "expected robomimic or zarr or mcap: films keep no exact numbers"):
+            export([ROBOT], Path(SHARED.name) / "no", maps=["depth"])
+        with self.assertRaisesRegex(ValueError, "maps is .*'deep'.*, expected some of depth, id"):
+            export([ROBOT], Path(SHARED.name) / "no", format="zarr", maps=["deep"])
+
+
 class CsvTest(unittest.TestCase):
     def test_tables_and_films_of_each_episode_read_back(self):
         folder = Path(SHARED.name) / "csv"

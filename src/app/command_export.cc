@@ -31,7 +31,7 @@ struct ExportOptions {
 
 /// Options of datasets, which the Python package smile.datasets makes; all are optional.
 struct DatasetOptions {
-  std::vector<std::string> cameras;
+  std::vector<std::string> cameras, maps;
   std::string size, fps, action, task, parts;
   bool include_failed = false, drop_constant = false, no_extras = false;
 
@@ -39,6 +39,7 @@ struct DatasetOptions {
   std::vector<std::string> arguments() const {
     std::vector<std::string> words;
     for (const std::string& camera : cameras) words.insert(words.end(), {"--camera", camera});
+    for (const std::string& map : maps) words.insert(words.end(), {"--map", map});
     for (const auto& [name, value] :
          {std::pair{"--size", &size}, std::pair{"--fps", &fps}, std::pair{"--action", &action},
           std::pair{"--task", &task}, std::pair{"--parts", &parts}}) {
@@ -54,8 +55,8 @@ struct DatasetOptions {
 };
 
 /// Formats of datasets (docs/datasets.md).
-constexpr std::array<std::string_view, 5> kDatasetFormats{"lerobot-v3.0", "lerobot-v2.1",
-                                                          "robomimic", "zarr", "csv"};
+constexpr std::array<std::string_view, 6> kDatasetFormats{
+    "lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr", "mcap", "csv"};
 
 /// Trajectory with the limits of its robot.
 struct Motion {
@@ -220,6 +221,9 @@ void AddDatasetOptions(CLI::App* command, DatasetOptions* options) {
   Repeatable(group->add_option("--camera", options->cameras,
                                "NAME[:WxH]: camera of robot or scene, or view for people; may be "
                                "repeated; `none`: no pictures (default: eye)"));
+  Repeatable(group->add_option("--map", options->maps,
+                               "depth or id: what each pixel shows, beside its color; may be "
+                               "repeated (robomimic, zarr, mcap)"));
   group->add_option("--size", options->size, "size of pictures (default: 320x240)");
   group->add_option("--fps", options->fps, "frames per second, a divisor of 60 (default: 30)");
   group->add_option("--action", options->action,

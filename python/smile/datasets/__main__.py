@@ -10,6 +10,7 @@ from pathlib import Path
 
 from smile.datasets import ACTIONS, FORMATS, examine, export, merge
 from smile.datasets.exporting import RATES
+from smile.datasets.pictures import MAPS
 
 WRONG = 2
 
@@ -59,6 +60,9 @@ def _add_export(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -
     parser.add_argument("--include-failed", action="store_true", help="export imitations that failed, too")
     parser.add_argument("--drop-constant", action="store_true", help="leave out joints that never move")
     parser.add_argument("--no-extras", action="store_true", help="do not copy the recordings into the dataset")
+    parser.add_argument("--map", action="append", choices=MAPS, default=[],
+                        help="store of each pixel what it shows, too, beside its color: its depth [m], the number of "
+                             "its object; may be repeated (robomimic, zarr, mcap)")
     parser.add_argument("--parts", type=int, metavar="N",
                         help="make the dataset in parts of N episodes: an interrupted export continues after its "
                              "last part (lerobot-v3.0)")
@@ -82,6 +86,7 @@ def _export(options: argparse.Namespace) -> int:
     report = export(options.runs, options.out, format=options.to, cameras=cameras, fps=options.fps,
                     action=options.action, task=options.task, include_failed=options.include_failed,
                     drop_constant=options.drop_constant, extras=not options.no_extras, parts=options.parts,
+                    maps=options.map,
                     progress=lambda line: print(line, file=sys.stderr, flush=True))
     for feature, names in report.constant.items():
         print(f"note: {feature} has dimensions that never change: {', '.join(names)}; see --drop-constant",

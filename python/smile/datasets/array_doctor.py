@@ -17,7 +17,7 @@ import numpy.typing as npt
 from smile.datasets.doctor import Finding
 
 _AGAIN = "make the dataset again"
-_ROWS_AT_ONCE = 100_000
+_NUMBERS_AT_ONCE = 10_000_000
 
 
 def examine_robomimic(path: Path) -> Iterator[Finding]:
@@ -122,15 +122,16 @@ def examine_zarr(path: Path) -> Iterator[Finding]:
 
 def _numbers(where: str, name: str, array: Any) -> Iterator[Finding]:
     """array: of one row per frame"""
-    if array.ndim == 4:
-        if array.dtype != np.uint8 or array.shape[3] not in (1, 3, 4):
+    if array.ndim == 4 and array.shape[3] > 1:
+        if array.dtype != np.uint8 or array.shape[3] not in (3, 4):
             yield Finding(True, where, f"{name} has pictures of {array.dtype} with shape {array.shape[1:]}, expected "
                           "uint8 and height, width, channels", "convert the pictures")
         return
     if not np.issubdtype(array.dtype, np.floating):
         return
-    for begin in range(0, len(array), _ROWS_AT_ONCE):
-        if not np.all(np.isfinite(array[begin:begin + _ROWS_AT_ONCE])):
+    step = max(1, _NUMBERS_AT_ONCE // max(1, int(np.prod(array.shape[1:]))))
+    for begin in range(0, len(array), step):
+        if not np.all(np.isfinite(array[begin:begin + step])):
             yield Finding(True, where, f"{name} has numbers that are not finite: losses become NaN",
                           "leave out the episode, or write these numbers again")
             return

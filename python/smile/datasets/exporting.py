@@ -19,6 +19,7 @@ from smile.datasets.episode import (
     ACTIONS, Column, Episode, Sampling, channels_of, positions_of, read_episode, rows_at)
 from smile.datasets.features import Camera
 from smile.datasets.lerobot import FilmFiles, Row, Writer, WriterOfVersion2, write_json
+from smile.datasets.pictures import MAPS, Pictures
 from smile.datasets.sources import Source, find_sources
 from smile.datasets.target import new_folder, refuse_existing
 from smile.native import load
@@ -30,6 +31,7 @@ else:
     _native = load("smile_simulator_native")
 
 FORMATS = ("lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr", "mcap", "csv")
+_WITH_MAPS = ("robomimic", "zarr", "mcap")
 RATES = tuple(fps for fps in range(1, TICKS_PER_SECOND + 1) if TICKS_PER_SECOND % fps == 0)
 # Statistics of colors are of at most as many pictures of an episode.
 _SAMPLED_PICTURES = 100
@@ -72,7 +74,7 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
            cameras: Sequence[str] | Mapping[str, tuple[int, int]] = ("eye",),
            size: tuple[int, int] = (320, 240), fps: int = 30, action: str = "joint_position",
            task: str | None = None, include_failed: bool = False, drop_constant: bool = False,
-           extras: bool = True, parts: int | None = None,
+           extras: bool = True, parts: int | None = None, maps: Sequence[str] = (),
            progress: Callable[[str], None] | None = None) -> Report:
     """Exports runs as a dataset, an episode for each, in the order given.
 
@@ -89,6 +91,8 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
     extras          whether the recordings are copied into the dataset
     parts           number of episodes of a part: an export that was interrupted continues after its
                     last part; only of lerobot-v3.0
+    maps            some of `depth` and `id`: what each pixel shows, beside its color; in robomimic, zarr
+                    and mcap
     progress        called with a line for each step
 
     Raises ValueError if the runs cannot be exported in this way, FileExistsError if there is such a
@@ -96,9 +100,9 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
     """
     say = progress if progress is not None else lambda _: None
     target = Path(folder)
-    _check_words(format, action, fps, parts)
+    _check_words(format, action, fps, parts, maps)
     refuse_existing(target)
-    plan = _plan(_sources(runs, include_failed), _cameras(cameras, size), fps, action, drop_constant)
+    plan = _plan(_sources(runs, include_failed), _cameras(cameras, size, maps), fps, action, drop_constant)
     options = Options(format, task, extras)
     if parts is None:
         return _write(plan, options, target, say)
@@ -163,19 +167,24 @@ def _writer_of(format: str) -> type[Writer]:
     return WriterOfVersion2 if format == "lerobot-v2.1" else Writer
 
 
-def _check_words(format: str, action: str, fps: int, parts: int | None) -> None:
+def _check_words(format: str, action: str, fps: int, parts: int | None, maps: Sequence[str]) -> None:
     for name, value, known in (("format", format, FORMATS), ("action", action, ACTIONS)):
         if value not in known:
             raise ValueError(f"{name} is {value!r}, expected {' or '.join(known)}")
     if isinstance(fps, bool) or fps not in RATES:
         raise ValueError(f"fps is {fps!r}, expected one of {', '.join(map(str, RATES))}: recordings have "
                          f"{TICKS_PER_SECOND} ticks per second")
+    if isinstance(maps, str) or not set(maps) <= set(MAPS):
+        raise ValueError(f"maps is {maps!r}, expected some of {', '.join(MAPS)}")
+    if maps and format not in _WITH_MAPS:
+        raise ValueError(f"maps is {maps!r} and format {format!r}, expected {' or '.join(_WITH_MAPS)}: films keep "
+                         "no exact numbers")
     if parts is not None and (parts < 1 or format != FORMATS[0]):
         raise ValueError(f"parts is {parts} and format {format!r}, expected at least 1 and {FORMATS[0]}")
 
 
 def _cameras(cameras: Sequence[str] | Mapping[str, tuple[int, int]],
-             size: tuple[int, int]) -> list[Camera]:
+             size: tuple[int, int], maps: Sequence[str]) -> list[Camera]:
     if isinstance(cameras, str):
         raise ValueError(f"cameras is {cameras!r}, expected a list of names")
     named = cameras if isinstance(cameras, Mapping) else dict.fromkeys(cameras, size)
@@ -186,7 +195,7 @@ def _cameras(cameras: Sequence[str] | Mapping[str, tuple[int, int]],
             raise ValueError(f"size is {width}x{height}, expected even numbers: films have no others")
         if "/" in name:
             raise ValueError(f"camera is {name!r}, expected a name without '/'")
-        result.append(Camera(name, width, height))
+        result.append(Camera(name, width, height, tuple(name for name in MAPS if name in maps)))
     return result
 
 
@@ -271,9 +280,11 @@ def _draw(episode: Episode, films: Mapping[str, FilmFiles]) -> _Drawn:
         tick = int(episode.recording.ticks[row])
         for key, film in films.items():
             camera = film.camera
-            rgb, _, _, matrix, pose = reader.render(tick, camera.name, camera.width, camera.height,
-                                                    True, False, False)
+            rgb, depth, id, matrix, pose = reader.render(tick, camera.name, camera.width, camera.height,
+                                                         True, *(one in camera.maps for one in MAPS))
             film.add(rgb)
+            if camera.maps:
+                cast(Pictures, film).add_maps(depth, id)
             drawn.poses[key][number] = pose[:3].reshape(-1)
             drawn.intrinsics[camera.name] = matrix.tolist()
             if number % step == 0:

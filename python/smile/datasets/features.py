@@ -25,6 +25,8 @@ class Camera:
     name: str
     width: int
     height: int
+    maps: tuple[str, ...] = ()
+    """what is stored of each pixel beside its color: `depth`, `id`"""
 
     @property
     def key(self) -> str:

@@ -18,6 +18,7 @@ from foxglove_schemas_protobuf.CompressedImage_pb2 import CompressedImage
 from foxglove_schemas_protobuf.FrameTransforms_pb2 import FrameTransforms
 from foxglove_schemas_protobuf.JointStates_pb2 import JointStates
 from foxglove_schemas_protobuf.Log_pb2 import Log
+from foxglove_schemas_protobuf.RawImage_pb2 import RawImage
 from foxglove_schemas_protobuf.SceneUpdate_pb2 import SceneUpdate
 from mcap.exceptions import McapError
 from mcap.reader import make_reader
@@ -109,6 +110,11 @@ class Writer:
         picture = Picture(pictures.frames[frame], None, None, matrix, np.eye(4))
         file.add(f"/{name}/image", time, CompressedImage(timestamp=_time(time), frame_id=name, format="png",
                                                          data=picture.to_png()))
+        for kind, maps in pictures.maps.items():
+            values, encoding = maps[frame], "32FC1" if kind == "depth" else "mono16"
+            file.add(f"/{name}/{kind}", time, RawImage(
+                timestamp=_time(time), frame_id=name, width=camera.width, height=camera.height, encoding=encoding,
+                step=values.strides[0], data=values.astype(values.dtype.newbyteorder("<")).tobytes()))
         (fx, _, cx), (_, fy, cy), _ = matrix
         file.add(f"/{name}/calibration", time, CameraCalibration(
             timestamp=_time(time), frame_id=name, width=camera.width, height=camera.height, K=matrix.ravel(),

@@ -93,6 +93,11 @@ class Writer:
             group.create_dataset(f"{pictures.camera.name}_image", data=np.stack(pictures.frames),
                                  compression="gzip", compression_opts=1,
                                  chunks=(1, pictures.camera.height, pictures.camera.width, 3))
+            for name, values in pictures.maps.items():
+                # The last axis is that of channels, as of colors.
+                group.create_dataset(f"{pictures.camera.name}_{name}", data=np.stack(values)[..., np.newaxis],
+                                     compression="gzip", compression_opts=1,
+                                     chunks=(1, pictures.camera.height, pictures.camera.width, 1))
 
     def finish(self) -> dict[str, statistics.Statistics]:
         """Completes the file; returns the statistics of states and actions."""

@@ -61,6 +61,8 @@ class Writer:
             self._append(_name_of(name), column.values, _FRAMES_PER_CHUNK)
         for pictures in self.films.values():
             self._append(pictures.camera.name, np.stack(pictures.frames), _PICTURES_PER_CHUNK)
+            for name, maps in pictures.maps.items():
+                self._append(f"{pictures.camera.name}_{name}", np.stack(maps), _PICTURES_PER_CHUNK)
         self._ends.append(self.num_frames + len(next(iter(columns.values())).values))
         self._episodes.append({"task": task, **more})
 

@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from smile.errors import Diagnostic, Refused, SceneError
     from smile.experiment import (
-        Description, Deviation, Difference, Edit, Evaluation, Imitation, Replay, analyze, describe,
-        edit, evaluate, imitate, replay)
+        Description, Deviation, Difference, Edit, Evaluation, Generation, Imitation, Replay, analyze, describe,
+        edit, evaluate, generate, imitate, replay)
     from smile.picture import Picture
     from smile.recording import Action, CommandDifference, Moment, Recording, open
     from smile.serving import BrainServer, serve_brain
@@ -31,8 +31,9 @@ if TYPE_CHECKING:
 # Imported when first used: a brain needs none of them.
 _HOMES = {
     "Diagnostic": "errors", "Refused": "errors", "SceneError": "errors",
-    **dict.fromkeys(("Description", "Deviation", "Difference", "Edit", "Evaluation", "Imitation",
-                     "Replay", "analyze", "describe", "edit", "evaluate", "imitate", "replay"), "experiment"),
+    **dict.fromkeys(("Description", "Deviation", "Difference", "Edit", "Evaluation", "Generation",
+                     "Imitation", "Replay", "analyze", "describe", "edit", "evaluate", "generate", "imitate",
+                     "replay"), "experiment"),
     "Picture": "picture",
     "Action": "recording", "CommandDifference": "recording", "Moment": "recording", "Recording": "recording", "open": "recording",
     "BrainServer": "serving", "serve_brain": "serving",
@@ -43,10 +44,10 @@ _HOMES = {
 }
 
 __all__ = ["Action", "BrainServer", "CommandDifference", "Comparison", "Description", "Deviation",
-           "Diagnostic", "Difference", "Edit", "Evaluation", "Event", "Imitation", "Model", "Moment",
-           "ObjectError", "Picture", "Recording", "Refused", "Replay", "SceneError", "Simulation", "State",
-           "Studio", "Task", "analyze", "data_file", "describe", "edit", "evaluate", "imitate", "load",
-           "open", "replay", "serve_brain", "studio"]
+           "Diagnostic", "Difference", "Edit", "Evaluation", "Event", "Generation", "Imitation", "Model",
+           "Moment", "ObjectError", "Picture", "Recording", "Refused", "Replay", "SceneError", "Simulation",
+           "State", "Studio", "Task", "analyze", "data_file", "describe", "edit", "evaluate", "generate", "imitate",
+           "load", "open", "replay", "serve_brain", "studio"]
 
 
 def __getattr__(name: str) -> Any:

@@ -143,6 +143,31 @@ class Evaluation(NamedTuple):
         return pandas.json_normalize(self.runs)
 
 
+class Generation(NamedTuple):
+    """Recordings of a robot that were made from one demonstration (docs/generation.md)."""
+
+    summary: Json
+    """`summary.json`: numbers of attempts and episodes, their yield with its interval, causes"""
+    directory: Path
+    """contains `summary.json`, `manifest.jsonl`, `episodes/` and `failures/`; smile.datasets.export()
+    takes it"""
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether each wanted episode succeeded."""
+        return bool(self.summary["episodes"] == self.summary["wanted"])
+
+    @property
+    def attempts(self) -> list[Json]:
+        """All attempts, each with its `seed`, `variation`, `outcome`, `cause`, `recording` and so on."""
+        return [json.loads(line) for line in (self.directory / "manifest.jsonl").read_text().splitlines()]
+
+    @property
+    def episodes(self) -> list[Path]:
+        """Directories of the recordings that succeeded, for open()."""
+        return [self.directory / one["recording"] for one in self.attempts if one["outcome"] == "success"]
+
+
 def replay(demo: Recording | PathLike, start: float | None = None, end: float | None = None, *,
            progress: bool | Progress = False) -> Replay:
     """Runs a recording again and compares each tick, from `start` to `end` [s since it began].
@@ -256,18 +281,64 @@ def evaluate(demo: Recording | PathLike, scene: PathLike, brains: PathLike | Seq
 
     Raises RuntimeError with the program's words if it cannot be carried out.
     """
-    several = [brains] if isinstance(brains, (str, os.PathLike)) else list(brains)
-    directory = _recording(demo).directory
-    command = [os.fspath(program.path()), "evaluate", os.fspath(directory), "--scene", os.fspath(scene),
-               *(word for one in several for word in ("--brain", os.fspath(one))),
-               "--out", os.fspath(out), "--scenes", str(scenes), "--seed", str(seed), "--keep", keep,
-               *(("--level", level) if level is not None else ()),
-               *(("--jobs", str(jobs)) if jobs is not None else ()), *options, "--json"]
+    result = _run(["evaluate", _recording(demo).directory, "--scene", scene, *_repeated("--brain", brains),
+                   "--out", out, "--scenes", scenes, "--seed", seed, "--keep", keep,
+                   *_given("--level", level), *_given("--jobs", jobs), *options, "--json"])
+    return Evaluation(result, Path(out))
+
+
+def generate(demo: Recording | PathLike, scene: PathLike | Sequence[PathLike], brain: PathLike,
+             out: PathLike, *, count: int = 100, seed: int = 1, level: str | None = None,
+             hold: float = 2, tries: int = 5, oracle: bool = False, jobs: int | None = None,
+             options: Sequence[str] = ()) -> Generation:
+    """Makes many recordings of a robot from one demonstration: a brain imitates it in random layouts,
+    and what succeeds, holds and replays to the last bit is kept.
+
+    scene    path of a scene, or several, of which each attempt draws one
+    brain    path of a brain
+    out      directory of the recordings; a generation that was interrupted continues there
+    count    number of wanted episodes, of which `seed` is the first seed
+    level    difficulty of the layouts (docs/experiments.md); of a comma-separated list, each attempt
+             draws one
+    hold     seconds that the result must stand
+    tries    limit of attempts at an episode
+    oracle   whether the brain is told the true poses of all objects
+    jobs     number of runs at a time; None: of the processor's cores
+    options  further options of `smile generate`: of its variation, for example
+
+    Raises RuntimeError with the program's words if it cannot be carried out. Episodes at which no
+    attempt succeeded are missing: see `is_complete`.
+    """
+    summary = _run(["generate", _recording(demo).directory, *_repeated("--scene", scene), "--brain", brain,
+                    "--out", out, "--count", count, "--seed", seed, "--hold", hold, "--tries", tries,
+                    *_given("--level", level), *_given("--jobs", jobs), *(["--oracle"] if oracle else []),
+                    *options, "--json"], is_done=lambda code: code in (0, _EPISODES_ARE_MISSING))
+    return Generation(summary, Path(out))
+
+
+# Exit code of `smile generate`.
+_EPISODES_ARE_MISSING = 1
+
+
+def _repeated(option: str, values: PathLike | Sequence[PathLike]) -> list[PathLike]:
+    several = [values] if isinstance(values, (str, os.PathLike)) else list(values)
+    return [word for one in several for word in (option, one)]
+
+
+def _given(option: str, value: str | int | None) -> list[str]:
+    return [] if value is None else [option, str(value)]
+
+
+def _run(words: Sequence[PathLike | float], is_done: Callable[[int], bool] = lambda code: code == 0) -> Json:
+    """Runs a command of the program; returns the JSON that it prints."""
+    command = [os.fspath(program.path()),
+               *(os.fspath(word) if isinstance(word, os.PathLike) else str(word) for word in words)]
     with _python_of_brains():
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    if done.returncode != 0:
+    if not is_done(done.returncode) or not done.stdout:
         raise RuntimeError(done.stderr.strip() or f"{command[0]} ended with exit code {done.returncode}")
-    return Evaluation(json.loads(done.stdout), Path(out))
+    result: Json = json.loads(done.stdout)
+    return result
 
 
 def _recording(demo: Recording | PathLike) -> Recording:

@@ -176,6 +176,25 @@ class BrainTest(ExperimentTest):
             smile.evaluate(self.demo, TOWER, brain, self.folder / "evaluation", keep="some")
 
 
+    def test_a_generation_is_that_of_the_program(self):
+        shown = self.folder / "shown"
+        subprocess.run([PROGRAM, "run", PROJECT / "scenes/tower.xml", "--commands", PROJECT / "examples/tower.jsonl",
+                        "--kinematic", "--record", shown], check=True, capture_output=True)
+        options = ["--size", "64x48"]
+        made = smile.generate(shown, PROJECT / "scenes/tower_robot.xml",
+                              PROJECT / "python/examples/agents/true_poses.py", self.folder / "made", count=1,
+                              seed=7, oracle=True, jobs=1, options=options)
+        self.assertTrue(made.is_complete, made.summary)
+        self.assertEqual(made.summary, json.loads((made.directory / "summary.json").read_text()))
+        self.assertEqual([(one["seed"], one["outcome"]) for one in made.attempts], [(7, "success")])
+        smile.open(made.episodes[0]).verify()
+        none = smile.generate(shown, PROJECT / "scenes/tower_robot.xml", PROJECT / "python/examples/agents/idle.py",
+                              self.folder / "none", count=1, tries=1, jobs=1, options=options)
+        self.assertEqual((none.is_complete, none.episodes, len(none.attempts)), (False, [], 1))
+        with self.assertRaisesRegex(RuntimeError, "--tries"):
+            smile.generate(shown, TOWER, PROJECT / "python/examples/agents/idle.py", self.folder / "none", tries=0)
+
+
 class RecordingTest(ExperimentTest):
     def test_a_replay_is_identical_or_names_what_differs(self):
         replay = smile.replay(self.demo)

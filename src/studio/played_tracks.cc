@@ -34,7 +34,7 @@ PlayedTracks::PlayedTracks(const recording::Demonstration& demonstration, const 
   }
 }
 
-bool PlayedTracks::IsDone() const {
+bool PlayedTracks::MustApplyNext() const {
   const TrackCommand& command = commands_[next_];
   // What the user has undone of the other hands does not come again.
   return command.is_kept || (command.tick < begin_ && next_ == num_seen_);
@@ -42,7 +42,7 @@ bool PlayedTracks::IsDone() const {
 
 void PlayedTracks::ApplyDue(sim::Simulation* simulation) {
   while (next_ < commands_.size() && commands_[next_].tick <= simulation->tick()) {
-    if (IsDone()) ApplyNext(simulation);
+    if (MustApplyNext()) ApplyNext(simulation);
     num_seen_ = std::max(num_seen_, ++next_);
     next_of_[simulation->history().current().id] = next_;
   }

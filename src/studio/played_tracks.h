@@ -50,7 +50,7 @@ class PlayedTracks {
   };
 
   /// Returns true if the next command is to be applied.
-  bool IsDone() const;
+  bool MustApplyNext() const;
   void ApplyNext(sim::Simulation* simulation);
 
   std::set<sim::HandName> hands_;

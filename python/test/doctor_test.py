@@ -221,7 +221,7 @@ class OtherFormatsTest(unittest.TestCase):
             writer = mcap.writer.Writer(stream, compression=mcap.writer.CompressionType.NONE)
             writer.start()
             channel = writer.register_channel("/odd", "json", 0)
-            for time, data in ((5, b"{}"), (3, b'{"x": NaN}')):
+            for time, data in ((5, b"{}"), (3, b'{"x": NaN}'), (6, b"[" * 100_000)):
                 writer.add_message(channel, time, data, time)
             writer.finish()
         for pattern in ("/odd has messages whose times go back", "/odd has messages that are not JSON",

@@ -10,6 +10,8 @@ from typing import Any
 
 from smile.datasets.doctor import Finding
 
+# What reading damaged bytes raises, beside McapError.
+FAILURES = (struct.error, ValueError, OSError, MemoryError, OverflowError)
 _CUT = "its writer was interrupted before it was finished, or it was cut"
 
 
@@ -30,14 +32,15 @@ def examine_mcap(path: Path) -> Iterator[Finding]:
 def _file(path: Path, topics: set[str]) -> Iterator[Finding]:
     """topics: those of the file are added"""
     from mcap.exceptions import McapError, UnsupportedCompressionError
-    from mcap.reader import make_reader
+    from mcap.reader import SeekingReader
     counts: dict[int, int] = {}
     latest: dict[int, int] = {}
     late: set[str] = set()
     bad: set[str] = set()
     with path.open("rb") as stream:
         try:
-            reader = make_reader(stream, validate_crcs=True)
+            # No record is longer than the file, whatever it says.
+            reader = SeekingReader(stream, validate_crcs=True, record_size_limit=path.stat().st_size)
             summary = reader.get_summary()
             for schema, channel, message in reader.iter_messages(log_time_order=False):
                 topics.add(channel.topic)
@@ -50,7 +53,7 @@ def _file(path: Path, topics: set[str]) -> Iterator[Finding]:
         except UnsupportedCompressionError as error:
             yield Finding(True, path.name, f"cannot be read ({error})", "install that package: zstandard or lz4")
             return
-        except (McapError, struct.error, ValueError, OSError) as error:
+        except (McapError, *FAILURES) as error:
             yield Finding(True, path.name, f"cannot be read ({error!r}): {_CUT}",
                           "remove the episode, or make it again")
             return
@@ -73,6 +76,6 @@ def _are_numbers(data: bytes) -> bool:
         raise ValueError(word)
     try:
         json.loads(data, parse_constant=refuse)
-    except ValueError:
+    except (ValueError, RecursionError):
         return False
     return True

@@ -30,6 +30,7 @@ from smile.datasets import statistics
 from smile.datasets.episode import Column, Episode
 from smile.datasets.features import Camera, features_of
 from smile.datasets.lerobot import Row
+from smile.datasets.mcap_doctor import FAILURES
 from smile.datasets.pictures import Pictures
 from smile.datasets.stored import Stored
 from smile.native import load
@@ -166,7 +167,7 @@ class StoredFile(Stored):
         try:
             with self._paths()[0].open("rb") as stream:
                 summary = make_reader(stream).get_summary()
-        except (McapError, OSError) as error:
+        except (McapError, *FAILURES) as error:
             raise self._mend(f"{self._paths()[0].name}: cannot be read ({error!r})") from None
         topics = sorted(channel.topic for channel in summary.channels.values()) if summary else []
         return {"format": "mcap", "topics": topics, "names": {name: read_values(

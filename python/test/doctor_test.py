@@ -208,10 +208,12 @@ class OtherFormatsTest(unittest.TestCase):
         self.finds("data/action: action has numbers that are not finite")
         self.finds("data/sim.tick: has 3 frames, but the last episode ends at")
         self.finds("data/eye: lacks 1 of . chunks, which are read as zeros")
+        (self.dataset / "replay.zarr/data/state/.zarray").write_text("{")
+        self.finds("data/state: cannot be read .*: it is cut or damaged")
         root["meta/episode_ends"][0] = 0
         self.assertRegex(str(examine(self.dataset / "replay.zarr")[0]), "meta/episode_ends: does not ascend")
         shutil.rmtree(self.dataset / "replay.zarr/meta")
-        self.finds("replay.zarr: cannot be read, or has no data and meta/episode_ends")
+        self.finds("replay.zarr: has no data, or no meta/episode_ends")
 
     def test_mcap(self):
         self.exported("mcap")

@@ -22,15 +22,27 @@ _NUMBERS_AT_ONCE = 10_000_000
 
 def examine_robomimic(path: Path) -> Iterator[Finding]:
     """path: of the HDF5 file"""
+    return _until_damage(path.name, _robomimic(path))
+
+
+def examine_zarr(path: Path) -> Iterator[Finding]:
+    """path: of the folder of arrays"""
+    return _until_damage(path.name, _zarr(path))
+
+
+def _until_damage(where: str, findings: Iterator[Finding]) -> Iterator[Finding]:
+    """Yields findings, up to one that tells of what cannot be read."""
+    try:
+        yield from findings
+    except Exception as error:  # h5py and zarr raise nearly anything for damaged bytes
+        yield Finding(True, where, f"cannot be read ({error!r}): it is cut or damaged",
+                      "copy it again, or " + _AGAIN)
+
+
+def _robomimic(path: Path) -> Iterator[Finding]:
     import h5py
     name = path.name
-    try:
-        file = h5py.File(path, "r")
-    except OSError as error:
-        yield Finding(True, name, f"cannot be read ({error}): its writer was interrupted before it was closed, or "
-                      "it was cut", _AGAIN)
-        return
-    with file:
+    with h5py.File(path, "r") as file:
         data = file.get("data")
         if not isinstance(data, h5py.Group) or len(data) == 0:
             yield Finding(True, name, "has no group data with episodes", _AGAIN)
@@ -43,7 +55,7 @@ def examine_robomimic(path: Path) -> Iterator[Finding]:
                 yield Finding(True, episode, "has no actions", "remove the episode, or " + _AGAIN)
                 continue
             lengths[episode] = len(demo["actions"])
-            yield from _episode(episode, demo, lengths[episode])
+            yield from _until_damage(episode, _episode(episode, demo, lengths[episode]))
         total = data.attrs.get("total")
         if total is not None and total != sum(lengths.values()):
             yield Finding(True, name, f"total is {total}, but there are {sum(lengths.values())} frames",
@@ -90,34 +102,35 @@ def _masks(file: Any, episodes: set[str]) -> Iterator[Finding]:
                           "remove it from the list")
 
 
-def examine_zarr(path: Path) -> Iterator[Finding]:
-    """path: of the folder of arrays"""
+def _zarr(path: Path) -> Iterator[Finding]:
     import zarr
-    name = path.name
-    try:
-        root = zarr.open_group(str(path), mode="r")
-        data, ends = root["data"], root["meta/episode_ends"][:].tolist()
-    except (ValueError, KeyError, OSError, RuntimeError) as error:
-        yield Finding(True, name, f"cannot be read, or has no data and meta/episode_ends ({error!r})", _AGAIN)
+    root = zarr.open_group(str(path), mode="r")
+    if "data" not in root or "meta/episode_ends" not in root:
+        yield Finding(True, path.name, "has no data, or no meta/episode_ends", _AGAIN)
         return
+    data, ends = root["data"], root["meta/episode_ends"][:].tolist()
     if not ends or any(end <= begin for begin, end in zip([0, *ends], ends)):
         yield Finding(True, "meta/episode_ends", "does not ascend: an episode has no frames",
                       "write it again: for each episode the number of its last frame, and one more")
         return
-    for key, array in sorted(data.arrays()):
-        where = f"data/{key}"
-        if array.shape[:1] != (ends[-1],):
-            yield Finding(True, where, f"has {len(array)} frames, but the last episode ends at {ends[-1]}", _AGAIN)
-        elif array.nchunks_initialized < array.nchunks:
-            lost = array.nchunks - array.nchunks_initialized
-            yield Finding(True, where, f"lacks {lost} of {array.nchunks} chunks, which are read as zeros without a "
-                          "word", "copy the whole folder again, or " + _AGAIN)
-        else:
-            yield from _numbers(where, key, array)
+    for key in sorted(data.array_keys()):
+        yield from _until_damage(f"data/{key}", _array(data, key, ends[-1]))
     if "action" not in data:
-        yield Finding(True, name, "has no data/action", _AGAIN)
-    elif data["action"].ndim == 2:
-        yield from _spread("data/action", [data["action"]])
+        yield Finding(True, path.name, "has no data/action", _AGAIN)
+
+
+def _array(data: Any, key: str, num_frames: int) -> Iterator[Finding]:
+    where, array = f"data/{key}", data[key]
+    if array.shape[:1] != (num_frames,):
+        yield Finding(True, where, f"has {len(array)} frames, but the last episode ends at {num_frames}", _AGAIN)
+    elif array.nchunks_initialized < array.nchunks:
+        lost = array.nchunks - array.nchunks_initialized
+        yield Finding(True, where, f"lacks {lost} of {array.nchunks} chunks, which are read as zeros without a word",
+                      "copy the whole folder again, or " + _AGAIN)
+    else:
+        yield from _numbers(where, key, array)
+        if key == "action" and array.ndim == 2:
+            yield from _spread(where, [array])
 
 
 def _numbers(where: str, name: str, array: Any) -> Iterator[Finding]:

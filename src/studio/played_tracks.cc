@@ -60,8 +60,11 @@ void PlayedTracks::ApplyNext(sim::Simulation* simulation) {
 }
 
 void PlayedTracks::Follow(const sim::Simulation& simulation) {
-  const std::size_t* next = next_of_.Find(simulation.history().current().id);
-  next_ = next != nullptr ? *next : 0;
+  next_ = 0;
+  // An action during which no command was due has no number of its own.
+  for (const sim::Action& action : simulation.history().done()) {
+    if (const std::size_t* next = next_of_.Find(action.id)) next_ = *next;
+  }
   std::erase_if(skipped_, [this](const Skipped& skipped) { return skipped.command >= next_; });
 }
 

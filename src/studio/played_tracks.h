@@ -58,7 +58,7 @@ class PlayedTracks {
   std::vector<TrackCommand> commands_;
   std::size_t next_ = 0;
   std::size_t num_seen_ = 0;             ///< greatest `next_` so far
-  sim::PerAction<std::size_t> next_of_;  ///< `next_` at the end of each action
+  sim::PerAction<std::size_t> next_of_;  ///< `next_` at the end of actions
   std::set<sim::ActionId> played_;
   std::vector<Skipped> skipped_;
 };

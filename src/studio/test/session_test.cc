@@ -30,8 +30,9 @@ class SessionTest : public SessionFixture {
   }
 };
 
-/// Returns what was done in a recording and not undone, in words.
+/// Replays a recording; returns what was done in it and not undone, in words.
 std::vector<std::string> DoneIn(const recording::Recording& recording) {
+  EXPECT_EQ(replay::Replay(recording).first_difference, std::nullopt);
   std::vector<std::string> done;
   for (const auto& step : recording::HistoryOf(recording)) {
     if (step.is_on_path) done.push_back(WordsOf(step));
@@ -153,10 +154,34 @@ TEST_F(SessionTest, OneHandIsRecordedWhileTheOtherOneActsAgain) {
   Command(R"({"do":"finish"})");
   const recording::Recording kept = recording::OpenRecording(root_ / "recordings" / id);
   EXPECT_EQ(kept.info.title, "both (over)");
-  EXPECT_EQ(replay::Replay(kept).first_difference, std::nullopt);
   EXPECT_EQ(DoneIn(kept),
             (std::vector<std::string>{"the start", "left hand takes a", "right hand takes b",
                                       "left hand puts a on b"}));
+}
+
+TEST_F(SessionTest, WhateverIsUndoneWhileAHandActsAgainTheRecordingReplays) {
+  Begin();
+  const std::string id = RecordOverTheLeftHand();
+  Do(R"({"do":"resume"})");
+  std::mt19937 random(5);
+  const std::vector<std::string> commands = {R"({"do":"grasp","hand":"right","object":"b"})",
+                                             R"({"do":"release","hand":"right"})",
+                                             R"({"do":"point","hand":"right","part":"b"})",
+                                             R"({"do":"undo"})",
+                                             R"({"do":"undo"})",
+                                             R"({"do":"redo"})"};
+  for (int i = 0; i < 60; ++i) {
+    (void)AskWith(
+        {{"do", "command"}, {"command", Json::parse(commands[random() % commands.size()])}});
+    for (unsigned ticks = random() % 20; ticks > 0; --ticks) TickOnce();
+  }
+  TickSeconds(4);
+  EXPECT_EQ(State()["recording"]["over"],
+            Json::parse(R"({"hands":["left"],"actions_left":0,"skipped":[]})"));
+  Command(R"({"do":"finish"})");
+  const std::vector<std::string> done = DoneIn(recording::OpenRecording(root_ / "recordings" / id));
+  EXPECT_EQ(std::ranges::count(done, "left hand takes a"), 1);
+  EXPECT_EQ(std::ranges::count(done, "left hand puts a on b"), 1);
 }
 
 TEST_F(SessionTest, WhatIsNoLongerPossibleInARecordingOverAnotherIsSkippedAndTold) {

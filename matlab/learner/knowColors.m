@@ -25,7 +25,7 @@ end
 
 function yes = isSeen(color, things, tops, picture)
 % Returns true if a wanted color is seen as it is: in the tops of blocks, or anywhere if it is that of other things.
-  yes = isNearColor(color, tops);
+  yes = any(colorMask(reshape(tops, 1, rows(tops), 3), color));
   if yes, return; end
   alike = things(ofColor(things, color));
   is_block = ~strcmp({alike.form}, 'ball') & cellfun(@isempty, {alike.parts}) & ~[alike.hasKnob] & ~[alike.isBox];

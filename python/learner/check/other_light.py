@@ -47,9 +47,11 @@ def wanted_things(state):
 def is_seen(color, things, tops, picture):
     """Returns true if a wanted color is seen as it is: in the tops of blocks, or anywhere if it is that of other
     things."""
+    if color_mask(np.reshape(tops, (1, -1, 3)), color).any():
+        return True
     is_of_blocks = any(it.form != "ball" and not it.parts and not it.has_knob and not isinstance(it, Container)
                        for it in of_color(things, color))
-    return is_near(color, tops) or (not is_of_blocks and color_mask(picture, color).sum() >= C.min_top_pixels)
+    return not is_of_blocks and color_mask(picture, color).sum() >= C.min_top_pixels
 
 
 def looks_so(things, color, seen, picture, eye, heights):

@@ -36,6 +36,10 @@ class LightTest(unittest.TestCase):
         found = self.known(wanted, [strange, *dim])
         np.testing.assert_allclose(found, [it.color for it in dim], atol=0.003)
 
+    def test_a_color_that_has_changed_a_little_is_found_with_the_same_tolerance(self):
+        wanted = [block(BROWN, PLANK, 0, -2)]
+        np.testing.assert_allclose(self.known(wanted, [block(0.92 * BROWN, PLANK, 0, -2)]), [0.92 * BROWN], atol=0.003)
+
     def test_what_has_another_size_is_another_thing(self):
         wanted = [block(RED, CUBE, 0, -2)]
         np.testing.assert_array_equal(self.known(wanted, [block(0.8 * RED, 1.3 * CUBE, 0, -2)]), [RED])

@@ -23,6 +23,7 @@ function state = initialTaskState(steps, container, presses, shown)
 %   alignments  how the scene lies in the demonstration around each control, see align: control, angle, place
 %   lastPicture, numLooks, numStill  seen before the scene was still, number of pictures until then, and of the last of
 %              them in which nothing moved
+%   unseenColors  of things in the demonstration, not yet seen here, Nx3; NaN: all
 %   claim      about the result, at the end: done, true if everything is built, and reason, one line; see
 %              giveUp
   if nargin < 4
@@ -37,7 +38,7 @@ function state = initialTaskState(steps, container, presses, shown)
                  'failures', {struct('position', {}, 'arm', {}, 'yaw', {})}, 'moved', '', ...
                  'notes', asNote({}, {}), 'presses', presses, 'shown', shown, ...
                  'alignments', struct('angle', {}, 'place', {}, 'control', {}), 'lastPicture', [], 'numLooks', 0, ...
-                 'numStill', 0, 'claim', []);
+                 'numStill', 0, 'claim', [], 'unseenColors', NaN);
   % What has to be turned may lie on any of its faces.
   for step = steps(~cellfun(@isempty, {steps.startSize}))
     for sides = onEachFace(step.size)'

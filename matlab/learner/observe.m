@@ -2,6 +2,7 @@ function state = observe(state, picture, heights, eye)
 % Updates the known blocks, the appearances of unknown objects and the unexplained points from a picture.
 %   picture  HxWx3, 0 to 1
 %   heights  as from heightMap
+  state = knowColors(state, picture, eye, heights);
   container = state.container;
   if ~state.hasSite, container = []; end  % its place in this scene is not known yet
   like = [asBlocks(state.steps), state.unknownObjects];

@@ -16,6 +16,7 @@ _GROUPS = {name: SimpleNamespace(**numbers)
 
 BLOCKS = _GROUPS["blocks"]
 PERCEPTION = _GROUPS["perception"]
+LIGHT = _GROUPS["light"]
 BALLS = _GROUPS["balls"]
 CLEARANCE = _GROUPS["clearance"]
 TASK_MODEL = _GROUPS["task_model"]

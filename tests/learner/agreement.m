@@ -79,3 +79,16 @@ some = points(1:3:end, :);
 is_tool = belongsTo(tool, some);
 show(is_tool);
 show(loadOf(some(is_tool, :), 0.5, [1, 0, 0, 1; 0, -1, 0, 2; 0, 0, -1, 3; 0, 0, 0, 1]));
+
+% By how much colors changed, and which are the same; 9 and 0 if they are not.
+for k = 0:59
+  i = (1:3)';
+  wanted = [mod(37 * i * k, 11), mod(23 * i + k, 7), mod((i + 1) * k, 5)] / 10;
+  i = (1:5)';
+  seen = [mod(31 * i * k, 11), mod(23 * i + k, 6), mod((i + 1) * k, 5)] / 12;
+  changes = colorChanges(wanted, seen);
+  show(min(changes, 9));
+  columns = clearMatches(changes);
+  columns(isnan(columns)) = 0;
+  show(columns);
+end

@@ -19,6 +19,7 @@ from plan.moves import Move
 from plan.skyline import skyline_of
 from see.eye import Eye, onto_plane, to_pixel
 from see.faces import fit_face
+from see.light import clear_matches, color_changes
 from things.areas import overlap
 from things.blocks import Block, yaw_difference
 from things.steps import Step
@@ -77,6 +78,7 @@ def moves_that_make_room(eye):
             yield [*move.block.position, *move.room.position, move.room.yaw]
 
     yield from what_a_tool_passes()
+    yield from colors_in_another_light()
 
 
 def what_a_tool_passes():
@@ -93,6 +95,16 @@ def what_a_tool_passes():
     yield is_tool
     pose = np.array([[1, 0, 0, 1], [0, -1, 0, 2], [0, 0, -1, 3], [0, 0, 0, 1]])
     yield load_of(points[::3][is_tool], 0.5, pose).points.T
+
+
+def colors_in_another_light():
+    """By how much colors changed, and which are the same; 9 and 0 if they are not."""
+    for k in range(60):
+        wanted = np.array([[37 * i * k % 11, (23 * i + k) % 7, (i + 1) * k % 5] for i in range(1, 4)]) / 10
+        seen = np.array([[31 * i * k % 11, (23 * i + k) % 6, (i + 1) * k % 5] for i in range(1, 6)]) / 12
+        changes = color_changes(wanted, seen)
+        yield np.minimum(changes, 9).T
+        yield [0 if it is None else it + 1 for it in clear_matches(changes)]
 
 
 def main():

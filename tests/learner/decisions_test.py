@@ -31,8 +31,8 @@ from explain.task_model import infer_task
 from explain.watching import watch_demonstration
 from plan.task_planning import choose_actions
 
-# For each robot: task, and the layout of the robot's scene; [] keeps the scene as it is. After a slash, the demonstrator in
-# the pictures of a recording without texts.
+# For each robot: task, the layout of the robot's scene, [] to keep the scene as it is, and the light in it, if that is another
+# than in the demonstration. After a slash, the demonstrator in the pictures of a recording without texts.
 CASES = {
     "baxter": [("tower", ["--seed", "1"]), ("tower", ["--seed", "2", "--level", "distractors"]),
                ("tower", ["--seed", "4", "--level", "stacked"]), ("row", ["--seed", "1"]),
@@ -46,6 +46,9 @@ CASES = {
                ("plank", ["--seed", "4"]), ("drive", ["--seed", "1", "--level", "fixtures"]),
                ("drive", ["--seed", "3", "--level", "fixtures"]), ("scissors", []),
                ("scissors", ["--seed", "2", "--level", "fixtures"]),
+               ("tower", ["--seed", "2", "--level", "distractors"], 'brightness="0.75"'),
+               ("um", ["--seed", "3", "--level", "mixed"], 'brightness="0.8" color="#ffd8b0"'),
+               ("lid", ["--seed", "1", "--level", "piles"], 'brightness="0.8"'),
                ("tower/ghost", ["--seed", "1"]), ("swap/forearm", ["--seed", "1", "--level", "fixtures"])],
     "tern": [("tower", ["--seed", "1", "--robot", "tern"])],
 }
@@ -86,7 +89,7 @@ def main(smile, source, *octave):
     sys.exit(wrong)
 
 
-def prepare(smile, source, name, task, layout):
+def prepare(smile, source, name, task, layout, light=None):
     """Records the demonstration of the task, unless an earlier case did, and takes a picture of the
     scene. Returns the folder of both."""
     case = Path(name)
@@ -108,11 +111,13 @@ def prepare(smile, source, name, task, layout):
         subprocess.run([smile, "layout", scene, *layout, "--out", case / "scene.xml"], check=True,
                        stdout=subprocess.DEVNULL)
         scene = case / "scene.xml"
+    if light:
+        scene.write_text(scene.read_text().replace("</tabletop>", f"<lighting {light}/></tabletop>"))
     subprocess.run([smile, "run", scene, "--brain", f"{source}/tests/learner/look.py",
                     "--timeout", "60", *robot],
                    check=True, stdout=subprocess.DEVNULL,
                    env=os.environ | {"LOOK": str(case.resolve())})
-    print(f"{case}: {task} {demonstrator} {' '.join(layout)}")
+    print(f"{case}: {task} {demonstrator} {' '.join(layout)} {light or ''}")
     return str(case)
 
 

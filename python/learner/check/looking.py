@@ -4,6 +4,7 @@ import numpy as np
 
 from check.beliefs import corrected
 from check.notes import Note
+from check.other_light import know_colors
 from check.verdict_notes import verdict_notes
 from check.verdicts import verdicts_on
 from constants import BLOCKS, PERCEPTION as C
@@ -21,6 +22,8 @@ def observe(state, sensor, picture, eye):
     if state.see:
         compare(state, state.see(sensor, eye, state.steps), picture, eye, heights)
         return
+    if heights is not None:
+        know_colors(state, picture, eye, heights)
     # The place of the container is not known before a site is chosen.
     container = state.container if state.has_site else None
     seen = detect_blocks(picture, eye, likes(state), container, heights)

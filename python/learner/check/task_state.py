@@ -26,6 +26,7 @@ class TaskState:
     #                                                      places are among the known
     unexplained: np.ndarray = field(default_factory=lambda: np.zeros((0, 2)))  # as from
     #                                                                            unexplained_points
+    unseen_colors: Optional[list] = None  # of things in the demonstration, not yet seen here; None: all
     done: list = field(init=False)  # whether each step's block is in its place
     attempts: list = field(init=False)  # number of times that each step's block was carried there
     num_temporary: int = 0  # number of blocks that were put at a temporary place so far

@@ -25,7 +25,8 @@ from smile.picture import Picture
 
 # What calls may raise. Anything else is a finding: SystemError, MemoryError, AssertionError, …
 ALLOWED = (ValueError, TypeError, KeyError, IndexError, AttributeError, TimeoutError, RuntimeError, OSError,
-           OverflowError, ZeroDivisionError)  # the last by a function that is passed
+           OverflowError, ZeroDivisionError,  # the last by a function that is passed
+           ImportError)  # of pandas, where it is missing
 # These take any number as an order: a large one is valid, and without end or too large for this machine.
 NUMBERS_ARE_ORDERS = {"step", "run_until", "record", "render", "poses_at"}
 # Nothing of the simulator, or of its threads.

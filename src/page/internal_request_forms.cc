@@ -184,8 +184,7 @@ std::vector<RequestForm> PlaybackRequests() {
        "or loaded"},
       {"record_over",
        {recording,
-        {"hands", JsonShape::List(JsonShape::Word({"left", "right", "both", "any"})), true,
-         "whose actions are done again"},
+        {"hands", JsonShape::List(HandNameShape()), true, "whose actions are done again"},
         {"seconds", NumberShape(), true, "from here on; before, all actions are done again"}},
        {recording},
        "records a new demonstration over this one, from this moment on: what these hands and no "

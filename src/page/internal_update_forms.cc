@@ -63,7 +63,7 @@ JsonShape StateUpdateShape() {
   // `playback`, as a recording in progress cannot be hidden.
   const JsonShape skipped = ObjectShape({{"command", TextShape()}, {"reason", TextShape()}});
   const JsonShape over =
-      ObjectShape({{"hands", JsonShape::List(JsonShape::Word({"left", "right", "both", "any"}))},
+      ObjectShape({{"hands", JsonShape::List(HandNameShape())},
                    {"actions_left", NumberShape(), true, "that will be done again"},
                    {"skipped", JsonShape::List(skipped), true, "commands that were refused now"}});
   const JsonShape recording = ObjectShape({{"id", TextShape()},

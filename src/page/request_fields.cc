@@ -1,6 +1,7 @@
 #include "page/request_fields.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/wording.h"
@@ -10,6 +11,12 @@
 
 namespace smile::page {
 namespace {
+
+std::array<std::string_view, demonstrator::kHandNames.size()> HandWords() {
+  std::array<std::string_view, demonstrator::kHandNames.size()> words;
+  std::ranges::transform(demonstrator::kHandNames, words.begin(), demonstrator::ToString);
+  return words;
+}
 
 /// Returns a value as messages name it: numbers and flags themselves, anything else by its type.
 std::string Found(const Json& value) {
@@ -98,6 +105,18 @@ std::string RequestFields::Word(const char* name, std::span<const std::string_vi
     Expected(name, Quoted(word), OneOf(known) + DidYouMean(word, known));
   }
   return word;
+}
+
+demonstrator::HandName RequestFields::Hand(const char* name) const {
+  return *demonstrator::ParseHandName(Word(name, HandWords()));
+}
+
+std::set<demonstrator::HandName> RequestFields::Hands(const char* name) const {
+  std::set<demonstrator::HandName> hands;
+  for (const std::string& word : Words(name, HandWords())) {
+    hands.insert(*demonstrator::ParseHandName(word));
+  }
+  return hands;
 }
 
 std::vector<std::string> RequestFields::Words(const char* name,

@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "demonstrator/hand.h"
 #include "page/requests.h"
 
 namespace smile::page {
@@ -40,6 +42,9 @@ class RequestFields {
   std::vector<std::string> Words(const char* name, std::span<const std::string_view> known) const;
   /// Returns a word, one of `known`.
   std::string Word(const char* name, std::span<const std::string_view> known) const;
+  /// Returns the hand of a word, or the hands of a list of words.
+  demonstrator::HandName Hand(const char* name) const;
+  std::set<demonstrator::HandName> Hands(const char* name) const;
   /// Returns a list of at most `max_count` items.
   const Json& List(const char* name, std::size_t max_count) const;
   /// Returns an object.

@@ -5,8 +5,6 @@
 #include <utility>
 #include <variant>
 
-#include "studio/hand_words.h"
-
 namespace smile::studio {
 namespace {
 
@@ -49,10 +47,8 @@ Json PlaybackRequests::Branch(const page::RequestFields& fields) {
 }
 
 Json PlaybackRequests::RecordOver(const page::RequestFields& fields) {
-  KeptTracks kept{.seconds = fields.Number("seconds", 0, kMaxSeconds)};
-  for (const std::string& word : fields.Words("hands", kHandWords)) {
-    kept.hands.insert(*demonstrator::ParseHandName(word));
-  }
+  KeptTracks kept{.hands = fields.Hands("hands"),
+                  .seconds = fields.Number("seconds", 0, kMaxSeconds)};
   return Restore(fields, std::move(kept));
 }
 

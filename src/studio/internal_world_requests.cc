@@ -1,8 +1,6 @@
 #include "studio/internal_world_requests.h"
 
-#include <array>
 #include <memory>
-#include <string_view>
 #include <utility>
 
 #include "base/wording.h"
@@ -10,7 +8,6 @@
 #include "sim/action_summary.h"
 #include "sim/add.h"
 #include "sim/command_json.h"
-#include "studio/hand_words.h"
 
 // Requests about the live world become commands, and all commands pass StateMachine::Apply().
 // Questions (support, resting place, allowed) never change the world: whatever must be tried is
@@ -18,12 +15,6 @@
 
 namespace smile::studio {
 namespace {
-
-/// Returns the field `hand`; throws page::RequestError for other words.
-sim::HandName HandOf(const page::RequestFields& fields) {
-  // Word() returns one of them or throws, so the fallback is never used.
-  return demonstrator::ParseHandName(fields.Word("hand", kHandWords)).value_or(sim::HandName::kAny);
-}
 
 /// True for commands about history and recordings, which a copy of the world does not have.
 bool IsOfHistory(const sim::Command& command) {
@@ -104,8 +95,8 @@ Json WorldRequests::FindSupport(const page::RequestFields& fields) {
 }
 
 Json WorldRequests::AnswerRestingPlace(const page::RequestFields& fields) {
-  return resting_place_.Answer(states_->world().simulation(), HandOf(fields), states_->num_ticks(),
-                               &rehearsal_);
+  return resting_place_.Answer(states_->world().simulation(), fields.Hand("hand"),
+                               states_->num_ticks(), &rehearsal_);
 }
 
 Json WorldRequests::Pause(const page::RequestFields&) {

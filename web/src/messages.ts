@@ -180,7 +180,7 @@ export interface StateMessage {
   /** what each held tool would do if it were used now; missing if it would be refused */
   uses: Record<string, ToolUse>;
   still: boolean;
-  recording: { id: string; title: string; seconds: number; segments: Segment[]; over: { hands: ("left" | "right" | "both" | "any")[]; actions_left: number; skipped: { command: string; reason: string }[] } | null } | null;
+  recording: { id: string; title: string; seconds: number; segments: Segment[]; over: { hands: HandName[]; actions_left: number; skipped: { command: string; reason: string }[] } | null } | null;
   playback: { recording: string; seconds: number; length: number; rate: number } | null;
   /** the recording of which a moment is being restored */
   restoring: string | null;
@@ -313,7 +313,7 @@ export interface Requests {
   play: { fields: { rate?: number }; answer: object };
   live: { fields: object; answer: object };
   branch: { fields: { recording: string; step: number; after?: number }; answer: { recording: string } };
-  record_over: { fields: { recording: string; hands: ("left" | "right" | "both" | "any")[]; seconds: number }; answer: { recording: string } };
+  record_over: { fields: { recording: string; hands: HandName[]; seconds: number }; answer: { recording: string } };
   brains: { fields: object; answer: { brains: ({ name: string; kind: "octave" | "python" | "program"; imitates: boolean })[] } };
   start_brain: { fields: { brain: string; demonstration?: string; scene?: string }; answer: object };
   stop_brain: { fields: object; answer: object };

@@ -224,16 +224,16 @@ class Csv(_Tables):
             names = file.readline().decode().strip().split(",")
         text = pa.csv.ConvertOptions(column_types=dict.fromkeys(names, pa.string()))
         lines = pa.csv.ParseOptions(newlines_in_values=True)
-        rows: list[Row] = pa.csv.read_csv(self.folder / "episodes.csv", convert_options=text,
+        rows: list[Row] = pa.csv.read_csv(self.folder / csv_films.EPISODES, convert_options=text,
                                           parse_options=lines).to_pylist()
         return rows
 
     def _episodes(self) -> Iterator[_Episode]:
-        names = {name: feature["names"] for name, feature in self.info["features"].items()}
+        features = self.info["features"]
         kinds = {}
         for name, kind in self._kinds.items():
             number = kind.value_type if pa.types.is_fixed_size_list(kind) else kind
-            each = [name] if names[name] is None else [f"{name}.{one}" for one in names[name]]
+            each = csv_films.header_of({name: features[name]})
             kinds.update(dict.fromkeys(each, pa.int64() if pa.types.is_boolean(number) else number))
         for row in self._rows():
             path = path_of(self.WRITER.DATA, int(row["episode_index"]))
@@ -246,11 +246,10 @@ class Csv(_Tables):
                 raise self._mend(f"{path} has {len(table)} frames, but is listed with {row['length']}")
             columns = {}
             for name in self._kinds:
-                each = [name] if names[name] is None else [f"{name}.{one}" for one in names[name]]
+                each = csv_films.header_of({name: features[name]})
                 values = np.stack([table[one].to_numpy() for one in each], axis=1)
-                dtype = self.info["features"][name]["dtype"]
-                columns[name] = Column(values.astype(dtype).reshape(len(table), *_shape_of(
-                    self.info["features"][name])), None)
+                columns[name] = Column(values.astype(features[name]["dtype"]).reshape(
+                    len(table), *_shape_of(features[name])), None)
             more = {name: value for name, value in row.items() if name.startswith(_OWN)}
             yield _Episode(columns, json.loads(row["tasks"])[0], {}, more, row)
 

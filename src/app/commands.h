@@ -18,6 +18,7 @@ void AddHistory(CLI::App* program, ExitAnswer answer);
 void AddDescribe(CLI::App* program, ExitAnswer answer);
 void AddAnalyze(CLI::App* program, ExitAnswer answer);
 void AddCheckout(CLI::App* program, ExitAnswer answer);
+void AddCorrect(CLI::App* program, ExitAnswer answer);
 void AddEdit(CLI::App* program, ExitAnswer answer);
 void AddImport(CLI::App* program, ExitAnswer answer);
 void AddExport(CLI::App* program, ExitAnswer answer);

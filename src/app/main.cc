@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   app::AddDescribe(&program, &answer);
   app::AddAnalyze(&program, &answer);
   app::AddCheckout(&program, &answer);
+  app::AddCorrect(&program, &answer);
   app::AddEdit(&program, &answer);
   app::AddImport(&program, &answer);
   app::AddExport(&program, &answer);

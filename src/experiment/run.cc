@@ -58,7 +58,12 @@ class LiveRun {
                                             .eye = takes_pictures ? &*eye_ : nullptr});
     }
     // The recorder must see the initial state, before anything acts.
-    if (!plan.record.empty()) controller_->StartIn(plan.record, simulation_);
+    if (!plan.record.empty() && !plan.correction) controller_->StartIn(plan.record, simulation_);
+    if (plan.correction) {
+      controller_->Correct(recording::OpenRecording(plan.correction->recording),
+                           plan.correction->seconds, plan.record, &simulation_,
+                           callbacks_.ProgressOf(plan.label));
+    }
     if (plan.continuation) {
       controller_->Continue(plan.continuation->recording, plan.continuation->from, &simulation_,
                             callbacks_.ProgressOf(plan.label));

@@ -45,6 +45,13 @@ struct RunPlan {
     recording::HistoryPoint from;
   };
   std::optional<Continuation> continuation;
+  /// Corrects a recording from this moment on: `record` is the same up to it. The plan has the
+  /// recording's scene and robot.
+  struct Correction {
+    std::filesystem::path recording;
+    double seconds = 0;  ///< from the start of the demonstration
+  };
+  std::optional<Correction> correction;
   recorder::RecorderOptions recording;
   bool has_pictures = true;  ///< in recordings
   sim::EyeSpec eye;

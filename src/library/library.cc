@@ -117,7 +117,12 @@ Json EntryOf(const fs::path& directory) {
     const recording::DemoInfo info = recording::ReadDemoInfo(directory / "demo.json");
     const std::uint64_t first = info.start.tick;
     const std::uint64_t last = LastFrameTick(directory).value_or(first);
+    Json corrects;
+    if (info.corrects) {
+      corrects = {{"recording", info.corrects->recording}, {"seconds", info.corrects->seconds}};
+    }
     return {{"title", info.title},
+            {"corrects", std::move(corrects)},
             {"notes", info.notes},
             {"scene", info.scene},
             {"seconds", last > first ? sim::SecondsOf(last - first) : 0.0},

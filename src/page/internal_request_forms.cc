@@ -190,6 +190,12 @@ std::vector<RequestForm> PlaybackRequests() {
        "records a new demonstration over this one, from this moment on: what these hands and no "
        "hand did happens again at its time (`over` in `recording` of a state message). Time is "
        "paused then. Refused like `branch`"},
+      {"correct",
+       {recording, {"seconds", NumberShape(), true, "from here on; before, all is done again"}},
+       {recording},
+       "records a correction of this recording: it is the same up to this moment, from which the "
+       "user, or a brain, does something else (`corrects` in `recording` of a state message). Time "
+       "is paused then. Refused like `branch`"},
   };
 }
 

@@ -188,6 +188,10 @@ JsonShape LibraryEntryShape() {
               {"scene", TextShape(), kOptional},
               {"seconds", NumberShape(), kOptional, "time of the last frame"},
               {"segments", NumberShape(), kOptional},
+              {"corrects",
+               ObjectShape({{"recording", TextShape(), true, "an id"}, {"seconds", NumberShape()}})
+                   .OrNull(),
+               kOptional, "the recording that it is the same as, up to this moment"},
               {"error", TextShape(), kOptional,
                "replaces all these members if the recording cannot be read"},
               {"made", TextShape(), true, "time of the last change by recording (ISO 8601, UTC)"},

@@ -66,11 +66,14 @@ JsonShape StateUpdateShape() {
       ObjectShape({{"hands", JsonShape::List(HandNameShape())},
                    {"actions_left", NumberShape(), true, "that will be done again"},
                    {"skipped", JsonShape::List(skipped), true, "commands that were refused now"}});
+  const JsonShape corrects = ObjectShape(
+      {{"title", TextShape(), true, "of the other recording"}, {"seconds", NumberShape()}});
   const JsonShape recording = ObjectShape({{"id", TextShape()},
                                            {"title", TextShape()},
                                            {"seconds", NumberShape()},
                                            {"segments", JsonShape::List(SegmentShape())},
-                                           {"over", over.OrNull(), true, "see `record_over`"}});
+                                           {"over", over.OrNull(), true, "see `record_over`"},
+                                           {"corrects", corrects.OrNull(), true, "see `correct`"}});
   const JsonShape playback = ObjectShape({{"recording", TextShape()},
                                           {"seconds", NumberShape()},
                                           {"length", NumberShape()},

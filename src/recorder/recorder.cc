@@ -47,7 +47,8 @@ recording::DemoInfo InfoOf(const RecorderOptions& options, const sim::Eye* eye,
                            .origin = options.origin,
                            .start = start,
                            .frames_per_second = options.frames_per_second,
-                           .has_symbols = options.has_symbols};
+                           .has_symbols = options.has_symbols,
+                           .corrects = options.corrects};
   if (const auto& placement = simulation.model().robot_placement()) {
     info.robot = recording::RobotInfo{
         .name = placement->model.name,

@@ -23,6 +23,7 @@ struct RecorderOptions {
   bool has_symbols = true;       ///< false: the classic view contains pictures only
   std::string title, notes;
   recording::Origin origin = recording::Origin::kRecorded;
+  std::optional<recording::Correction> corrects;
 };
 
 /// Records a simulation into a new directory (contents: docs/recording-format.md). Everything is

@@ -6,116 +6,14 @@
 
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "recorder/internal_replay_along.h"
 #include "recorder/recorder.h"
 #include "recording/segment_files.h"
 #include "recording/time_range.h"
 #include "recording/trace_reader.h"
-#include "replay/event_collector.h"
-#include "replay/log_player.h"
 
 namespace smile::recorder {
 namespace {
-
-[[noreturn]] void Fail(const recording::Recording& recording, const std::string& message) {
-  throw InputError({recording.directory.string(), 0, "", message});
-}
-
-/// Result of a replay up to a point of the history.
-struct Reached {
-  recording::TracePlace place = 0;  ///< in the trace
-  /// Events of the last tick that the log implies and the trace lacks, since the program ended
-  /// between writing the two.
-  std::vector<sim::Event> untold;
-};
-
-/// Replays a recording in a fresh simulation up to a point of its history, and checks that each
-/// tick is the same as recorded.
-class ReplayAlong {
- public:
-  ReplayAlong(const recording::Recording& recording,
-              const std::vector<recording::LoggedCommand>& path,
-              const recording::HistoryPoint& until, sim::Simulation* simulation)
-      : recording_(recording),
-        path_(path),
-        until_(until),
-        simulation_(simulation),
-        player_(path, recording.info.start),
-        trace_(recording, until) {
-    simulation_->AddListener(&collector_);
-  }
-  ~ReplayAlong() { simulation_->RemoveListener(&collector_); }
-  ReplayAlong(const ReplayAlong&) = delete;
-  ReplayAlong& operator=(const ReplayAlong&) = delete;
-
-  Reached Go(const recording::Progress& progress) {
-    const auto on_tick = [&](std::uint64_t tick) {
-      const bool does = !progress || progress(sim::SecondsOf(tick), sim::SecondsOf(until_.tick));
-      if (!does) throw std::runtime_error("interrupted");
-      return does;
-    };
-    // Without events the places of actions in the trace are unknown.
-    if (!trace_.has_events()) Fail(recording_, "has an older format and cannot be continued");
-    if (player_.RunToStart(simulation_, on_tick)) FailAsDifferent();
-    collector_.Clear();
-    while (Step()) on_tick(simulation_->tick());
-    CheckEnd();
-    const auto& events = collector_.events();
-    const auto num_reported = static_cast<std::ptrdiff_t>(last_->events.size());
-    return {trace_.places().back(), {events.begin() + num_reported, events.end()}};
-  }
-
- private:
-  [[noreturn]] void FailAsDifferent() const {
-    Fail(recording_, "cannot be continued: its replay differs at tick " +
-                         std::to_string(simulation_->tick()) + " (it was made by " +
-                         recording_.info.program + ")");
-  }
-
-  /// Replays one tick; returns false after the last one.
-  bool Step() {
-    auto moment = trace_.Next();
-    if (!moment) return false;
-    // Events of the tick before, which are complete now.
-    if (last_ && last_->events != collector_.events()) FailAsDifferent();
-    if (last_) simulation_->Tick();
-    // The hash covers everything that determines the future, so the continuation is exact.
-    if (simulation_->state_hash() != moment->hash) FailAsDifferent();
-    if (player_.ApplyDue(simulation_)) FailAsDifferent();
-    num_actions_ += std::ranges::count_if(collector_.events(), &sim::BeginsAction);
-    last_ = std::move(moment);
-    return true;
-  }
-
-  /// Checks that the replay reached its end. The trace may lack events of the last tick.
-  void CheckEnd() const {
-    if (!last_ || last_->tick != until_.tick || player_.next() != nullptr) {
-      Fail(recording_, "has no moment at tick " + std::to_string(until_.tick) + " after line " +
-                           std::to_string(until_.line) + " of its log");
-    }
-    const auto& events = collector_.events();
-    const std::size_t num_reported = last_->events.size();
-    if (num_reported > events.size() ||
-        !std::equal(last_->events.begin(), last_->events.end(), events.begin())) {
-      FailAsDifferent();
-    }
-    const auto is_action = [this](const recording::LoggedCommand& logged) {
-      return logged.line > recording_.info.start.line && IsAction(logged.command);
-    };
-    if (std::ranges::count_if(path_, is_action) != num_actions_) {
-      Fail(recording_, "has different actions in its trace and in its log");
-    }
-  }
-
-  const recording::Recording& recording_;
-  const std::vector<recording::LoggedCommand>& path_;
-  recording::HistoryPoint until_;
-  sim::Simulation* simulation_;
-  replay::LogPlayer player_;
-  recording::TraceReader trace_;
-  replay::EventCollector collector_;
-  std::optional<recording::TraceTick> last_;
-  std::ptrdiff_t num_actions_ = 0;
-};
 
 /// Returns the size of the first lines of a file [bytes].
 std::uint64_t BytesOfLines(const std::filesystem::path& path, std::size_t num_lines) {
@@ -158,8 +56,8 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
   if (from.line > num_lines) {
     Fail(recording, "has no line " + std::to_string(from.line) + " in its log");
   }
-  const std::vector<recording::LoggedCommand> path = recording.log.PathTo(from.line);
-  const Reached reached = ReplayAlong(recording, path, from, simulation).Go(progress);
+  const Reached reached =
+      ReplayAlong(recording, recording.log.PathTo(from.line), from, simulation).Go(progress);
 
   // The classic view is removed before log and trace change: it is rebuilt in any case, and an
   // interruption must not leave an outdated one.

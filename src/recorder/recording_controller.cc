@@ -8,7 +8,11 @@
 #include "base/diagnostic.h"
 #include "base/wording.h"
 #include "model/eye.h"
+#include "recorder/internal_replay_along.h"
+#include "recording/recording_files.h"
+#include "recording/recording_history.h"
 #include "recording/recording_names.h"
+#include "recording/time_range.h"
 
 // Starts and finishes recordings on command, and forwards the simulation's calls to the recorder.
 // An error while recording (a full disk, a removed folder) ends the recording and is kept for the
@@ -85,6 +89,18 @@ void RecordingController::EndIfRemoved() {
 }
 
 template <class Part>
+void RecordingController::OrRemove(const std::filesystem::path& directory, const Part& part) {
+  try {
+    part();
+  } catch (...) {
+    recorder_.reset();
+    std::error_code ignored;
+    std::filesystem::remove_all(directory, ignored);
+    throw;
+  }
+}
+
+template <class Part>
 void RecordingController::Record(const Part& part) {
   if (!recorder_) return;
   try {
@@ -93,6 +109,27 @@ void RecordingController::Record(const Part& part) {
   } catch (const std::exception& error) {
     failure_ = error.what();
     recorder_.reset();
+  }
+}
+
+void RecordingController::Correct(const recording::Recording& recording, double seconds,
+                                  const std::filesystem::path& chosen, sim::Simulation* simulation,
+                                  const recording::Progress& progress) {
+  const std::string name = recording::RecordingNameFor(NameOf(recording) + "-corrected");
+  const auto directory = chosen.empty() ? recording::NewDirectory(options_.root, name) : chosen;
+  const std::uint64_t tick = recording::TickAt(seconds, recording::TicksOf(recording), "at");
+  const recording::HistoryPoint until = recording::HistoryPointBefore(recording, tick);
+  RecorderOptions options = options_.recording;
+  options.corrects = {.recording = NameOf(recording), .seconds = SecondsInto(recording, tick)};
+  options.title = CorrectedTitleOf(recording);
+  recording::RequireNewDirectory(directory);
+  ReplayAlong replay(recording, recording.log.PathTo(until.line), until, simulation);
+  OrRemove(directory, [&] {
+    replay.Go(progress, [&] { Start(directory, options, *simulation); });
+    if (failure_) throw std::runtime_error(*failure_);
+  });
+  if (const auto* robot = simulation->robot()) {
+    (void)simulation->Apply(sim::StillVelocities(robot->model()));
   }
 }
 

@@ -43,6 +43,15 @@ class RecordingController : public sim::Listener, public sim::RecordingControl {
   /// Continues a recording, see Recorder::Continue(). Call before anything else is done.
   void Continue(const std::filesystem::path& directory, const recording::HistoryPoint& from,
                 sim::Simulation* simulation, const recording::Progress& progress = {});
+  /// Starts a recording that corrects another one: runs a fresh simulation as that was recorded, up
+  /// to a moment from which others act. A robot stands still there.
+  /// @param directory  of the new recording; empty for a new one under the root.
+  /// @param seconds    from the start of the demonstration.
+  /// @throws InputError if the recording has no such moment, or its replay differs;
+  ///         std::runtime_error if `progress` returns false. Then no new recording is left.
+  void Correct(const recording::Recording& recording, double seconds,
+               const std::filesystem::path& directory, sim::Simulation* simulation,
+               const recording::Progress& progress = {});
 
   /// Waits until everything recorded so far is written, also the pictures; an error ends the
   /// recording.
@@ -68,6 +77,9 @@ class RecordingController : public sim::Listener, public sim::RecordingControl {
   /// written.
   template <class Part>
   void Record(const Part& part);
+  /// Calls `part`; if that throws, the recording ends, and nothing of it is left.
+  template <class Part>
+  void OrRemove(const std::filesystem::path& directory, const Part& part);
   /// Returns the reason why a scene cannot be loaded that lacks the camera of the eye.
   std::optional<sim::Refusal> RefuseWithoutCamera(const sim::Simulation& simulation,
                                                   const sim::Load& load) const;

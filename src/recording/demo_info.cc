@@ -27,10 +27,11 @@ constexpr std::size_t kMaxInfoBytes = 64u << 10;
 /// damaged file can cause.
 constexpr std::uint64_t kMaxStartTick = 31ull * 86400 * sim::kTicksPerSecond;
 constexpr std::uint64_t kMaxStartLine = 1'000'000'000;
+constexpr double kMaxSeconds = kMaxStartTick / static_cast<double>(sim::kTicksPerSecond);
 
 constexpr std::array<std::string_view, 3> kOriginNames{"recorded", "edited", "imported"};
 
-constexpr std::array<std::string_view, 15> kMembers{"format",
+constexpr std::array<std::string_view, 16> kMembers{"format",
                                                     "program",
                                                     "scene",
                                                     "title",
@@ -44,7 +45,9 @@ constexpr std::array<std::string_view, 15> kMembers{"format",
                                                     "has_symbols",
                                                     "robot",
                                                     "eye",
-                                                    "demonstrator"};
+                                                    "demonstrator",
+                                                    "corrects"};
+constexpr std::array<std::string_view, 2> kCorrectsMembers{"recording", "seconds"};
 constexpr std::array<std::string_view, 2> kStartMembers{"line", "tick"};
 constexpr std::array<std::string_view, 7> kRobotMembers{
     "name", "gap_m", "height_m", "urdf", "gripper", "kinematic", "friction_grasp"};
@@ -161,6 +164,18 @@ void ReadBeginning(const JsonNode& root, DemoInfo* info) {
   info->has_symbols = root.Member("has_symbols").Flag();
 }
 
+Correction ReadCorrection(const JsonNode& node) {
+  node.ExpectMembers(kCorrectsMembers);
+  Correction correction{.recording = node.Member("recording").String(),
+                        .seconds = node.Member("seconds").Number(0, kMaxSeconds)};
+  // It is looked for beside the recording, so it must not lead elsewhere.
+  const std::filesystem::path name = correction.recording;
+  if (!name.has_filename() || name.filename() != name || name == "." || name == "..") {
+    node.Member("recording").Fail("found " + Quoted(name.string()) + ", expected a name");
+  }
+  return correction;
+}
+
 DemonstratorAppearance ReadDemonstrator(const JsonNode& node) {
   try {
     return ParseDemonstratorAppearance(node.String());
@@ -210,6 +225,7 @@ DemoInfo ReadInfo(const JsonNode& root) {
   } else if (root.Has("demonstrator")) {
     root.Member("demonstrator").Fail("found in a recording without pictures");
   }
+  if (root.Has("corrects")) info.corrects = ReadCorrection(root.Member("corrects"));
   return info;
 }
 
@@ -258,6 +274,10 @@ std::string ToJsonText(const DemoInfo& info) {
                {"eye", eye}};
   if (info.demonstrator != DemonstratorAppearance::kInvisible) {
     json["demonstrator"] = ToString(info.demonstrator);
+  }
+  if (info.corrects) {
+    json["corrects"] = {{"recording", info.corrects->recording},
+                        {"seconds", info.corrects->seconds}};
   }
   return ToText(json, 2) + "\n";
 }

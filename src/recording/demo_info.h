@@ -53,6 +53,14 @@ struct RobotInfo {
   bool operator==(const RobotInfo&) const = default;
 };
 
+/// What a recording corrects: it is the same as another one up to a moment, at which a user took over.
+struct Correction {
+  std::string recording;  ///< name of the other recording's directory
+  double seconds = 0;     ///< from the start of both demonstrations to that moment
+
+  bool operator==(const Correction&) const = default;
+};
+
 /// Content of `demo.json`: description of a recording.
 struct DemoInfo {
   int format = kFormatVersion;
@@ -69,6 +77,7 @@ struct DemoInfo {
   std::optional<CameraView> eye;   ///< of the pictures; nullopt for text only
   std::string eye_camera = sim::kEyeCamera;  ///< which camera that is; see model::CameraNames()
   DemonstratorAppearance demonstrator = DemonstratorAppearance::kInvisible;  ///< in the pictures
+  std::optional<Correction> corrects;
 
   bool operator==(const DemoInfo&) const = default;
 };

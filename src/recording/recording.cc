@@ -139,6 +139,20 @@ scene::SceneSpec SceneAfter(const Recording& recording, std::size_t line) {
   return scene;
 }
 
+std::string NameOf(const Recording& recording) {
+  // The path may be relative, or end with a slash.
+  const auto path = std::filesystem::absolute(recording.directory).lexically_normal();
+  return path.has_filename() ? path.filename() : path.parent_path().filename();
+}
+
+std::string TitleOf(const Recording& recording) {
+  return recording.info.title.empty() ? NameOf(recording) : recording.info.title;
+}
+
+std::string CorrectedTitleOf(const Recording& recording) {
+  return TitleOf(recording) + " (corrected)";
+}
+
 bool IsRecording(const std::filesystem::path& directory) {
   std::error_code error;
   return std::filesystem::is_directory(directory, error) &&

@@ -33,6 +33,13 @@ struct Recording {
   const std::optional<model::RobotPlacement>& robot() const { return model->robot_placement(); }
 };
 
+/// Returns the name of its directory.
+std::string NameOf(const Recording& recording);
+/// Returns its title; without one, its name.
+std::string TitleOf(const Recording& recording);
+/// Returns the title of a recording that corrects it.
+std::string CorrectedTitleOf(const Recording& recording);
+
 /// True if the directory looks like a recording.
 bool IsRecording(const std::filesystem::path& directory);
 

@@ -181,6 +181,14 @@ std::optional<HistoryPoint> HistoryPointIn(const Recording& recording, const Seg
   return HistoryPoint{.line = line, .tick = tick};
 }
 
+HistoryPoint HistoryPointBefore(const Recording& recording, std::uint64_t tick) {
+  HistoryPoint point{.line = recording.info.start.line, .tick = tick};
+  for (const LoggedCommand& logged : recording.commands) {
+    if (logged.tick < tick) point.line = std::max(point.line, logged.line);
+  }
+  return point;
+}
+
 HistoryPoint HistoryPointOf(const Recording& recording, const std::vector<Segment>& steps,
                             std::size_t step, const std::optional<double>& after) {
   if (step >= steps.size()) {

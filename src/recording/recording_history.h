@@ -60,6 +60,9 @@ std::string WordsOf(const Segment& step);
 std::optional<HistoryPoint> HistoryPointIn(const Recording& recording, const Segment& step,
                                            std::uint64_t ticks);
 
+/// Returns the point at a tick of the recording's path, before the commands of that tick.
+HistoryPoint HistoryPointBefore(const Recording& recording, std::uint64_t tick);
+
 /// Returns the point `after` seconds after the begin of a step; the end of the step without
 /// `after`.
 /// @param steps  of the recording, from HistoryOf().

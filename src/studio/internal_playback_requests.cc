@@ -47,14 +47,18 @@ Json PlaybackRequests::Branch(const page::RequestFields& fields) {
 }
 
 Json PlaybackRequests::RecordOver(const page::RequestFields& fields) {
-  KeptTracks kept{.hands = fields.Hands("hands"),
-                  .seconds = fields.Number("seconds", 0, kMaxSeconds)};
+  editing::KeptTracks kept{.hands = fields.Hands("hands"),
+                           .seconds = fields.Number("seconds", 0, kMaxSeconds)};
   return Restore(fields, std::move(kept));
+}
+
+Json PlaybackRequests::Correct(const page::RequestFields& fields) {
+  return Restore(fields, CorrectionBegin{.seconds = fields.Number("seconds", 0, kMaxSeconds)});
 }
 
 Json PlaybackRequests::Restore(const page::RequestFields& fields, Restoring::From from) {
   const std::string id = fields.Text("recording");
-  const bool is_over = std::holds_alternative<KeptTracks>(from);
+  const bool is_paused = !std::holds_alternative<BranchPoint>(from);
   // Shared by the session and the background job, either of which may end first.
   const auto restoring = std::make_shared<Restoring>(id, library_->DirectoryOf(id), std::move(from),
                                                      RecordingOptionsOf(*options_));
@@ -63,12 +67,12 @@ Json PlaybackRequests::Restore(const page::RequestFields& fields, Restoring::Fro
     return {{"recording", restoring->recording()}};
   };
   // Runs in the session's thread: only there may the world be replaced.
-  const auto conclude = [this, is_over] {
+  const auto conclude = [this, is_paused] {
     auto made = states_->TakeRestored();
     if (!made) return;
     states_->Enter(std::move(made));
     // The user begins when ready.
-    if (is_over) states_->pace().is_paused = true;
+    if (is_paused) states_->pace().is_paused = true;
   };
   options_->jobs->Begin({.request = fields.request(), .work = work, .conclude = conclude});
   // From now on, other requests for worlds and recordings are refused until `conclude` has run.

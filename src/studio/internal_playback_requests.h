@@ -21,6 +21,7 @@ class PlaybackRequests {
   Json GoLive(const page::RequestFields& fields);
   Json Branch(const page::RequestFields& fields);
   Json RecordOver(const page::RequestFields& fields);
+  Json Correct(const page::RequestFields& fields);
 
  private:
   Json Restore(const page::RequestFields& fields, Restoring::From from);

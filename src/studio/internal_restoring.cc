@@ -30,8 +30,10 @@ void Restoring::Make(const recording::Progress& progress) {
   if (options_.eye != nullptr) options.eye = &eye.emplace(options_.eye->spec());
   auto world = std::make_unique<LiveWorld>(recording.start_scene(), recording.robot(), options);
   // Both run the log up to a moment, which may take as long as the recording.
-  if (const auto* kept = std::get_if<KeptTracks>(&from_)) {
+  if (const auto* kept = std::get_if<editing::KeptTracks>(&from_)) {
     world->RecordOver(recording, *kept, progress);
+  } else if (const auto* begin = std::get_if<CorrectionBegin>(&from_)) {
+    world->Correct(recording, begin->seconds, progress);
   } else {
     const auto& [step, after] = std::get<BranchPoint>(from_);
     const auto history = recording::HistoryOf(recording);

@@ -20,12 +20,17 @@ struct BranchPoint {
   std::optional<double> after;  ///< time since the step's begin [s]; nullopt for its end
 };
 
-/// Activity that continues a recording from a point of its history, or records over it: the world
-/// for it is made in another thread. Until then the live world and playback continue, but nothing
-/// else is recorded or loaded.
+/// Moment from which a user corrects what a recording shows.
+struct CorrectionBegin {
+  double seconds = 0;  ///< from the start of the demonstration
+};
+
+/// Activity that continues a recording from a point of its history, records over it or corrects it:
+/// the world for it is made in another thread. Until then the live world and playback continue, but
+/// nothing else is recorded or loaded.
 class Restoring : public Activity {
  public:
-  using From = std::variant<BranchPoint, KeptTracks>;
+  using From = std::variant<BranchPoint, editing::KeptTracks, CorrectionBegin>;
 
   /// @param directory  of the recording with this id.
   Restoring(std::string recording, std::filesystem::path directory, From from,

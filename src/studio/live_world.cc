@@ -81,6 +81,9 @@ std::optional<sim::Refusal> LiveWorld::Apply(const sim::Command& command) {
 std::optional<sim::Refusal> LiveWorld::ApplyToOwn(const sim::Command& command) {
   const bool is_undo = std::holds_alternative<sim::Undo>(command);
   const bool is_redo = std::holds_alternative<sim::Redo>(command);
+  if (is_undo && is_recording() && simulation_.history().current().id == take_.kept) {
+    return "the correction begins here; what was recorded before is kept";
+  }
   const auto is_played = [this] {
     return tracks_ && tracks_->HasPlayed(simulation_.history().current().id);
   };
@@ -101,25 +104,36 @@ void LiveWorld::Tick() {
 void LiveWorld::Continue(const recording::Recording& recording, const recording::HistoryPoint& from,
                          const recording::Progress& progress) {
   controller_.Continue(recording.directory, from, &simulation_, progress);
+  TakeUp(recording, recording.info.title);
+}
+
+void LiveWorld::Correct(const recording::Recording& recording, double seconds,
+                        const recording::Progress& progress) {
+  controller_.Correct(recording, seconds, {}, &simulation_, progress);
+  TakeUp(recording, recording::CorrectedTitleOf(recording));
+  take_.corrects = Json{{"title", recording::TitleOf(recording)}, {"seconds", ToTenths(seconds)}};
+  take_.kept = simulation_.history().current().id;
+}
+
+void LiveWorld::TakeUp(const recording::Recording& recording, const std::string& title) {
   // The recording began after that many actions of its history.
   const auto num_before =
       std::ranges::count_if(recording.log.PathTo(recording.info.start.line),
                             [](const auto& logged) { return sim::IsAction(logged.command); });
-  take_ = {.title = recording.info.title,
+  take_ = {.title = title,
            .before = simulation_.history().done()[static_cast<std::size_t>(num_before)].id,
            .start_tick = recording.info.start.tick};
   // The events of the repeated path are news to no client.
   events_.clear();
 }
 
-void LiveWorld::RecordOver(const recording::Recording& recording, const KeptTracks& kept,
+void LiveWorld::RecordOver(const recording::Recording& recording, const editing::KeptTracks& kept,
                            const recording::Progress& progress) {
   const recording::Demonstration demonstration = recording::DemonstrationOf(recording);
   replay::LogPlayer past(demonstration.past, demonstration.start);
   editing::RunToStart(recording, &past, &simulation_);
-  const std::string& title = recording.info.title;
-  const std::string name = title.empty() ? recording.directory.filename().string() : title;
-  if (auto refusal = Apply(sim::StartRecording{.title = name + " (over)"})) {
+  const std::string title = recording::TitleOf(recording) + " (over)";
+  if (auto refusal = Apply(sim::StartRecording{.title = title})) {
     throw InputError({recording.directory.string(), 0, "", *refusal});
   }
   tracks_.emplace(demonstration, kept);
@@ -156,7 +170,8 @@ Json LiveWorld::DescribeRecording() const {
           {"title", take_.title},
           {"seconds", ToTenths(sim::SecondsOf(simulation_.tick() - take_.start_tick))},
           {"segments", DescribeSegments()},
-          {"over", tracks_ ? tracks_->Describe() : Json()}};
+          {"over", tracks_ ? tracks_->Describe() : Json()},
+          {"corrects", take_.corrects}};
 }
 
 Json LiveWorld::DescribeSegments() const {

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "base/json.h"
+#include "editing/played_tracks.h"
 #include "recorder/recording_controller.h"
 #include "scene/bounds.h"
 #include "sim/simulation.h"
 #include "studio/capturing_eye.h"
-#include "studio/played_tracks.h"
 
 namespace smile::studio {
 
@@ -39,8 +39,12 @@ class LiveWorld : private sim::Listener {
   /// to the moment from which the user records, while the kept tracks act. To be called before
   /// anything else is done.
   /// @throws InputError; then no recording is left.
-  void RecordOver(const recording::Recording& recording, const KeptTracks& kept,
+  void RecordOver(const recording::Recording& recording, const editing::KeptTracks& kept,
                   const recording::Progress& progress);
+  /// Corrects a recording, see recorder::RecordingController::Correct(). To be called before
+  /// anything else is done. What came before the moment cannot be undone.
+  void Correct(const recording::Recording& recording, double seconds,
+               const recording::Progress& progress);
   /// Advances by a tick.
   void Tick();
 
@@ -67,13 +71,17 @@ class LiveWorld : private sim::Listener {
  private:
   struct Take {
     std::string title;
-    sim::ActionId before;  ///< the last action before its start
+    sim::ActionId before;               ///< the last action before its start
+    Json corrects;                      ///< `corrects` of a state message
+    std::optional<sim::ActionId> kept;  ///< the last action that cannot be undone
     std::uint64_t start_tick = 0;
   };
 
   /// Undoes or redoes what the user did last, with what the played tracks did since.
   std::optional<sim::Refusal> ApplyToOwn(const sim::Command& command);
   void RunToBegin(const recording::Progress& progress);
+  /// Continues with a recording whose past has been repeated.
+  void TakeUp(const recording::Recording& recording, const std::string& title);
   /// Updates bounds and markers when the model changes: another model has other objects; one of
   /// another scene also resets markers.
   void FollowModel();
@@ -88,8 +96,8 @@ class LiveWorld : private sim::Listener {
   sim::Simulation simulation_;
   recorder::RecordingController controller_;
   std::string usual_title_;
-  Take take_;                           ///< that is recorded
-  std::optional<PlayedTracks> tracks_;  ///< over which it is recorded
+  Take take_;                                    ///< that is recorded
+  std::optional<editing::PlayedTracks> tracks_;  ///< over which it is recorded
   std::vector<Json> events_;
   std::string last_refusal_;
   bool is_applying_ = false;

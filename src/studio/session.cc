@@ -139,6 +139,7 @@ std::vector<RequestRow> Session::Impl::RequestRows() {
       {"live", Bound(playback, &PlaybackRequests::GoLive), {Need::kPlayback}},
       {"branch", Bound(playback, &PlaybackRequests::Branch), {Need::kOtherWorld}},
       {"record_over", Bound(playback, &PlaybackRequests::RecordOver), {Need::kOtherWorld}},
+      {"correct", Bound(playback, &PlaybackRequests::Correct), {Need::kOtherWorld}},
       {"brains", Bound(brains, &BrainRequests::Describe), {}, /*is_for_anyone=*/true},
       {.what = "start_brain",
        .handle = Bound(brains, &BrainRequests::Start),

@@ -122,6 +122,8 @@ export interface LibraryEntry {
   /** time of the last frame */
   seconds?: number;
   segments?: number;
+  /** the recording that it is the same as, up to this moment */
+  corrects?: { recording: string; seconds: number } | null;
   /** replaces all these members if the recording cannot be read */
   error?: string;
   /** time of the last change by recording (ISO 8601, UTC) */
@@ -180,7 +182,7 @@ export interface StateMessage {
   /** what each held tool would do if it were used now; missing if it would be refused */
   uses: Record<string, ToolUse>;
   still: boolean;
-  recording: { id: string; title: string; seconds: number; segments: Segment[]; over: { hands: HandName[]; actions_left: number; skipped: { command: string; reason: string }[] } | null } | null;
+  recording: { id: string; title: string; seconds: number; segments: Segment[]; over: { hands: HandName[]; actions_left: number; skipped: { command: string; reason: string }[] } | null; corrects: { title: string; seconds: number } | null } | null;
   playback: { recording: string; seconds: number; length: number; rate: number } | null;
   /** the recording of which a moment is being restored */
   restoring: string | null;
@@ -314,6 +316,7 @@ export interface Requests {
   live: { fields: object; answer: object };
   branch: { fields: { recording: string; step: number; after?: number }; answer: { recording: string } };
   record_over: { fields: { recording: string; hands: HandName[]; seconds: number }; answer: { recording: string } };
+  correct: { fields: { recording: string; seconds: number }; answer: { recording: string } };
   brains: { fields: object; answer: { brains: ({ name: string; kind: "octave" | "python" | "program"; imitates: boolean })[] } };
   start_brain: { fields: { brain: string; demonstration?: string; scene?: string }; answer: object };
   stop_brain: { fields: object; answer: object };

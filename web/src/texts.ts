@@ -178,6 +178,7 @@ export const texts = {
     edit: "Writing the new recording",
     branch: "Returning to that moment",
     record_over: "Returning to that moment",
+    correct: "Returning to that moment",
     imitate: "The robot is imitating",
   } as Record<string, string>,
 
@@ -388,6 +389,10 @@ export const texts = {
     playbackBanner: "This is a recording.",
     branch: "Continue from here",
     branchWhy: "Restores this moment and continues recording; nothing is lost",
+    correct: "Correct from here",
+    correctWhy: "Records a correction of this recording: the same up to this moment, and from here on what you, or a brain, do better",
+    corrects: (title: string, seconds: number) => `Corrects ${title} from ${seconds.toFixed(1)} s`,
+    correctPaused: "Time is paused. Up to here, all is as recorded; when it resumes, you act.",
     over: "Record over…",
     overWhy: "Records a new demonstration from this moment on, while hands of this one act again",
     overKeeps: (hands: HandName[]) =>

@@ -1,6 +1,7 @@
 // What hands can do beside carrying: two of them, the menu, destroying, snapping; and what they may not.
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { Browser, SIDE_BY_SIDE, replay, sceneFile } from "./workbench.mjs";
@@ -83,6 +84,36 @@ test("one hand is recorded while the other one acts as it was recorded", async (
   await dialog.waitFor({ state: "detached" });
   await page.locator(".timeline-name", { hasText: "Later" }).waitFor();
   assert.notEqual((await begins())[0], before[0], "the clip is elsewhere");
+});
+
+test("a recording is corrected from the moment at which it went wrong", async (t) => {
+  const { page, studio, witness, person } = await browser.workplace(t, { studio: BARE });
+  const held = (hand) => witness.state.hands[hand].object;
+  await page.keyboard.press("e");
+  await person.press("Record");
+  await witness.until(() => witness.state.recording !== null, "a recording");
+  const wrong = witness.state.recording.id;
+  await person.grasp("RedBlock", "left");
+  await person.press("Finish");
+  await witness.until(() => witness.state.recording === null, "the end of the recording");
+
+  await page.getByRole("slider", { name: "Moment" }).fill("0");
+  await person.press("Correct from here");
+  await page.getByText("when it resumes, you act").waitFor();
+  await page.getByText(/^Corrects .* from 0.0 s$/).first().waitFor();
+  const { id } = witness.state.recording;
+  assert.equal(held("left"), null, "back before it went wrong");
+  await page.keyboard.press(" ");
+  await person.grasp("GreenBlock", "left");
+  await person.press("Finish");
+  await witness.until(() => witness.state.recording === null, "the end of the recording");
+  assert.equal(replay(join(studio.recordings, id)).identical, true);
+  const { corrects } = JSON.parse(readFileSync(join(studio.recordings, id, "demo.json"), "utf8"));
+  assert.deepEqual(corrects, { recording: wrong, seconds: 0 });
+
+  await person.showPanel("Library");
+  const cards = page.getByRole("list").locator(".recording");
+  await cards.nth(1).getByText(/^Corrects .* from 0.0 s$/).waitFor();
 });
 
 test("buttons and keys move things the way they say, as one sees it", async (t) => {

@@ -31,7 +31,8 @@ class DemoInfoTest : public recorder::RecordingFixture {
         .eye = CameraView{.intrinsics = CameraIntrinsics::FromVerticalFieldOfView(8, 6, 1),
                           .X_WC = RigidTransform(Vector3(0, -1, 1))},
         .eye_camera = sim::kHeadCamera,
-        .demonstrator = DemonstratorAppearance::kForearm};
+        .demonstrator = DemonstratorAppearance::kForearm,
+        .corrects = Correction{.recording = "take", .seconds = 1.5}};
     info.robot->body.grasps_by_friction = true;
     return info;
   }
@@ -102,13 +103,16 @@ TEST_F(DemoInfoTest, ComplaintsNameThePlaceWhatWasFoundAndWhatWasExpected) {
        {"\"ghosts\"",
         "<demonstrator>: demonstrator is \"ghosts\", expected invisible, ghost or forearm"}},
       {"/eye", {"null", "<demonstrator>: found in a recording without pictures"}},
+      {"/corrects/recording",
+       {"\"../take\"", "<corrects/recording>: found \"../take\", expected a name"}},
+      {"/corrects/seconds", {"-1", "<corrects/seconds>: found -1, expected 0 to 2678400"}},
       {"/robot", {"null", "<eye/camera>: found head and no robot, expected eye"}},
       {"/tilte",
        {"\"\"",
         "unknown member \"tilte\", expected format, program, scene, title, notes, "
         "meters_per_unit, ticks_per_second, physics, origin, start, frames_per_second, "
         "has_symbols, robot, "
-        "eye or demonstrator; did you mean \"title\"?"}},
+        "eye, demonstrator or corrects; did you mean \"title\"?"}},
       {"/eye/fov",
        {"1",
         "<eye>: unknown member \"fov\", expected width_px, height_px, fx, fy, cx, cy, position_m, "

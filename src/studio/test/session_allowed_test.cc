@@ -11,8 +11,9 @@ class SessionAllowed : public SessionFixture {};
 
 TEST_F(SessionAllowed, AStateReportsRefusedRequestsWithReasons) {
   Begin();
-  const Names live = {"command", "resting_place", "load",  "reload",  "spawn", "clear", "show",
-                      "branch",  "record_over",   "start", "support", "pause", "resume"};
+  const Names live = {"command", "resting_place", "load",   "reload",      "spawn",
+                      "clear",   "show",          "branch", "record_over", "correct",
+                      "start",   "support",       "pause",  "resume"};
   EXPECT_EQ(AllowedNow(), live);
   Command(R"({"do":"start","name":"take"})");
   Names recording = {"command", "resting_place", "support", "spawn",
@@ -27,7 +28,7 @@ TEST_F(SessionAllowed, AStateReportsRefusedRequestsWithReasons) {
   Command(R"({"do":"finish"})");
   Do(R"({"do":"show","recording":"take"})");
   EXPECT_EQ(AllowedNow(),
-            (Names{"load", "reload", "show", "play", "live", "branch", "record_over"}));
+            (Names{"load", "reload", "show", "play", "live", "branch", "record_over", "correct"}));
   Do(R"({"do":"live"})");
   EXPECT_EQ(AllowedNow().count("play"), 0u);
 }
@@ -37,8 +38,8 @@ TEST_F(SessionAllowed, WhileTheRobotClearsTheTableOnlyScenesMayChange) {
   Names live = AllowedNow();
   EXPECT_TRUE(live.contains("start_brain") && live.contains("imitate"));
   Do(R"({"do":"clear","rage":true})");
-  EXPECT_EQ(AllowedNow(),
-            (Names{"load", "reload", "branch", "record_over", "imitate", "pause", "resume"}));
+  EXPECT_EQ(AllowedNow(), (Names{"load", "reload", "branch", "record_over", "correct", "imitate",
+                                 "pause", "resume"}));
 }
 
 TEST_F(SessionAllowed, LoadingAndRecordingWaitForARestoredMoment) {

@@ -7,7 +7,7 @@ import { Button } from "../ui/buttons";
 import { openDialogs } from "../ui/dialog";
 import { Notices } from "../ui/notices";
 import { ControlWanted, takeControl } from "./control";
-import { failedRecording, isPaused, isPlayback, isClearingTable, isRestoring, isWatched, recordedOver } from "./derived_signals";
+import { failedRecording, isAtCorrection, isPaused, isPlayback, isClearingTable, isRestoring, isWatched, recordedOver } from "./derived_signals";
 
 /** Time before the page reports that connecting takes long, and time before it reports that it may fail. */
 const PATIENCE_MS = 800;
@@ -65,6 +65,12 @@ function Failure() {
   );
 }
 
+/** What is to be done while time is paused. */
+function pausedWords(): string {
+  if (recordedOver.value !== null) return texts.timeline.overPaused(recordedOver.value.hands);
+  return isAtCorrection.value ? texts.timeline.correctPaused : texts.time.paused;
+}
+
 /** The banners for the last reported state of the program. */
 function Present() {
   return (
@@ -96,7 +102,7 @@ function Present() {
       )}
       {isPaused.value && !isPlayback.value && (
         <div class="banner">
-          <span>{recordedOver.value ? texts.timeline.overPaused(recordedOver.value.hands) : texts.time.paused}</span>
+          <span>{pausedWords()}</span>
           <Button
             label={texts.time.resume}
             kind="accent"

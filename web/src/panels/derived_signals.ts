@@ -19,6 +19,11 @@ export const recordingId = computed(() => state.value?.recording?.id ?? null);
 export const mayAct = computed(() => may("command") === true);
 export const mayControl = computed(() => mayControlNow() === true);
 export const liveSegments = settled(() => state.value?.recording?.segments ?? []);
+/** Whether a correction was begun, and its user has not acted yet. */
+export const isAtCorrection = settled(() => {
+  const recording = state.value?.recording;
+  return recording?.corrects != null && recording.seconds <= recording.corrects.seconds + 0.1;
+});
 /** The hands that act again while the user records; null without. */
 export const recordedOver = settled(() => state.value?.recording?.over ?? null);
 export const brain = settled(() => state.value?.brain ?? null);

@@ -89,6 +89,9 @@ function RecordingCard({ recording }: { recording: LibraryEntry }) {
             {texts.seconds(recording.seconds ?? 0)} · {words.segments(recording.segments ?? 0)}
           </small>
         )}
+        {recording.corrects && (
+          <small>{texts.timeline.corrects(titleOf(recording.corrects.recording), recording.corrects.seconds)}</small>
+        )}
         <small>
           {recording.scene && `${recording.scene} · `}
           {whenMade(recording.made)}
@@ -112,6 +115,20 @@ function RecordingCard({ recording }: { recording: LibraryEntry }) {
       </div>
     </li>
   );
+}
+
+/** The same recordings, each followed by those that correct it. */
+function withCorrections(all: LibraryEntry[]): LibraryEntry[] {
+  const listed = new Set<LibraryEntry>();
+  const list = (one: LibraryEntry) => {
+    if (listed.has(one)) return;
+    listed.add(one);
+    all.filter(({ corrects }) => corrects?.recording === one.id).forEach(list);
+  };
+  const isCorrection = ({ corrects }: LibraryEntry) => all.some(({ id }) => id === corrects?.recording);
+  all.filter((one) => !isCorrection(one)).forEach(list);
+  all.forEach(list); // those that correct each other, which only a changed file says
+  return [...listed];
 }
 
 export function LibraryPanel() {
@@ -152,7 +169,7 @@ export function LibraryPanel() {
         <Empty icon="search" text={words.notFound} />
       ) : (
         <ul class="recordings">
-          {found.map((recording) => (
+          {withCorrections(found).map((recording) => (
             <RecordingCard key={recording.id} recording={recording} />
           ))}
         </ul>

@@ -100,6 +100,11 @@ async function branch(id: string, step: number, after?: number): Promise<void> {
   if (reply !== null) opened.value = null;
 }
 
+async function correct(id: string, seconds: number): Promise<void> {
+  const reply = await ask("correct", { recording: id, seconds });
+  if (reply !== null) opened.value = null;
+}
+
 function Scrubber({ id, timeline }: { id: string; timeline: Timeline }) {
   return (
     <div class="scrubber">
@@ -210,6 +215,12 @@ function EditButtons({ id, timeline }: { id: string; timeline: Timeline }) {
         disabled={may("branch") !== true || here === null}
         onClick={() => here && void branch(id, here.step, here.after)}
       />
+      <Button
+        label={words.correct}
+        title={when(may("correct"), words.correctWhy).title}
+        disabled={may("correct") !== true}
+        onClick={() => void correct(id, moment.value)}
+      />
       <RecordOverButton
         id={id}
         timeline={timeline}
@@ -307,6 +318,9 @@ function Head() {
         <span class="eye-records">
           {words.recording} · {texts.seconds(recording.seconds)}
         </span>
+      )}
+      {recording?.corrects && (
+        <span class="timeline-moment">{words.corrects(recording.corrects.title, recording.corrects.seconds)}</span>
       )}
       <Over />
       {open && isTimelineOpen.value && (

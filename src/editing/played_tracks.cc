@@ -1,4 +1,4 @@
-#include "studio/played_tracks.h"
+#include "editing/played_tracks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "sim/action_summary.h"
 
-namespace smile::studio {
+namespace smile::editing {
 namespace {
 
 /// Returns `left hand: grasp`.
@@ -81,4 +81,4 @@ Json PlayedTracks::Describe() const {
   return {{"hands", std::move(hands)}, {"actions_left", num_left}, {"skipped", std::move(skipped)}};
 }
 
-}  // namespace smile::studio
+}  // namespace smile::editing

@@ -10,7 +10,7 @@
 #include "sim/per_action.h"
 #include "sim/simulation.h"
 
-namespace smile::studio {
+namespace smile::editing {
 
 /// Hands of a demonstration that a user keeps while recording over it.
 struct KeptTracks {
@@ -63,4 +63,4 @@ class PlayedTracks {
   std::vector<Skipped> skipped_;
 };
 
-}  // namespace smile::studio
+}  // namespace smile::editing

@@ -55,8 +55,10 @@ Json PlaybackRequests::RecordOver(const page::RequestFields& fields) {
 Json PlaybackRequests::Restore(const page::RequestFields& fields, Restoring::From from) {
   const std::string id = fields.Text("recording");
   const bool is_over = std::holds_alternative<KeptTracks>(from);
+  // Continuing changes the recording; recording over it makes another.
+  auto directory = is_over ? library_->DirectoryOf(id) : library_->ChangeableDirectoryOf(id);
   // Shared by the session and the background job, either of which may end first.
-  const auto restoring = std::make_shared<Restoring>(id, library_->DirectoryOf(id), std::move(from),
+  const auto restoring = std::make_shared<Restoring>(id, std::move(directory), std::move(from),
                                                      RecordingOptionsOf(*options_));
   const auto work = [restoring](const recording::Progress& progress) -> Json {
     restoring->Make(progress);

@@ -248,6 +248,7 @@ std::vector<std::string> DatasetRequests::ExportArguments(const page::Request& r
                                      to.string()};
   for (std::string& argument : CameraArguments(fields)) arguments.push_back(std::move(argument));
   if (fields.Flag("include_failed")) arguments.emplace_back("--include-failed");
+  if (fields.Flag("drop_constant")) arguments.emplace_back("--drop-constant");
   return arguments;
 }
 

@@ -207,7 +207,8 @@ RequestForm ExportForm() {
        {"width", NumberShape()},
        {"height", NumberShape(), true, "of the pictures, in pixels"},
        {"rate", NumberShape(), true, "frames per second"},
-       {"include_failed", FlagShape(), kOptional}},
+       {"include_failed", FlagShape(), kOptional},
+       {"drop_constant", FlagShape(), kOptional, "without joints that never move"}},
       {{"job", NumberShape()}},
       "starts `smile export` and `smile doctor` (docs/datasets.md) as soon as no other job runs; "
       "makes `datasets/NAME` in the folder of the recordings"};

@@ -382,7 +382,7 @@ export interface Requests {
   jobs: { fields: object; answer: { jobs: Job[]; folder: string; levels: string[]; formats: string[]; cameras: string[]; rates: number[]; max_count: number; max_jobs: number } };
   generate: { fields: { recording: string; name: string; scene: string; brain: string; count: number; level: string; seed: number; jobs: number }; answer: { job: number } };
   continue_set: { fields: { set: string }; answer: { job: number } };
-  export: { fields: { recording?: string; set?: string; name: string; format: string; cameras: string[]; width: number; height: number; rate: number; include_failed?: boolean }; answer: { job: number } };
+  export: { fields: { recording?: string; set?: string; name: string; format: string; cameras: string[]; width: number; height: number; rate: number; include_failed?: boolean; drop_constant?: boolean }; answer: { job: number } };
   stop_job: { fields: { job: number }; answer: object };
   sets: { fields: object; answer: { sets: GeneratedSet[] } };
   open_set: { fields: { set: string }; answer: { set: GeneratedSet; attempts: SetAttempt[] } };

@@ -402,7 +402,8 @@ export const texts = {
     seed: "First seed",
     jobs: "Runs at a time",
     stop: "Stop",
-    stopWhy: "What is done is kept; the set can be continued",
+    stopWhy: ({ do: what }: Job) =>
+      what === "generate" ? "What is done is kept; the set can be continued" : "Nothing is kept of the dataset",
     stopNamed: (name: string) => `Stop “${name}”`,
     stopping: "it is stopping",
     inBackground: "Continue in the background",
@@ -427,14 +428,14 @@ export const texts = {
         ...(interval === null ? [] : [`95 %: ${percent(interval[0])} to ${percent(interval[1])} %`]),
       ].join(" · "),
     jobTitle: ({ do: what, name }: Job) => (what === "generate" ? `Generate “${name}”` : `Export “${name}”`),
-    status: ({ status, done = 0, total }: Job): string =>
+    status: ({ do: what, status, done = 0, total }: Job): string =>
       ({
         waiting: "Waits for another job",
         running: total === undefined ? "Starts" : `${done} of ${count(total, "episode", "episodes")}`,
         stopping: "Stops",
         done: "Done",
         failed: "Failed",
-        stopped: "Stopped; what is done is kept",
+        stopped: what === "generate" ? "Stopped; what is done is kept" : "Stopped; nothing is kept",
       })[status],
     ended: ({ status, name }: Job) =>
       status === "done" ? `“${name}” is made` : status === "stopped" ? `“${name}” is stopped` : `“${name}” failed`,
@@ -454,6 +455,30 @@ export const texts = {
     found: (found: number, all: number) => `${found} of ${count(all, "attempt", "attempts")} shown. A click opens the recording.`,
     more: (left: number) => `Show more (${left})`,
     staysAsMade: "This recording belongs to a generated set, which stays as it was made.",
+  },
+
+  exporting: {
+    entry: "Export…",
+    title: (title: string) => `Export “${title}”`,
+    export: "Export",
+    name: "Name",
+    format: "Format",
+    formatOf: (format: string) =>
+      ({
+        "lerobot-v3.0": "LeRobot 3.0",
+        "lerobot-v2.1": "LeRobot 2.1, GR00T",
+        robomimic: "robomimic, MimicGen (HDF5)",
+        zarr: "Diffusion Policy (Zarr)",
+        mcap: "MCAP, for Foxglove",
+        csv: "CSV and films",
+      })[format] ?? format,
+    cameras: "Cameras (none: without pictures)",
+    size: "Picture size",
+    rate: "Frames per second",
+    withFailures: "Failures, too",
+    withoutConstant: "Leave out joints that never move",
+    place: (folder: string, name: string) => `Folder: ${folder}/datasets/${name}`,
+    staysWhenClosed: "This continues when the dialog or the page is closed. At the end, the dataset is checked.",
   },
 
   timeline: {

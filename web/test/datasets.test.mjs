@@ -114,3 +114,44 @@ test("a generation is stopped and continued", async (t) => {
   await person.press("Stop “slow”");
   await page.locator(".job").filter({ hasText: "Stopped" }).nth(1).waitFor();
 });
+
+/** Plays Python: its packages are missing until they are installed; then it exports, and the doctor finds something. */
+const PYTHON = `#!/bin/sh
+here=$(dirname "$0")
+shift 2
+what=$1
+out=$2
+[ -e "$here/installed" ] || { echo "smile: datasets need a Python package: No module named 'pyarrow'; get it by" >&2; exit 3; }
+while [ $# -gt 0 ]; do [ "$1" = --out ] && out=$2; shift; done
+[ $what = doctor ] && { echo "$out: 0 errors, 1 warnings"; exit 0; }
+echo "episode 2 of 4: run, 9 frames" >&2
+while [ ! -e "$here/go" ]; do sleep 0.05; done
+mkdir -p "$out"
+`;
+
+test("a recording is exported, as soon as the packages are there, and checked", async (t) => {
+  const folder = mkdtempSync(join(tmpdir(), "smile-python-"));
+  t.after(() => rmSync(folder, { recursive: true }));
+  writeFileSync(join(folder, "python"), PYTHON, { mode: 0o755 });
+  process.env.SMILE_PYTHON = join(folder, "python");
+  t.after(() => delete process.env.SMILE_PYTHON);
+  const { studio, page, person, choose } = await workplace(t);
+  const dialog = await choose("shown", "Export…");
+  await dialog.getByRole("combobox", { name: "Format" }).selectOption("zarr");
+  await person.press("head", dialog);
+  await dialog.getByRole("combobox", { name: "Picture size" }).selectOption("160x120");
+  await dialog.getByRole("combobox", { name: "Frames per second" }).selectOption("10");
+  await person.press("Export", dialog);
+  await dialog.getByRole("alert").getByText("No module named 'pyarrow'; get it by").waitFor();
+  writeFileSync(join(folder, "installed"), "");
+  await person.press("Export", dialog);
+  await dialog.getByText("1 of 4 episodes").waitFor();
+  writeFileSync(join(folder, "go"), "");
+  await dialog.getByText("0 errors, 1 warnings").waitFor();
+  await dialog.getByText("datasets/shown", { exact: false }).last().waitFor();
+  assert.ok(existsSync(join(studio.recordings, "datasets/shown")));
+  await person.press("Close", dialog.locator("footer"));
+  await page.locator(".job").filter({ hasText: "Done" }).waitFor();
+  await person.press("Dismiss “shown”");
+  await page.locator(".job").waitFor({ state: "detached" });
+});

@@ -247,7 +247,9 @@ TEST_F(DatasetRequestsTest, WithoutARobotNothingIsGenerated) {
 }
 
 TEST_F(DatasetRequestsTest, AnExportEndsWithTheVerdict) {
-  ASSERT_EQ(Ask("export", ToExport())["job"], 1);
+  Json wanted = ToExport();
+  wanted["include_failed"] = wanted["drop_constant"] = true;
+  ASSERT_EQ(Ask("export", wanted)["job"], 1);
   const Json job = Until(0, [](const Json& now) { return now.contains("total"); });
   EXPECT_EQ(job["done"], 1);
   EXPECT_EQ(job["total"], 3);
@@ -256,7 +258,8 @@ TEST_F(DatasetRequestsTest, AnExportEndsWithTheVerdict) {
   const std::string data = (root_ / "datasets/data").string();
   EXPECT_EQ(done["verdict"], (Json{{"ok", false}, {"lines", {data + ": 1 errors, 0 warnings"}}}));
   EXPECT_EQ(Calls(), "export " + (root_ / "demo").string() + " --to zarr --fps 10 --out " + data +
-                         " --camera eye:160x120 --camera top:160x120\ndoctor " + data + "\n");
+                         " --camera eye:160x120 --camera top:160x120 --include-failed " +
+                         "--drop-constant\ndoctor " + data + "\n");
   EXPECT_FALSE(Ask("export", ToExport())["ok"]) << "there is a dataset of this name";
 }
 

@@ -170,7 +170,7 @@ export function JobActions(props: {
           label={words.stop}
           icon="stop"
           kind="danger"
-          {...when(job.status === "stopping" ? words.stopping : may("stop_job"), words.stopWhy)}
+          {...when(job.status === "stopping" ? words.stopping : may("stop_job"), words.stopWhy(job))}
           onClick={() => stopJob(job)}
         />
       )}

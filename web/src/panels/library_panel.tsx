@@ -7,7 +7,7 @@ import { Button } from "../ui/buttons";
 import { Empty, isFound, Picture, SearchField } from "../ui/card";
 import { MenuButton, type MenuEntry } from "../ui/menu";
 import { refreshSets } from "./datasets";
-import { analyzed, generated, isTimelineOpen, renamed, sheet, showPanel, toImitate } from "./page";
+import { analyzed, exported, generated, isTimelineOpen, renamed, sheet, showPanel, toImitate } from "./page";
 import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf } from "./recordings";
 import { JobList, SetsList } from "./sets_list";
 
@@ -77,6 +77,12 @@ function entriesOf(recording: LibraryEntry): MenuEntry[] {
       icon: "copy",
       ...unless(may("generate")),
       onChoose: () => (generated.value = id),
+    },
+    {
+      label: texts.exporting.entry,
+      icon: "film",
+      ...unless(may("export")),
+      onChoose: () => (exported.value = { recording: id }),
     },
     { label: words.analyze, icon: "search", ...unless(may("analyze")), onChoose: () => (analyzed.value = id) },
     { label: words.rename, icon: "pencil", ...unless(may("rename")), onChoose: () => (renamed.value = id) },

@@ -62,6 +62,8 @@ export const renamed = signal<string | null>(null);
 export const analyzed = signal<string | null>(null);
 /** The recording of which a set is to be generated. */
 export const generated = signal<string | null>(null);
+/** The recording or generated set that is to be exported. */
+export const exported = signal<{ recording: string } | { set: string } | null>(null);
 /** The generated set whose attempts are looked at. */
 export const openedSet = signal<string | null>(null);
 /** What is chosen to be imitated. */

@@ -9,7 +9,7 @@ import { Icon } from "../ui/icons";
 import { MenuButton, type MenuEntry } from "../ui/menu";
 import { dismiss, dismissed, isOpen, jobOfSet, refreshJobs, refreshSets, sets, stopJob } from "./datasets";
 import { JobProgress } from "./job_progress";
-import { openedSet } from "./page";
+import { exported, openedSet } from "./page";
 import { eyePictureOf } from "./recordings";
 
 const { datasets: words } = texts;
@@ -78,6 +78,12 @@ function entriesOf(set: GeneratedSet): MenuEntry[] {
       icon: "play",
       ...unless(allowed),
       onChoose: () => void ask("continue_set", { set: name }),
+    },
+    {
+      label: texts.exporting.entry,
+      icon: "film",
+      ...unless(may("export")),
+      onChoose: () => (exported.value = { set: name }),
     },
   ];
 }

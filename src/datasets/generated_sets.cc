@@ -125,12 +125,14 @@ std::vector<EndedAttempt> GeneratedSets::Read(const fs::path& folder) {
   Attempts now;
   for (const char* outcome : {"episodes", "failures"}) {
     for (const fs::path& path : FoldersIn(folder / outcome)) {
+      // A set may be deleted, and made again under the same name.
+      std::string stamp = StampOf(path / "attempt.json");
       const auto before = known.find(path);
-      // An attempt never changes once it is in its place.
-      auto ended = before != known.end() ? before->second : AttemptIn(path);
+      const bool is_known = before != known.end() && before->second.stamp == stamp;
+      auto ended = is_known ? before->second.ended : AttemptIn(path);
       if (!ended) continue;
       attempts.push_back(*ended);
-      now.emplace(path, *std::move(ended));
+      now.emplace(path, Known{std::move(stamp), *std::move(ended)});
     }
   }
   known = std::move(now);

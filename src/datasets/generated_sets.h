@@ -45,7 +45,11 @@ class GeneratedSets {
   Json ProgressOf(const std::string& name, std::size_t wanted);
 
  private:
-  using Attempts = std::map<std::filesystem::path, experiment::EndedAttempt>;
+  struct Known {
+    std::string stamp;  ///< of the file it was read from
+    experiment::EndedAttempt ended;
+  };
+  using Attempts = std::map<std::filesystem::path, Known>;
 
   /// Reads the attempts that have come since, and forgets those that are gone.
   std::vector<experiment::EndedAttempt> Read(const std::filesystem::path& folder);

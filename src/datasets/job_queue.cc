@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Time between two looks at the progress of a job.
-constexpr auto kBetweenReports = std::chrono::milliseconds(500);
+constexpr auto kBetweenReports = std::chrono::seconds(1);
 /// Wall-clock time after which a job is ended: a month [s].
 constexpr double kMaxJobSeconds = 30 * 86400.0;
 constexpr std::streamoff kMaxTailBytes = 8 << 10;

@@ -240,6 +240,7 @@ Json Library::List() const {
 std::string Library::Stamp() const {
   // A hash of names and stamps, not of contents: it is asked for again and again to notice changes.
   StateHash hash;
+  hash.Add(StampOf(root_ / kGeneratedFolder));
   for (const fs::path& folder : {root_, bin()}) {
     hash.Add(StampOf(folder));
     // An unchanged folder may still gain or lose a recording's demo.json. Checking 1000 takes 3 ms.

@@ -49,7 +49,7 @@ class Library {
   /// recording that cannot be read has an `error` instead.
   Json List() const;
   /// Returns a text that changes whenever recordings appear, disappear or change title or notes, in
-  /// the folder or the bin.
+  /// the folder or the bin, and whenever generated sets appear or disappear.
   std::string Stamp() const;
   /// Returns the directory of a recording, also of one in the bin or of a generated set.
   /// @throws LibraryError if there is no such recording. So do all below.

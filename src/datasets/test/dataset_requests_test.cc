@@ -154,6 +154,24 @@ TEST_F(DatasetRequestsTest, GeneratesWhileItReportsProgressAndListsTheSet) {
             fs::canonical(root_) / "generated/many/failures/seed-0007/imitation");
 }
 
+TEST_F(DatasetRequestsTest, ASetThatWasMadeAgainIsReadAgain) {
+  LetItEnd();
+  for (const auto outcome : {experiment::Outcome::kFailure, experiment::Outcome::kSuccess}) {
+    fs::remove_all(root_ / "generated");
+    fs::remove_all(root_ / "tools/prepared/failures");
+    Prepare(7, outcome);
+    const int number = Ask("generate", Wanted())["job"];
+    UntilStatus(static_cast<std::size_t>(number - 1), "done");
+    EXPECT_EQ(Ask("sets")["sets"][0]["episodes"], outcome == experiment::Outcome::kSuccess ? 1 : 0);
+  }
+  // The same path, another content.
+  const fs::path file = root_ / "generated/many/episodes/seed-0007/attempt.json";
+  std::string text = ReadFile(file, 1 << 20);
+  text.replace(text.find("scattered"), 9, "edges");
+  WriteFile(file, text);
+  EXPECT_EQ(Ask("open_set", {{"set", "many"}})["attempts"][0]["level"], "edges");
+}
+
 TEST_F(DatasetRequestsTest, AStoppedSetContinuesByTheSameCommand) {
   ASSERT_EQ(Ask("generate", Wanted())["job"], 1);
   Until(0, [&](const Json&) { return fs::exists(root_ / "generated/many/generation.json"); });

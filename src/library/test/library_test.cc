@@ -190,6 +190,9 @@ TEST_F(LibraryTest, RecordingsOfGeneratedSetsAreFoundAndNeverChanged) {
   const std::string id = AttemptId("many", "seed-0007");
   EXPECT_EQ(library_.DirectoryOf(id), fs::canonical(folder / "imitation"));
   EXPECT_TRUE(library_.List().empty());
+  const std::string stamp = library_.Stamp();
+  fs::create_directories(root_ / "generated" / "others");
+  EXPECT_NE(library_.Stamp(), stamp);
   EXPECT_THROW(library_.Rename(id, "another", std::nullopt), LibraryError);
   EXPECT_THROW((void)library_.Bin(id), LibraryError);
   EXPECT_THROW((void)library_.ChangeableDirectoryOf(id), LibraryError);

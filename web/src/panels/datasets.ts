@@ -2,7 +2,7 @@
 
 import { effect, signal } from "@preact/signals";
 import type { Job, Requests, GeneratedSet } from "../protocol";
-import { ask, isConnected, jobs, notify, request } from "../studio";
+import { ask, isConnected, jobs, notify, numLibraryUpdates, request } from "../studio";
 import { texts } from "../texts";
 
 const { datasets: words } = texts;
@@ -50,6 +50,11 @@ export function freeName(title: string, taken: string[]): string {
   for (let number = 2; taken.includes(free); ++number) free = `${name}-${number}`;
   return free;
 }
+
+/** Sets may be made and deleted by others. */
+numLibraryUpdates.subscribe((number) => {
+  if (number > 0 && sets.peek() !== null) void refreshSets();
+});
 
 /** Announces the ends of jobs, whatever is open; then the sets have changed. */
 let before = new Map<number, Job>();

@@ -13,6 +13,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/imitate_arguments.h"
 #include "app/interrupt.h"
 #include "app/options.h"
 #include "base/files.h"
@@ -58,9 +59,15 @@ void OpenInBrowser(const std::string& link) {
   }
 }
 
+/// Returns how the page generates and exports: by this program, with the same robot.
+datasets::DatasetOptions DatasetOptionsOf(const StudioCommand& options) {
+  return {.program = std::filesystem::read_symlink("/proc/self/exe"),
+          .robot_arguments = ArgumentsOf({.robot = options.robot, .path = options.path}, "", "")};
+}
+
 int RunStudio(const StudioCommand& options) {
   picture::RenderedEye eye(EyeSpecOf(options.eye));
-  studio::StudioOptions plan;
+  studio::StudioOptions plan{.datasets = DatasetOptionsOf(options)};
   plan.session = {.scene = options.scene.empty() ? DataFile("scenes/tower.xml")
                                                  : std::filesystem::path(options.scene),
                   .reader = options.path.reader(),

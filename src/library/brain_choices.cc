@@ -16,6 +16,8 @@
 #include <system_error>
 #include <utility>
 
+#include "base/files.h"
+
 namespace smile::library {
 namespace {
 
@@ -125,6 +127,13 @@ std::vector<BrainChoice> BrainsIn(const std::vector<fs::path>& folders) {
     choices.back().name = ProgramNameOf(found.known_as, all);
   }
   return choices;
+}
+
+std::vector<fs::path> BrainFolders(std::vector<fs::path> own) {
+  for (const char* shipped : {"matlab/examples", "python/examples", "matlab", "python"}) {
+    own.push_back(DataFile(shipped));
+  }
+  return own;
 }
 
 const BrainChoice* BrainNamed(const std::vector<BrainChoice>& choices, const std::string& name) {

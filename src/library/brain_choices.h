@@ -20,6 +20,10 @@ struct BrainChoice {
 /// folders are skipped; duplicates are listed once.
 std::vector<BrainChoice> BrainsIn(const std::vector<std::filesystem::path>& folders);
 
+/// Returns the folders of brains: one's own come first, since the first match of a name wins, then
+/// the shipped ones.
+std::vector<std::filesystem::path> BrainFolders(std::vector<std::filesystem::path> own);
+
 /// Returns the first choice with this name or with a path that ends with it, also for a former name
 /// of a shipped brain; nullptr if none matches.
 const BrainChoice* BrainNamed(const std::vector<BrainChoice>& choices, const std::string& name);

@@ -91,6 +91,7 @@ std::optional<web_server::HttpResponse> ContentRoutes::GetRecording(const std::s
   }
   // An id contains no slash, so nothing of the path is ambiguous.
   if (const auto id = Between("", name, "/picture.png")) return PictureOf(*id, std::nullopt);
+  if (const auto id = Between("", name, "/eye.png")) return EyePictureOf(*id);
   const std::size_t slash = name.find('/');
   if (slash == std::string::npos) return std::nullopt;
   const auto number = Between("/segments/", std::string_view(name).substr(slash), ".png");
@@ -109,6 +110,15 @@ std::optional<web_server::HttpResponse> ContentRoutes::PictureOf(
   return PngResponse(thumbnails_.Get(directory.string() + "|" + stamp + "|" + which,
                                      [directory, stamp, segment](ThumbnailRenderer* renderer) {
                                        return renderer->RenderRecording(directory, stamp, segment);
+                                     }));
+}
+
+std::optional<web_server::HttpResponse> ContentRoutes::EyePictureOf(const std::string& id) {
+  const std::filesystem::path directory = library_.DirectoryOf(id);
+  const std::string stamp = StampOf(directory / "trace.bin");
+  return PngResponse(thumbnails_.Get(directory.string() + "|" + stamp + "|eye",
+                                     [directory, stamp](ThumbnailRenderer* renderer) {
+                                       return renderer->RenderEye(directory, stamp);
                                      }));
 }
 

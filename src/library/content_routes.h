@@ -36,6 +36,8 @@ class ContentRoutes {
   std::optional<web_server::HttpResponse> GetRecording(const std::string& name);
   std::optional<web_server::HttpResponse> PictureOf(const std::string& id,
                                                     std::optional<std::size_t> segment);
+  /// Returns the end of a recording as the robot sees it.
+  std::optional<web_server::HttpResponse> EyePictureOf(const std::string& id);
 
   ContentRoutesOptions options_;
   SceneCatalog catalog_;

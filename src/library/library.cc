@@ -67,6 +67,25 @@ bool IsRecordingIn(const fs::path& folder, const std::string& id) {
          StateOf(folder / id / "demo.json").is_file;
 }
 
+/// Returns the directory with the recording of an attempt, see AttemptId(); nullopt if there is
+/// none.
+std::optional<fs::path> AttemptIn(const fs::path& generated, const std::string& id) {
+  const std::size_t colon = id.rfind(':');
+  if (colon == std::string::npos) return std::nullopt;
+  const std::string set = id.substr(0, colon), attempt = id.substr(colon + 1);
+  if (!IsPlainName(set) || !IsPlainName(attempt)) return std::nullopt;
+  // None of the folders on the way may be a link.
+  if (!StateOf(generated).is_directory || !StateOf(generated / set).is_directory) {
+    return std::nullopt;
+  }
+  for (const char* outcome : {"episodes", "failures"}) {
+    const fs::path folder = generated / set / outcome;
+    if (!StateOf(folder).is_directory) continue;
+    if (IsRecordingIn(folder / attempt, "imitation")) return folder / attempt / "imitation";
+  }
+  return std::nullopt;
+}
+
 /// Returns a time in ISO 8601, UTC.
 std::string TimeText(std::int64_t nanoseconds) {
   const std::time_t seconds = nanoseconds / 1'000'000'000LL;
@@ -226,6 +245,7 @@ Json Library::List() const {
 std::string Library::Stamp() const {
   // A hash of names and stamps, not of contents: it is asked for again and again to notice changes.
   StateHash hash;
+  hash.Add(StampOf(root_ / kGeneratedFolder));
   for (const fs::path& folder : {root_, bin()}) {
     hash.Add(StampOf(folder));
     // An unchanged folder may still gain or lose a recording's demo.json. Checking 1000 takes 3 ms.
@@ -246,16 +266,24 @@ fs::path Library::DirectoryOf(const std::string& id) const {
   for (const fs::path& folder : {root, root / bin().filename()}) {
     if (IsRecordingIn(folder, id)) return folder / id;
   }
+  if (const auto attempt = AttemptIn(root / kGeneratedFolder, id)) return *attempt;
   FailToFind(id);
+}
+
+fs::path Library::ChangeableDirectoryOf(const std::string& id) const {
+  fs::path directory = DirectoryOf(id);
+  // The directory of any other recording has its id as its name.
+  if (directory.filename() == id) return directory;
+  throw LibraryError(Quoted(id) + " belongs to a generated set, which stays as it was made");
 }
 
 void Library::Rename(const std::string& id, const std::optional<std::string>& title,
                      const std::optional<std::string>& notes) const {
-  recording::Retitle(DirectoryOf(id), title, notes);
+  recording::Retitle(ChangeableDirectoryOf(id), title, notes);
 }
 
 std::string Library::Bin(const std::string& id) const {
-  const fs::path directory = DirectoryOf(id);
+  const fs::path directory = ChangeableDirectoryOf(id);
   if (directory.parent_path().filename() == bin().filename()) {
     throw LibraryError(Quoted(id) + " is already in the bin");
   }

@@ -18,9 +18,20 @@ class LibraryError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Folder in that of the recordings, with those that `smile generate` made (docs/generation.md).
+inline constexpr const char* kGeneratedFolder = "generated";
+
+/// Returns the id of the recording of an attempt: `towers:seed-0007`.
+/// @param set      folder in kGeneratedFolder.
+/// @param attempt  folder among its episodes or failures.
+inline std::string AttemptId(const std::string& set, const std::string& attempt) {
+  return set + ":" + attempt;
+}
+
 /// Library: the recordings in one folder, which users rename, search, delete and restore. An id is
 /// the name of a recording's directory, there or in the bin; ids that lead anywhere else, or to a
-/// link, are refused.
+/// link, are refused. Recordings of generated sets are not listed, and never changed; AttemptId()
+/// is their id.
 ///
 /// Thread-safe.
 class Library {
@@ -38,11 +49,13 @@ class Library {
   /// recording that cannot be read has an `error` instead.
   Json List() const;
   /// Returns a text that changes whenever recordings appear, disappear or change title or notes, in
-  /// the folder or the bin.
+  /// the folder or the bin, and whenever generated sets appear or disappear.
   std::string Stamp() const;
-  /// Returns the directory of a recording, also of one in the bin.
+  /// Returns the directory of a recording, also of one in the bin or of a generated set.
   /// @throws LibraryError if there is no such recording. So do all below.
   std::filesystem::path DirectoryOf(const std::string& id) const;
+  /// The same of a recording that may be changed: not of a generated set.
+  std::filesystem::path ChangeableDirectoryOf(const std::string& id) const;
   /// Changes title and notes. Also throws as recording::Retitle().
   void Rename(const std::string& id, const std::optional<std::string>& title,
               const std::optional<std::string>& notes) const;

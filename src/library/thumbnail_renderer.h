@@ -31,6 +31,10 @@ class ThumbnailRenderer {
   std::optional<std::string> RenderRecording(const std::filesystem::path& directory,
                                              const std::string& stamp,
                                              std::optional<std::size_t> segment);
+  /// Returns the end of a recording through the robot's eye as a PNG file; without a robot, as
+  /// RenderRecording() does.
+  std::optional<std::string> RenderEye(const std::filesystem::path& directory,
+                                       const std::string& stamp);
 
  private:
   /// The recording that was read last: its other segments are usually requested next.
@@ -41,6 +45,10 @@ class ThumbnailRenderer {
     std::vector<recording::Segment> segments;
   };
 
+  /// Opens a recording, unless it is the last one.
+  void Open(const std::filesystem::path& directory, const std::string& stamp);
+  /// Returns the renderer, made in the worker thread, to which its OpenGL context belongs.
+  camera::Renderer& renderer();
   std::string Render(const model::Model& model, const scene::VisualState& state);
 
   std::unique_ptr<camera::Renderer> renderer_;  ///< nullptr before the first use

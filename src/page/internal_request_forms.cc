@@ -1,5 +1,6 @@
 #include "page/internal_request_forms.h"
 
+#include "page/internal_dataset_shapes.h"
 #include "page/internal_shapes.h"
 
 // Table of all requests: the source of docs/studio-protocol.md, of the page's TypeScript types, and
@@ -162,6 +163,81 @@ std::vector<RequestForm> LibraryRequests() {
   };
 }
 
+/// Returns what the page offers to choose from.
+std::vector<JsonMember> ChoiceMembers() {
+  return {{"folder", TextShape(), true, "of the recordings, as the program knows it"},
+          {"levels", TextsShape()},
+          {"formats", TextsShape()},
+          {"cameras", TextsShape()},
+          {"rates", NumbersShape()},
+          {"max_count", NumberShape()},
+          {"max_jobs", NumberShape()}};
+}
+
+RequestForm JobsForm() {
+  std::vector<JsonMember> answer{{"jobs", JsonShape::List(JobShape())}};
+  for (JsonMember& choice : ChoiceMembers()) answer.push_back(std::move(choice));
+  return {
+      "jobs", {}, std::move(answer), "the jobs, oldest first, and what they may be given", true};
+}
+
+RequestForm GenerateForm() {
+  return {"generate",
+          {{"recording", TextShape(), true, "the demonstration"},
+           {"name", TextShape(), true, "of the new set"},
+           {"scene", TextShape()},
+           {"brain", TextShape()},
+           {"count", NumberShape(), true, "wanted episodes"},
+           {"level", TextShape()},
+           {"seed", NumberShape()},
+           {"jobs", NumberShape(), true, "runs at a time"}},
+          {{"job", NumberShape()}},
+          "starts `smile generate` (docs/generation.md) as soon as no other job runs; makes "
+          "`generated/NAME` in the folder of the recordings"};
+}
+
+RequestForm ExportForm() {
+  return {
+      "export",
+      {{"recording", TextShape(), kOptional, "a recording"},
+       {"set", TextShape(), kOptional, "or a generated set"},
+       {"name", TextShape(), true, "of the new dataset"},
+       {"format", TextShape()},
+       {"cameras", TextsShape(), true, "none: without pictures"},
+       {"width", NumberShape()},
+       {"height", NumberShape(), true, "of the pictures, in pixels"},
+       {"rate", NumberShape(), true, "frames per second"},
+       {"include_failed", FlagShape(), kOptional},
+       {"drop_constant", FlagShape(), kOptional, "without joints that never move"}},
+      {{"job", NumberShape()}},
+      "starts `smile export` and `smile doctor` (docs/datasets.md) as soon as no other job runs; "
+      "makes `datasets/NAME` in the folder of the recordings"};
+}
+
+/// Requests about generated sets, datasets and the jobs that make them.
+std::vector<RequestForm> DatasetRequests() {
+  const JsonMember set{"set", TextShape()};
+  return {JobsForm(),
+          GenerateForm(),
+          {"continue_set",
+           {set},
+           {{"job", NumberShape()}},
+           "continues a set that `generate` began; what is there is kept"},
+          ExportForm(),
+          {"stop_job", {{"job", NumberShape()}}, {}, "what is done is kept"},
+          {"sets",
+           {},
+           {{"sets", JsonShape::List(GeneratedSetShape())}},
+           "the newest 200 generated sets, newest first",
+           true},
+          {"open_set",
+           {set},
+           {{"set", GeneratedSetShape()}, {"attempts", JsonShape::List(SetAttemptShape())}},
+           "the first 5000 attempts, by seed; their recordings can be opened and shown, and "
+           "changed by no request",
+           true}};
+}
+
 /// Requests that show a recording in place of the live world.
 std::vector<RequestForm> PlaybackRequests() {
   const JsonMember recording{"recording", TextShape()};
@@ -232,8 +308,9 @@ std::vector<RequestForm> BrainRequests() {
 
 std::vector<RequestForm> MakeRequestForms() {
   std::vector<RequestForm> all;
-  for (const auto& forms : {ConnectionRequests(), WorldRequests(), SceneRequests(),
-                            LibraryRequests(), PlaybackRequests(), BrainRequests()}) {
+  for (const auto& forms :
+       {ConnectionRequests(), WorldRequests(), SceneRequests(), LibraryRequests(),
+        DatasetRequests(), PlaybackRequests(), BrainRequests()}) {
     all.insert(all.end(), forms.begin(), forms.end());
   }
   return all;

@@ -1,6 +1,7 @@
 #include "page/internal_update_forms.h"
 
 #include "demonstrator/hand.h"
+#include "page/internal_dataset_shapes.h"
 #include "page/internal_shapes.h"
 
 // Table of all messages that are not replies, with the same uses as the table of requests. Poses
@@ -179,6 +180,10 @@ std::vector<UpdateForm> MakeUpdateForms() {
        "`by`: the controller; sent to each client that asked for control"},
       {"library", ObjectShape({KindMember("library")}).Called("LibraryMessage"),
        "the list of recordings has changed: request `library` again"},
+      {"jobs",
+       ObjectShape({KindMember("jobs"), {"jobs", JsonShape::List(JobShape())}})
+           .Called("JobsMessage"),
+       "as the request `jobs` returns them; not sent after `hello`"},
       {"error", ObjectShape({KindMember("error"), {"error", TextShape()}}).Called("ErrorMessage"),
        "an error outside any request, for example of the eye's renderer"},
   };

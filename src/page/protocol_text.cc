@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "page/internal_dataset_shapes.h"
 #include "page/internal_shapes.h"
 #include "page/page_protocol.h"
 
@@ -54,6 +55,9 @@ std::vector<NamedShape> NamedShapes() {
           {SegmentShape()},
           {TimelineShape(), "All times are from the start [s]."},
           {LibraryEntryShape()},
+          {GeneratedSetShape()},
+          {SetAttemptShape(), "Attempt at an episode of a generated set."},
+          {JobShape(), "Long work that programs do, one after another."},
           {AllowedShape(), "True, or the reason why not."},
           {DiagnosticShape()},
           {ConsoleLineShape()}};

@@ -3,7 +3,6 @@
 #include <string_view>
 #include <utility>
 
-#include "base/files.h"
 #include "base/wording.h"
 #include "experiment/brain_setup.h"
 #include "recording/recording_names.h"
@@ -14,12 +13,7 @@
 namespace smile::studio {
 
 std::vector<library::BrainChoice> BrainRequests::Choices() const {
-  // The user's folders come first, since the first match of a name wins.
-  std::vector<std::filesystem::path> folders = options_->brains;
-  for (const char* shipped : {"matlab/examples", "python/examples", "matlab", "python"}) {
-    folders.push_back(DataFile(shipped));
-  }
-  return library::BrainsIn(folders);
+  return library::BrainsIn(library::BrainFolders(options_->brains));
 }
 
 Json BrainRequests::Describe(const page::RequestFields&) {

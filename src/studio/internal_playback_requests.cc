@@ -58,21 +58,23 @@ Json PlaybackRequests::Correct(const page::RequestFields& fields) {
 
 Json PlaybackRequests::Restore(const page::RequestFields& fields, Restoring::From from) {
   const std::string id = fields.Text("recording");
-  const bool is_paused = !std::holds_alternative<BranchPoint>(from);
+  // Continuing changes the recording; recording over it or correcting it makes another.
+  const bool is_new = !std::holds_alternative<BranchPoint>(from);
+  auto directory = is_new ? library_->DirectoryOf(id) : library_->ChangeableDirectoryOf(id);
   // Shared by the session and the background job, either of which may end first.
-  const auto restoring = std::make_shared<Restoring>(id, library_->DirectoryOf(id), std::move(from),
+  const auto restoring = std::make_shared<Restoring>(id, std::move(directory), std::move(from),
                                                      RecordingOptionsOf(*options_));
   const auto work = [restoring](const recording::Progress& progress) -> Json {
     restoring->Make(progress);
     return {{"recording", restoring->recording()}};
   };
   // Runs in the session's thread: only there may the world be replaced.
-  const auto conclude = [this, is_paused] {
+  const auto conclude = [this, is_new] {
     auto made = states_->TakeRestored();
     if (!made) return;
     states_->Enter(std::move(made));
     // The user begins when ready.
-    if (is_paused) states_->pace().is_paused = true;
+    if (is_new) states_->pace().is_paused = true;
   };
   options_->jobs->Begin({.request = fields.request(), .work = work, .conclude = conclude});
   // From now on, other requests for worlds and recordings are refused until `conclude` has run.

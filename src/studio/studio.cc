@@ -5,6 +5,7 @@
 
 #include "base/files.h"
 #include "layout/presets.h"
+#include "library/brain_choices.h"
 #include "library/content_routes.h"
 #include "page/control_requests.h"
 #include "studio/background_jobs.h"
@@ -56,6 +57,15 @@ SessionOptions WithSceneFolder(SessionOptions options) {
   return options;
 }
 
+datasets::DatasetOptions DatasetOptionsOf(const StudioOptions& options) {
+  datasets::DatasetOptions datasets = options.datasets;
+  datasets.has_robot = options.session.robot.has_value();
+  datasets.scene = options.session.scene;
+  datasets.scene_folder = options.session.scene_folder;
+  datasets.brains = library::BrainFolders(options.session.brains);
+  return datasets;
+}
+
 library::ContentRoutesOptions ContentRoutesOptionsOf(const SessionOptions& session) {
   library::ContentRoutesOptions options{.scenes = session.scene_folder,
                                         .recordings = session.recordings};
@@ -72,11 +82,16 @@ class Studio::Impl {
  public:
   explicit Impl(const StudioOptions& options)
       : library_(options.session.recordings),
+        datasets_(DatasetOptionsOf(options), &library_),
         session_(WithJobs(options.session, &jobs_)),
         content_routes_(ContentRoutesOptionsOf(options.session)),
         server_(WithAnswers(options.server)),
         loop_(&session_, &server_) {
     AddLibraryRequests(&library_, &jobs_, session_.table());
+    datasets_.AddTo(session_.table(), [this](const page::Request& request, auto work) {
+      jobs_.Begin(
+          {.request = request, .work = [work](const recording::Progress&) { return work(); }});
+    });
     page::AddControlRequests(session_.table());
   }
 
@@ -106,6 +121,7 @@ class Studio::Impl {
   // Destroyed from the last to the first: the loop and the server's threads end before the session
   // that they serve, and jobs before the library that they read.
   library::Library library_;
+  datasets::DatasetRequests datasets_;
   BackgroundJobs jobs_;
   SessionAdapter session_;
   library::ContentRoutes content_routes_;

@@ -5,13 +5,16 @@
 #include <memory>
 #include <string>
 
+#include "datasets/dataset_requests.h"
 #include "page/server.h"
 #include "studio/session.h"
 
 namespace smile::studio {
 
 struct StudioOptions {
-  SessionOptions session;      ///< `jobs` is the studio's own
+  SessionOptions session;  ///< `jobs` is the studio's own
+  /// Scenes, brains and whether there is a robot are those of the session.
+  datasets::DatasetOptions datasets;
   page::ServerOptions server;  ///< `get` is the studio's own
 };
 

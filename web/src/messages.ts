@@ -131,6 +131,70 @@ export interface LibraryEntry {
   binned: boolean;
 }
 
+export interface GeneratedSet {
+  name: string;
+  /** the demonstration; null: unknown */
+  recording: string | null;
+  scene: string | null;
+  level: string | null;
+  brain: string | null;
+  /** number of episodes */
+  wanted: number | null;
+  episodes: number;
+  attempts: number;
+  /** 0 to 1 */
+  yield: number | null;
+  /** Wilson's 95 % interval of the yield */
+  interval: [number, number] | null;
+  /** number of failures for each cause */
+  causes: Record<string, number>;
+  is_complete: boolean;
+  /** by `continue_set` */
+  can_continue: boolean;
+  /** recording of an attempt */
+  picture: string | null;
+}
+
+/** Attempt at an episode of a generated set. */
+export interface SetAttempt {
+  /** null: the run has none */
+  recording: string | null;
+  seed: number;
+  /** from 0 */
+  episode: number;
+  /** of the attempts at the episode, from 1 */
+  try: number;
+  outcome: "success" | "failure" | "impossible";
+  cause: { word: string; text: string } | null;
+  score: number;
+  /** simulated */
+  seconds: number | null;
+  scene: string;
+  level: string;
+}
+
+/** Long work that programs do, one after another. */
+export interface Job {
+  job: number;
+  do: "generate" | "export";
+  /** of what it makes */
+  name: string;
+  status: "waiting" | "running" | "stopping" | "done" | "failed" | "stopped";
+  /** last line of the output; why it failed */
+  words: string;
+  /** of `smile doctor` */
+  verdict: { ok: boolean; lines: string[] } | null;
+  /** episodes */
+  done?: number;
+  /** wanted ones */
+  total?: number;
+  attempts?: number;
+  yield?: number | null;
+  interval?: [number, number] | null;
+  /** number of failures for each cause */
+  causes?: Record<string, number>;
+}
+
 /** True, or the reason why not. */
 export type Allowed = string | true;
 
@@ -262,6 +326,11 @@ export interface LibraryMessage {
   t: "library";
 }
 
+export interface JobsMessage {
+  t: "jobs";
+  jobs: Job[];
+}
+
 export interface ErrorMessage {
   t: "error";
   error: string;
@@ -280,6 +349,7 @@ export type Update =
   | ControlWantedMessage
   | ControlKeptMessage
   | LibraryMessage
+  | JobsMessage
   | ErrorMessage;
 
 /** Fields of each request, and fields of its answer besides `ok`. */
@@ -311,6 +381,13 @@ export interface Requests {
   try_edit: { fields: { recording: string; edits: unknown[] }; answer: { report: unknown } };
   edit: { fields: { recording: string; edits: unknown[]; name: string }; answer: { recording: string; report: unknown } };
   cancel: { fields: { request: number }; answer: object };
+  jobs: { fields: object; answer: { jobs: Job[]; folder: string; levels: string[]; formats: string[]; cameras: string[]; rates: number[]; max_count: number; max_jobs: number } };
+  generate: { fields: { recording: string; name: string; scene: string; brain: string; count: number; level: string; seed: number; jobs: number }; answer: { job: number } };
+  continue_set: { fields: { set: string }; answer: { job: number } };
+  export: { fields: { recording?: string; set?: string; name: string; format: string; cameras: string[]; width: number; height: number; rate: number; include_failed?: boolean; drop_constant?: boolean }; answer: { job: number } };
+  stop_job: { fields: { job: number }; answer: object };
+  sets: { fields: object; answer: { sets: GeneratedSet[] } };
+  open_set: { fields: { set: string }; answer: { set: GeneratedSet; attempts: SetAttempt[] } };
   show: { fields: { recording: string; seconds?: number }; answer: { length: number } };
   play: { fields: { rate?: number }; answer: object };
   live: { fields: object; answer: object };

@@ -9,6 +9,7 @@ import type {
   EyeView,
   FieldsOf,
   HandName,
+  Job,
   Poses,
   SceneMessage,
   StateMessage,
@@ -27,6 +28,8 @@ export const eyeView = signal<EyeView | null>(null);
 export const consoleLines = signal<ConsoleLine[]>([]);
 export const lastScore = signal<Record<string, unknown> | null>(null);
 export const progress = signal<{ what: string; done: number; total: number } | null>(null);
+/** The long work of the program, oldest first. */
+export const jobs = signal<Job[]>([]);
 /** Messages shown for a moment. */
 export const notices = signal<{ id: number; text: string; isError: boolean }[]>([]);
 /** Who want control from us, and were not answered. */
@@ -96,6 +99,9 @@ function onUpdate(update: Update): void {
       break;
     case "library":
       numLibraryUpdates.value += 1;
+      break;
+    case "jobs":
+      jobs.value = update.jobs;
       break;
     case "error":
       notify(update.error, true);

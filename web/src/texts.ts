@@ -1,7 +1,8 @@
 // All English of the page, by subject. What the program says comes from the program.
 
-import type { HandName } from "./protocol";
+import type { HandName, Job } from "./protocol";
 
+const percent = (fraction: number) => Math.round(100 * fraction);
 const count = (number: number, one: string, many: string) => `${number} ${number === 1 ? one : many}`;
 
 export const texts = {
@@ -373,6 +374,112 @@ export const texts = {
     isOpen: "Opened",
     actions: (title: string) => `Actions for “${title}”`,
     refresh: "Refresh",
+  },
+
+  datasets: {
+    work: "Jobs",
+    sets: "Generated sets",
+    generateEntry: "Generate…",
+    generateTitle: (title: string) => `Generate from “${title}”`,
+    generateAbout:
+      "A brain imitates this demonstration in random layouts. What succeeds, holds and replays exactly is kept; what fails is kept apart, with its cause.",
+    generate: "Generate",
+    name: "Name",
+    scene: "Robot scene",
+    brain: "Brain that imitates",
+    level: "Layouts",
+    levelOf: (level: string) =>
+      ({
+        scattered: "scattered: separate objects",
+        touching: "touching: some side by side",
+        stacked: "stacked: some on others",
+        edges: "edges: at the rim of the robot’s reach",
+        distractors: "distractors: with other blocks",
+        mixed: "mixed: all of these",
+        fixtures: "fixtures: displaced, too",
+        piles: "piles: each as a whole",
+      })[level] ?? level,
+    count: "Episodes",
+    seed: "First seed",
+    jobs: "Runs at a time",
+    stop: "Stop",
+    stopWhy: ({ do: what }: Job) =>
+      what === "generate" ? "What is done is kept; the set can be continued" : "Nothing is kept of the dataset",
+    stopNamed: (name: string) => `Stop “${name}”`,
+    stopping: "it is stopping",
+    inBackground: "Continue in the background",
+    staysWhenClosed: "This continues when the dialog or the page is closed. Closing the studio stops it; then it can be continued.",
+    dismissNamed: (name: string) => `Dismiss “${name}”`,
+    continue: "Continue",
+    isComplete: "it is complete",
+    madeElsewhere: "it was not made here; repeat the command that made it",
+    isBeingMade: "it is being made",
+    open: "Open",
+    openWhy: "Show its attempts",
+    pictureOf: (name: string) => `End of an episode of “${name}”`,
+    causes: "Causes of failures",
+    cause: (number: number, word: string) => `${number} × ${word}`,
+    progressOf: (name: string) => `Progress of “${name}”`,
+    episodes: (episodes: number, wanted: number | null) =>
+      wanted === null ? count(episodes, "episode", "episodes") : `${episodes} of ${count(wanted, "episode", "episodes")}`,
+    yield: (attempts: number, yielded: number | null, interval: [number, number] | null) =>
+      [
+        count(attempts, "attempt", "attempts"),
+        ...(yielded === null ? [] : [`yield ${percent(yielded)} %`]),
+        ...(interval === null ? [] : [`95 %: ${percent(interval[0])} to ${percent(interval[1])} %`]),
+      ].join(" · "),
+    jobTitle: ({ do: what, name }: Job) => (what === "generate" ? `Generate “${name}”` : `Export “${name}”`),
+    status: ({ do: what, status, done = 0, total }: Job): string =>
+      ({
+        waiting: "Waits for another job",
+        running: total === undefined ? "Starts" : `${done} of ${count(total, "episode", "episodes")}`,
+        stopping: "Stops",
+        done: "Done",
+        failed: "Failed",
+        stopped: what === "generate" ? "Stopped; what is done is kept" : "Stopped; nothing is kept",
+      })[status],
+    ended: ({ status, name }: Job) =>
+      status === "done" ? `“${name}” is made` : status === "stopped" ? `“${name}” is stopped` : `“${name}” failed`,
+  },
+
+  attempts: {
+    title: "Attempts",
+    recording: (set: string, seed: number) => `${set}, seed ${seed}`,
+    of: (name: string) => `Attempts of “${name}”`,
+    outcomes: "Outcome",
+    outcome: { success: "success", failure: "failure", impossible: "impossible" },
+    cause: "Cause",
+    anyCause: "any",
+    seeds: "Seeds",
+    seedsWrong: "Enter a seed, such as 7, or a range, such as 10-20.",
+    seed: (seed: number) => `Seed ${seed}`,
+    found: (found: number, all: number) => `${found} of ${count(all, "attempt", "attempts")} shown. A click opens the recording.`,
+    more: (left: number) => `Show more (${left})`,
+    staysAsMade: "This recording belongs to a generated set, which stays as it was made.",
+  },
+
+  exporting: {
+    entry: "Export…",
+    title: (title: string) => `Export “${title}”`,
+    export: "Export",
+    name: "Name",
+    format: "Format",
+    formatOf: (format: string) =>
+      ({
+        "lerobot-v3.0": "LeRobot 3.0",
+        "lerobot-v2.1": "LeRobot 2.1, GR00T",
+        robomimic: "robomimic, MimicGen (HDF5)",
+        zarr: "Diffusion Policy (Zarr)",
+        mcap: "MCAP, for Foxglove",
+        csv: "CSV and films",
+      })[format] ?? format,
+    cameras: "Cameras (none: without pictures)",
+    size: "Picture size",
+    rate: "Frames per second",
+    withFailures: "Failures, too",
+    withoutConstant: "Leave out joints that never move",
+    place: (folder: string, name: string) => `Folder: ${folder}/datasets/${name}`,
+    staysWhenClosed: "This continues when the dialog or the page is closed. At the end, the dataset is checked.",
   },
 
   timeline: {

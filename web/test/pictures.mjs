@@ -1,14 +1,20 @@
-// Takes the pictures of docs/studio.md, into docs/images: npm run pictures.
+// Takes the pictures of docs/studio.md, into docs/images: npm run pictures [-- FUNCTION…].
 // They are made small by Debian's pngquant, which has to be there.
 
 import { execFileSync } from "node:child_process";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { buildLetters } from "./letters.mjs";
+import { writeMoodyBrain } from "./moody_brain.mjs";
 import { Fingers, Person } from "./person.mjs";
 import { Browser } from "./workbench.mjs";
 
 const FOLDER = fileURLToPath(new URL("../../docs/images/", import.meta.url));
-const UM = fileURLToPath(new URL("../../scenes/um.xml", import.meta.url));
+const SMILE = process.env.SMILE ?? "build/dev/bin/smile";
+const shipped = (path) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
+const UM = shipped("scenes/um.xml");
 
 /** Blurred pictures are for people without a graphics card. */
 const LIKES = { detail: "high" };
@@ -19,8 +25,9 @@ const ends = [];
 const browser = new Browser();
 await browser.start();
 try {
-  for (const take of [atTheTable, withLetters, onAPhone]) {
-    await take();
+  for (const take of [atTheTable, withLetters, onAPhone, ofManyRobots]) {
+    const isWanted = process.argv.length === 2 || process.argv.includes(take.name);
+    if (isWanted) await take();
     for (const end of ends.splice(0)) await end();
   }
 } finally {
@@ -119,4 +126,28 @@ async function onAPhone() {
   const person = new Person(page, witness, await Fingers.on(page));
   await person.grasp("GreenBlock");
   await shoot(desk, "phone");
+}
+
+/** Six episodes of a brain that sometimes gives up. */
+async function ofManyRobots() {
+  const brains = mkdtempSync(join(tmpdir(), "smile-brains-"));
+  ends.push(() => rmSync(brains, { recursive: true }));
+  writeMoodyBrain(brains);
+  const desk = await begin({ studio: ["--brains", brains], likes: LIKES });
+  const { studio, page, person } = desk;
+  execFileSync(SMILE, ["run", shipped("scenes/tower.xml"), "--commands", shipped("examples/tower.jsonl"),
+    "--record", join(studio.recordings, "tower")]);
+  await person.showPanel("Library");
+  await person.press("Actions for “tower”");
+  await page.getByRole("menuitem", { name: "Generate…" }).click();
+  const dialog = page.getByRole("dialog");
+  await dialog.getByRole("textbox", { name: "Name" }).fill("towers");
+  await dialog.getByRole("spinbutton", { name: "Episodes" }).fill("6");
+  await shoot(desk, "generate");
+  await person.press("Generate", dialog);
+  await dialog.getByText("Done").waitFor({ timeout: 300_000 });
+  await dialog.locator("footer").getByRole("button", { name: "Close" }).click();
+  await page.getByRole("region", { name: "Generated sets" }).getByRole("button", { name: "Open" }).click();
+  await page.locator(".attempt img").nth(5).waitFor();
+  await shoot(desk, "attempts");
 }

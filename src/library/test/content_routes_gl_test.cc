@@ -83,6 +83,14 @@ TEST_F(ContentRoutesTest, ThumbnailsDependOnContent) {
   EXPECT_GT(std::set<std::uint8_t>(end.color.begin(), end.color.end()).size(), 50u);
 }
 
+TEST_F(ContentRoutesTest, ShowsTheEndAsTheRobotSeesIt) {
+  Record(kStackAOnB, /*with_robot=*/true);
+  const Image eye = PictureAt("/recordings/demo/eye.png");
+  EXPECT_EQ(eye.width_px, 320);
+  EXPECT_TRUE(eye.color != PictureAt("/recordings/demo/picture.png").color);
+  EXPECT_GT(std::set<std::uint8_t>(eye.color.begin(), eye.color.end()).size(), 50u);
+}
+
 TEST_F(ContentRoutesTest, RendersAChangedSceneAgain) {
   const Image before = PictureAt("/scenes/pair.png");
   std::string xml = kScene;

@@ -183,5 +183,28 @@ TEST_F(LibraryTest, PutsAllFilesIntoAZipThatOpensAgain) {
   EXPECT_FALSE(replay::Replay(again).first_difference);
 }
 
+TEST_F(LibraryTest, RecordingsOfGeneratedSetsAreFoundAndNeverChanged) {
+  const fs::path folder = root_ / "generated" / "many" / "failures" / "seed-0007";
+  fs::create_directories(folder);
+  fs::rename(RecordAs("demo"), folder / "imitation");
+  const std::string id = AttemptId("many", "seed-0007");
+  EXPECT_EQ(library_.DirectoryOf(id), fs::canonical(folder / "imitation"));
+  EXPECT_TRUE(library_.List().empty());
+  const std::string stamp = library_.Stamp();
+  fs::create_directories(root_ / "generated" / "others");
+  EXPECT_NE(library_.Stamp(), stamp);
+  EXPECT_THROW(library_.Rename(id, "another", std::nullopt), LibraryError);
+  EXPECT_THROW((void)library_.Bin(id), LibraryError);
+  EXPECT_THROW((void)library_.ChangeableDirectoryOf(id), LibraryError);
+  for (const char* other : {"many:seed-0008", "many:..", "..:seed-0007", "many:", ":seed-0007",
+                            "many/failures:seed-0007", "many:seed-0007/imitation"}) {
+    EXPECT_THROW((void)library_.DirectoryOf(other), LibraryError) << other;
+  }
+  // Links are not followed.
+  fs::rename(root_ / "generated", root_ / "elsewhere");
+  fs::create_directory_symlink(root_ / "elsewhere", root_ / "generated");
+  EXPECT_THROW((void)library_.DirectoryOf(id), LibraryError);
+}
+
 }  // namespace
 }  // namespace smile::library

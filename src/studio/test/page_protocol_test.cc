@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "datasets/dataset_requests.h"
 #include "page/protocol_text.h"
 #include "session_fixture.h"
 #include "sim/action_summary.h"
@@ -17,6 +18,8 @@ TEST_F(PageProtocol, NamesEveryRequestAndWhoMaySendIt) {
   page::RequestTable table = session_->requests();
   const library::Library library(root_ / "recordings");
   AddLibraryRequests(&library, &*jobs_, &table);
+  datasets::DatasetRequests datasets({}, &library);
+  datasets.AddTo(&table, {});
   // Those of the connection itself; see server_test.cc.
   std::map<std::string, bool> done = {{"hello", true},
                                       {"ping", true},

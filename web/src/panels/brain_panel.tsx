@@ -1,42 +1,18 @@
 import { useEffect, useRef } from "preact/hooks";
-import { computed, signal, useSignal, type Signal } from "@preact/signals";
+import { useSignal } from "@preact/signals";
 import { may, when } from "../allowed";
-import { ask, consoleLines, isConnected, lastScore, notify, scene } from "../studio";
-import type { ConsoleLine, Requests } from "../protocol";
+import { ask, consoleLines, lastScore, notify, scene } from "../studio";
+import type { ConsoleLine } from "../protocol";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Card, Empty } from "../ui/card";
+import { brains, chosenBrain, chosenImitator, imitators, ProgramChoice, useBrains } from "./brains";
 import { sceneCatalog } from "./scene_catalog";
 import { brain, isBrainAtWork } from "./derived_signals";
 import { toImitate } from "./page";
 import { recordings, titleOf } from "./recordings";
 
 const { brain: words } = texts;
-
-type Program = Requests["brains"]["answer"]["brains"][number];
-
-/** The programs that may be started; null until they are known. */
-const brains = signal<Program[] | null>(null);
-const imitators = computed(() => (brains.value ?? []).filter(({ imitates }) => imitates));
-const chosenBrain = signal("");
-const chosenImitator = signal("");
-
-/** What is chosen of the programs, or the first of them. */
-function chosenOf(programs: Program[], chosen: string): string {
-  return programs.some(({ name }) => name === chosen) ? chosen : (programs[0]?.name ?? "");
-}
-
-function useBrains(): void {
-  useEffect(() => {
-    if (!isConnected.value) return;
-    void ask("brains").then((reply) => {
-      if (reply === null) return;
-      brains.value = reply.brains;
-      chosenBrain.value = chosenOf(brains.value, chosenBrain.value);
-      chosenImitator.value = chosenOf(imitators.value, chosenImitator.value);
-    });
-  }, [isConnected.value]);
-}
 
 async function copyPlace(place: string): Promise<void> {
   try {
@@ -67,23 +43,6 @@ function Status() {
     <span class={`badge status-${status}`} role="status">
       {status === "starting" && <span class="spinner" />} {words.statuses[status] ?? status}
     </span>
-  );
-}
-
-/** A list of programs to choose from. */
-function ProgramChoice(props: { label: string; programs: Program[]; chosen: Signal<string> }) {
-  return (
-    <select
-      aria-label={props.label}
-      value={props.chosen.value}
-      onChange={(event) => (props.chosen.value = event.currentTarget.value)}
-    >
-      {props.programs.map(({ name, kind }) => (
-        <option key={name} value={name}>
-          {words.program(name, kind)}
-        </option>
-      ))}
-    </select>
   );
 }
 

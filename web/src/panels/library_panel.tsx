@@ -6,8 +6,10 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Empty, isFound, Picture, SearchField } from "../ui/card";
 import { MenuButton, type MenuEntry } from "../ui/menu";
-import { analyzed, isTimelineOpen, renamed, sheet, showPanel, toImitate } from "./page";
+import { refreshSets } from "./datasets";
+import { analyzed, exported, generated, isTimelineOpen, renamed, sheet, showPanel, toImitate } from "./page";
 import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf } from "./recordings";
+import { JobList, SetsList } from "./sets_list";
 
 const { library: words } = texts;
 
@@ -43,7 +45,7 @@ function download(id: string): void {
 }
 
 /** Its timeline comes to the front, wherever it is; null if it cannot be opened. */
-async function open(id: string): Promise<Timeline | null> {
+export async function open(id: string): Promise<Timeline | null> {
   const timeline = opened.value?.id === id ? opened.value.timeline : await openRecording(id);
   isTimelineOpen.value = true;
   sheet.value = "timeline";
@@ -60,12 +62,28 @@ function imitate(id: string): void {
   showPanel("brain");
 }
 
+async function refresh(): Promise<void> {
+  await Promise.all([refreshRecordings(), refreshSets()]);
+}
+
 function entriesOf(recording: LibraryEntry): MenuEntry[] {
   const { id } = recording;
   const unless = (allowed: Allowed) => (allowed === true ? {} : { disabled: true, reason: allowed });
   return [
     { label: words.show, icon: "eye", ...unless(may("show")), onChoose: () => void showEnd(id) },
     { label: words.imitate, icon: "robot", onChoose: () => imitate(id) },
+    {
+      label: texts.datasets.generateEntry,
+      icon: "copy",
+      ...unless(may("generate")),
+      onChoose: () => (generated.value = id),
+    },
+    {
+      label: texts.exporting.entry,
+      icon: "film",
+      ...unless(may("export")),
+      onChoose: () => (exported.value = { recording: id }),
+    },
     { label: words.analyze, icon: "search", ...unless(may("analyze")), onChoose: () => (analyzed.value = id) },
     { label: words.rename, icon: "pencil", ...unless(may("rename")), onChoose: () => (renamed.value = id) },
     { label: words.download, icon: "download", onChoose: () => download(id) },
@@ -147,7 +165,7 @@ export function LibraryPanel() {
           icon="reload"
           kind="quiet"
           isIconOnly
-          onClick={() => void refreshRecordings()}
+          onClick={() => void refresh()}
         />
         <Button
           label={words.binView}
@@ -160,7 +178,8 @@ export function LibraryPanel() {
           {numBinned > 0 && <span class="count">{numBinned}</span>}
         </Button>
       </div>
-      {isBin.value && <h3 class="bin-title">{words.bin}</h3>}
+      <JobList />
+      {isBin.value ? <h3 class="bin-title">{words.bin}</h3> : <SetsList search={search.value} />}
       {all === null ? (
         <Empty icon="library" text={words.loading} />
       ) : here.length === 0 ? (

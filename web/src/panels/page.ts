@@ -60,6 +60,12 @@ export const draft = preference<SceneText | null>(
 export const renamed = signal<string | null>(null);
 /** The recording that is analyzed. */
 export const analyzed = signal<string | null>(null);
+/** The recording of which a set is to be generated. */
+export const generated = signal<string | null>(null);
+/** The recording or generated set that is to be exported. */
+export const exported = signal<{ recording: string } | { set: string } | null>(null);
+/** The generated set whose attempts are looked at. */
+export const openedSet = signal<string | null>(null);
 /** What is chosen to be imitated. */
 export const toImitate = signal<string | null>(null);
 

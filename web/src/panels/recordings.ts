@@ -28,8 +28,16 @@ export function recordingOf(id: string): LibraryEntry | undefined {
   return recordings.value?.find((recording) => recording.id === id);
 }
 
+/** The set and the seed of a recording that belongs to a generated set; null for others. */
+export function attemptOf(id: string): { set: string; seed: number } | null {
+  const match = /^(.+):seed-(\d+)$/.exec(id);
+  return match === null ? null : { set: match[1]!, seed: Number(match[2]) };
+}
+
 /** Without one, what it is called; in the bin it was called otherwise before. */
 export function titleOf(id: string): string {
+  const attempt = attemptOf(id);
+  if (attempt !== null) return texts.attempts.recording(attempt.set, attempt.seed);
   const recording = recordingOf(id);
   const title = recording?.title ?? "";
   if (title !== "") return title;
@@ -90,6 +98,11 @@ export async function onRecordingFinished(id: string): Promise<void> {
 
 export function pictureOfRecording(id: string): string {
   return `/recordings/${encodeURIComponent(id)}/picture.png?age=${pictureAge.value}`;
+}
+
+/** The end of a recording through the robot's eye. */
+export function eyePictureOf(id: string): string {
+  return `/recordings/${encodeURIComponent(id)}/eye.png`;
 }
 
 export function pictureOfSegment(id: string, number: number): string {

@@ -7,18 +7,21 @@ import { AnalysisDialog } from "./analysis_dialog";
 import { Banners } from "./banners";
 import { BrainPanel } from "./brain_panel";
 import { ContextMenu } from "./context_menu";
+import { ExportDialog } from "./export_dialog";
 import { EyeView } from "./eye_view";
+import { GenerateDialog } from "./generate_dialog";
 import { refreshSceneCatalog } from "./scene_catalog";
 import { HandsPanel } from "./hands_panel";
 import { Help } from "./help";
 import { LibraryPanel } from "./library_panel";
 import { isRecording, isWatched, recordingId, shownRecording } from "./derived_signals";
 import { ObjectsPanel } from "./objects_panel";
-import { analyzed, editedScene, isHelpOpen, isLeftOpen, isRightOpen, leftTab, LEFT_TABS, renamed, rightTab, RIGHT_TABS, sheet } from "./page";
+import { analyzed, editedScene, exported, generated, isHelpOpen, isLeftOpen, isRightOpen, leftTab, LEFT_TABS, openedSet, renamed, rightTab, RIGHT_TABS, sheet } from "./page";
 import { onRecordingFinished, onRecordingShown, refreshRecordings } from "./recordings";
 import { RenameDialog } from "./rename_dialog";
 import { RobotPanel } from "./robot_panel";
 import { SceneEditor } from "./scene_editor";
+import { SetDialog } from "./set_dialog";
 import { Sidebar } from "./sidebar";
 import { Stage } from "./stage";
 import { TabBar } from "./tab_bar";
@@ -111,6 +114,9 @@ export function StudioPage() {
       {editedScene.value && <SceneEditor key={editedScene.value.name} />}
       {renamed.value !== null && <RenameDialog id={renamed.value} />}
       {analyzed.value !== null && <AnalysisDialog recording={analyzed.value} />}
+      {exported.value !== null && <ExportDialog source={exported.value} />}
+      {openedSet.value !== null && <SetDialog key={openedSet.value} name={openedSet.value} />}
+      {generated.value !== null && <GenerateDialog recording={generated.value} />}
     </div>
   );
 }

@@ -1,6 +1,6 @@
 import { useEffect, useRef } from "preact/hooks";
 import { signal, useSignal } from "@preact/signals";
-import type { ActionSummary, Segment, Timeline } from "../protocol";
+import type { ActionSummary, Allowed, Segment, Timeline } from "../protocol";
 import { may, when } from "../allowed";
 import { ask, state } from "../studio";
 import { texts } from "../texts";
@@ -12,7 +12,7 @@ import { EditDialog, type EditKind } from "./edit_dialog";
 import { isRecording, liveSegments, mayControl, recordingId } from "./derived_signals";
 import { isTimelineOpen, renamed, sheet } from "./page";
 import { Over, RecordOverButton } from "./record_over";
-import { chosenSegment, opened, pictureOfSegment, titleOf } from "./recordings";
+import { attemptOf, chosenSegment, opened, pictureOfSegment, titleOf } from "./recordings";
 import { endOfClip, Tracks } from "./tracks";
 
 const { timeline: words } = texts;
@@ -93,6 +93,11 @@ function stepAt(timeline: Timeline, seconds: number): { step: number; after: num
   const begun = (step: Timeline["steps"][number]) => step.parent === null || step.begin < seconds - HALF_TICK;
   const last = timeline.steps.filter((step) => step.on_way && begun(step)).pop();
   return last ? { step: last.step, after: Math.max(0, seconds - last.begin) } : null;
+}
+
+/** What belongs to a generated set stays as it was made. */
+function mayContinue(id: string): Allowed {
+  return attemptOf(id) === null ? may("branch") : texts.attempts.staysAsMade;
 }
 
 async function branch(id: string, step: number, after?: number): Promise<void> {
@@ -191,7 +196,7 @@ function HistoryButton({ id, timeline }: { id: string; timeline: Timeline }) {
   });
   return (
     <span ref={holder}>
-      <Button label={words.history} {...when(may("branch"), words.historyTitle)} onClick={open} />
+      <Button label={words.history} {...when(mayContinue(id), words.historyTitle)} onClick={open} />
       {at.value && (
         <Menu label={`${words.historyTitle}. ${words.branch}`} {...at.value} entries={entries} onClose={() => (at.value = null)} />
       )}
@@ -211,8 +216,8 @@ function EditButtons({ id, timeline }: { id: string; timeline: Timeline }) {
       <Button
         label={words.branch}
         icon="branch"
-        title={when(may("branch"), words.branchWhy).title}
-        disabled={may("branch") !== true || here === null}
+        title={when(mayContinue(id), words.branchWhy).title}
+        disabled={mayContinue(id) !== true || here === null}
         onClick={() => here && void branch(id, here.step, here.after)}
       />
       <Button
@@ -331,7 +336,7 @@ function Head() {
             icon="pencil"
             kind="quiet"
             isIconOnly
-            disabled={!mayControl.value}
+            disabled={!mayControl.value || attemptOf(open.id) !== null}
             onClick={() => (renamed.value = open.id)}
           />
           <div class="timeline-buttons">

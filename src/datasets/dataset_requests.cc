@@ -1,0 +1,297 @@
+#include "datasets/dataset_requests.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "base/file_state.h"
+#include "base/files.h"
+#include "base/wording.h"
+#include "experiment/json_file.h"
+#include "layout/layout_level.h"
+#include "library/brain_choices.h"
+#include "library/scene_catalog.h"
+#include "page/request_fields.h"
+#include "recording/recording_names.h"
+
+// Handlers run in the session's thread and only look at a few files; programs do the work. Names in
+// requests come from anyone: they become paths only through recording::IsRecordingName(),
+// Library::DirectoryOf(), SceneCatalog and the list of brains.
+
+namespace smile::datasets {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Up to here integers are exact in JSON numbers, and attempts have further seeds.
+constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 52;
+constexpr std::uint64_t kMinPixels = 16, kMaxPixels = 1920;
+constexpr std::size_t kMaxCameras = 8;
+
+/// As `smile export --to` knows them; see docs/datasets.md.
+constexpr std::array<std::string_view, 6> kFormats{"lerobot-v3.0", "lerobot-v2.1", "robomimic",
+                                                   "zarr",         "mcap",         "csv"};
+/// Cameras of a robot, and views for people.
+constexpr std::array<std::string_view, 8> kCameras{"eye",   "head", "close", "nice",
+                                                   "front", "left", "right", "top"};
+/// Frames per second that divide the ticks of a second.
+constexpr std::array<std::uint64_t, 12> kRates{1, 2, 3, 4, 5, 6, 10, 12, 15, 20, 30, 60};
+
+/// Runs of a generation at a time: at most as many as there are cores.
+std::uint64_t MaxJobs() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+template <class List>
+Json ListOf(const List& values) {
+  Json list = Json::array();
+  for (const auto& value : values) list.push_back(value);
+  return list;
+}
+
+std::uint64_t WholeFrom(const page::RequestFields& fields, const char* name, std::uint64_t low,
+                        std::uint64_t high) {
+  const std::uint64_t number = fields.Whole(name, high);
+  if (number >= low) return number;
+  throw page::RequestError("\"" + std::string(name) + "\" is " + std::to_string(number) +
+                           ", expected a number from " + std::to_string(low) + " to " +
+                           std::to_string(high));
+}
+
+/// Returns the brain of this name, which reads demonstrations.
+library::BrainChoice ImitatorNamed(const std::vector<fs::path>& folders, const std::string& name) {
+  const auto choices = library::BrainsIn(folders);
+  const library::BrainChoice* choice = library::BrainNamed(choices, name);
+  if (choice == nullptr) throw page::RequestError("there is no brain " + Quoted(name));
+  if (choice->imitates) return *choice;
+  throw page::RequestError(Quoted(name) +
+                           " does not read demonstrations: its script lacks the line \"smile: "
+                           "imitates\"");
+}
+
+/// Returns the fields of `generate` without those of the message.
+Json KeptOf(const Json& wanted) {
+  Json kept = Json::object();
+  for (const char* key :
+       {"recording", "name", "scene", "brain", "count", "level", "seed", "jobs"}) {
+    kept[key] = wanted[key];
+  }
+  return kept;
+}
+
+/// Returns the two numbers in `episode 3 of 10…`: what is done before it, and the total.
+Json ExportProgress(const std::string& line) {
+  constexpr std::string_view kBegin = "episode ", kOf = " of ";
+  if (!line.starts_with(kBegin)) return Json::object();
+  const char* const end = line.data() + line.size();
+  int number = 0, total = 0;
+  const auto [of, error] = std::from_chars(line.data() + kBegin.size(), end, number);
+  if (error != std::errc() || !std::string_view(of, end).starts_with(kOf)) return Json::object();
+  if (std::from_chars(of + kOf.size(), end, total).ec != std::errc()) return Json::object();
+  return {{"done", number - 1}, {"total", total}};
+}
+
+/// Returns the cameras as arguments.
+std::vector<std::string> CameraArguments(const page::RequestFields& fields) {
+  const std::string size =
+      ":" + std::to_string(WholeFrom(fields, "width", kMinPixels, kMaxPixels)) + "x" +
+      std::to_string(WholeFrom(fields, "height", kMinPixels, kMaxPixels));
+  std::vector<std::string> arguments;
+  (void)fields.List("cameras", kMaxCameras);
+  for (const std::string& camera : fields.Words("cameras", kCameras)) {
+    arguments.insert(arguments.end(), {"--camera", camera + size});
+  }
+  if (arguments.empty()) arguments = {"--camera", "none"};
+  return arguments;
+}
+
+}  // namespace
+
+DatasetRequests::DatasetRequests(DatasetOptions options, const library::Library* library)
+    : options_(std::move(options)), library_(library), sets_(library->root()) {}
+
+void DatasetRequests::AddTo(page::RequestTable* table, const InBackground& in_background) {
+  AddReading(table, in_background);
+  const auto add = [table, this](const char* name,
+                                 Json (DatasetRequests::*member)(const page::Request&)) {
+    table->requests[name] = {
+        [this, member](const page::Request& request) { return (this->*member)(request); }};
+  };
+  add("generate", &DatasetRequests::Generate);
+  add("continue_set", &DatasetRequests::Continue);
+  add("export", &DatasetRequests::Export);
+  for (const char* name : {"generate", "continue_set"}) {
+    table->requests[name].refuse = [this](const page::Request&) -> std::optional<std::string> {
+      if (options_.has_robot) return std::nullopt;
+      return "there is no robot; start the studio without --no-robot";
+    };
+  }
+  table->requests["stop_job"] = {[this](const page::Request& request) {
+    jobs_.Stop(static_cast<int>(page::RequestFields(request).Whole("job", 1'000'000'000)));
+    return Json::object();
+  }};
+  table->deferred.emplace_back([this] { return TakeChanges(); });
+}
+
+void DatasetRequests::AddReading(page::RequestTable* table, const InBackground& in_background) {
+  table->requests["jobs"] = {[this](const page::Request&) { return Describe(); },
+                             /*is_for_anyone=*/true};
+  const auto list = [this, in_background](const page::Request& request) {
+    in_background(request, [this]() -> Json { return {{"sets", sets_.List()}}; });
+    return page::AnswersLater();
+  };
+  table->requests["sets"] = {list, /*is_for_anyone=*/true};
+  const auto open = [this, in_background](const page::Request& request) {
+    const std::string set = page::RequestFields(request).Text("set");
+    in_background(request, [this, set]() -> Json {
+      return {{"set", sets_.Describe(set)}, {"attempts", sets_.AttemptsOf(set)}};
+    });
+    return page::AnswersLater();
+  };
+  table->requests["open_set"] = {open, /*is_for_anyone=*/true};
+}
+
+Json DatasetRequests::Describe() const {
+  return {{"jobs", jobs_.List()},
+          {"folder", library_->root().string()},
+          {"levels", ListOf(layout::kLayoutLevelWords)},
+          {"formats", ListOf(kFormats)},
+          {"cameras", ListOf(kCameras)},
+          {"rates", ListOf(kRates)},
+          {"max_count", kMaxCount},
+          {"max_jobs", MaxJobs()}};
+}
+
+std::vector<std::string> DatasetRequests::GenerateArguments(const page::Request& request) const {
+  const page::RequestFields fields(request);
+  const auto text = [](std::uint64_t number) { return std::to_string(number); };
+  const std::pair<const char*, std::string> options[] = {
+      {"--scene", SceneNamed(fields.Text("scene")).string()},
+      {"--brain", ImitatorNamed(options_.brains, fields.Text("brain")).path.string()},
+      {"--count", text(WholeFrom(fields, "count", 1, kMaxCount))},
+      {"--level", fields.Word("level", layout::kLayoutLevelWords)},
+      {"--seed", text(fields.Whole("seed", kMaxSeed))},
+      {"--jobs", text(WholeFrom(fields, "jobs", 1, MaxJobs()))},
+      {"--out", sets_.FolderFor(fields.Text("name")).string()}};
+  std::vector<std::string> arguments{options_.program.string(), "generate",
+                                     library_->DirectoryOf(fields.Text("recording")).string()};
+  for (const auto& [name, value] : options) arguments.insert(arguments.end(), {name, value});
+  arguments.insert(arguments.end(), options_.robot_arguments.begin(),
+                   options_.robot_arguments.end());
+  return arguments;
+}
+
+Json DatasetRequests::Generate(const page::Request& request) {
+  const std::string name = page::RequestFields(request).Text("name");
+  if (StateOf(sets_.FolderFor(name)) != FileState()) {
+    throw page::RequestError("there is a set " + Quoted(name) +
+                             " already; continue it, or choose another name");
+  }
+  return Start(request.fields);
+}
+
+Json DatasetRequests::Continue(const page::Request& request) {
+  const std::string name = page::RequestFields(request).Text("set");
+  (void)sets_.FolderOf(name);
+  const fs::path file = sets_.RequestFileOf(name);
+  if (!StateOf(file).is_file) {
+    throw page::RequestError(Quoted(name) + " was not made here; repeat the command that made it");
+  }
+  Json wanted = experiment::ReadJsonFile(file);
+  // The file may be anyone's, but not about another set.
+  wanted["name"] = name;
+  return Start(wanted);
+}
+
+Json DatasetRequests::Start(const Json& wanted) {
+  const page::Request request{.what = "generate", .fields = wanted};
+  const page::RequestFields fields(request);
+  const std::string name = fields.Text("name");
+  const auto count = static_cast<std::size_t>(fields.Whole("count", kMaxCount));
+  JobProgram program{.arguments = GenerateArguments(request),
+                     .log = sets_.FolderFor(name).string() + ".log"};
+  if (jobs_.IsBusy("generate", name)) {
+    throw page::RequestError(Quoted(name) + " is being made; wait until it is done");
+  }
+  MakeDirectories(program.log.parent_path());
+  // So that the set can be continued, also by another studio.
+  WriteFile(sets_.RequestFileOf(name), ToText(KeptOf(wanted)) + "\n");
+  const int job = jobs_.Add({.what = "generate",
+                             .name = name,
+                             .programs = {std::move(program)},
+                             .progress = [this, name, count](const std::string&) {
+                               return sets_.ProgressOf(name, count);
+                             }});
+  return {{"job", job}};
+}
+
+std::vector<std::string> DatasetRequests::ExportArguments(const page::Request& request,
+                                                          const fs::path& to) const {
+  const page::RequestFields fields(request);
+  const auto recording = fields.OptionalText("recording");
+  const fs::path run =
+      recording ? library_->DirectoryOf(*recording) : sets_.FolderOf(fields.Text("set"));
+  const std::uint64_t rate = fields.Whole("rate", kRates.back());
+  if (std::ranges::find(kRates, rate) == kRates.end()) {
+    throw page::RequestError("\"rate\" is " + std::to_string(rate) + ", expected a divisor of 60");
+  }
+  std::vector<std::string> arguments{options_.program.string(),
+                                     "export",
+                                     run.string(),
+                                     "--to",
+                                     fields.Word("format", kFormats),
+                                     "--fps",
+                                     std::to_string(rate),
+                                     "--out",
+                                     to.string()};
+  for (std::string& argument : CameraArguments(fields)) arguments.push_back(std::move(argument));
+  if (fields.Flag("include_failed")) arguments.emplace_back("--include-failed");
+  if (fields.Flag("drop_constant")) arguments.emplace_back("--drop-constant");
+  return arguments;
+}
+
+Json DatasetRequests::Export(const page::Request& request) {
+  const std::string name = page::RequestFields(request).Text("name");
+  const fs::path to = ExportFolderFor(name);
+  if (StateOf(to) != FileState()) {
+    throw page::RequestError("there is a dataset " + Quoted(name) +
+                             " already; choose another name");
+  }
+  const std::vector<std::string> doctor{options_.program.string(), "doctor", to.string()};
+  const int job = jobs_.Add(
+      {.what = "export",
+       .name = name,
+       .programs = {{.arguments = ExportArguments(request, to), .log = to.string() + ".log"},
+                    {.arguments = doctor, .log = to.string() + ".doctor.log", .is_check = true}},
+       .progress = &ExportProgress});
+  return {{"job", job}};
+}
+
+fs::path DatasetRequests::SceneNamed(const std::string& name) const {
+  // The scene with which the studio began may be a file of the user, which is not among the others.
+  if (options_.scene.stem() == name) return options_.scene;
+  if (const auto file = library::SceneCatalog(options_.scene_folder).FileOf(name)) return *file;
+  throw page::RequestError("there is no scene " + Quoted(name));
+}
+
+fs::path DatasetRequests::ExportFolderFor(const std::string& name) const {
+  if (!recording::IsRecordingName(name)) {
+    throw page::RequestError("\"name\" is " + Quoted(name) + ", expected " + recording::kNameForm);
+  }
+  const fs::path root = library_->root() / kExportFolder;
+  const FileState state = StateOf(root);
+  if ((state != FileState() && !state.is_directory) || StateOf(root / "demo.json").is_file) {
+    throw page::RequestError(root.string() + " is no folder of datasets; rename it");
+  }
+  return root / name;
+}
+
+std::vector<page::DeferredMessage> DatasetRequests::TakeChanges() {
+  const std::size_t now = jobs_.num_changes();
+  if (std::exchange(num_changes_, now) == now) return {};
+  return {{.message = {{"t", "jobs"}, {"jobs", jobs_.List()}}}};
+}
+
+}  // namespace smile::datasets

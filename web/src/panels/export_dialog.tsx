@@ -1,0 +1,141 @@
+import { useEffect } from "preact/hooks";
+import { useSignal, type Signal } from "@preact/signals";
+import { may, when } from "../allowed";
+import { request } from "../studio";
+import { texts } from "../texts";
+import { Chips } from "../ui/buttons";
+import { Dialog } from "../ui/dialog";
+import { choices, freeName, isOpen, refreshJobs } from "./datasets";
+import { Choice, JobActions, NameField, useJob } from "./generate_dialog";
+import { JobProgress } from "./job_progress";
+import { exported } from "./page";
+import { titleOf } from "./recordings";
+
+const { exporting: words } = texts;
+
+const SIZES = ["96x96", "160x120", "224x224", "320x240", "640x480"];
+type Source = { recording: string } | { set: string };
+
+function titleOfSource(source: Source): string {
+  return "set" in source ? source.set : titleOf(source.recording);
+}
+
+function useForm(source: Source) {
+  const form = {
+    name: useSignal(freeName(titleOfSource(source), [])),
+    format: useSignal("lerobot-v3.0"),
+    cameras: useSignal<string[]>(["eye"]),
+    size: useSignal("320x240"),
+    rate: useSignal("30"),
+    withFailures: useSignal(false),
+    withoutConstant: useSignal(false),
+  };
+  useEffect(() => void refreshJobs(), []);
+  return form;
+}
+type Form = ReturnType<typeof useForm>;
+
+function wantedOf(source: Source, form: Form) {
+  const [width, height] = form.size.value.split("x").map(Number);
+  return {
+    ...source,
+    name: form.name.value,
+    format: form.format.value,
+    cameras: form.cameras.value,
+    width: width!,
+    height: height!,
+    rate: Number(form.rate.value),
+    include_failed: form.withFailures.value,
+    drop_constant: form.withoutConstant.value,
+  };
+}
+
+function Switch({ label, isOn }: { label: string; isOn: Signal<boolean> }) {
+  return (
+    <label class="switch">
+      <input
+        type="checkbox"
+        role="switch"
+        checked={isOn.value}
+        onChange={(event) => (isOn.value = event.currentTarget.checked)}
+      />
+      <span>{label}</span>
+    </label>
+  );
+}
+
+function Fields({ form, isSet }: { form: Form; isSet: boolean }) {
+  const { cameras } = form;
+  const same = (value: string) => ({ value, label: value });
+  const toggle = (camera: string) =>
+    (cameras.value = cameras.value.includes(camera)
+      ? cameras.value.filter((one) => one !== camera)
+      : [...cameras.value, camera]);
+  return (
+    <>
+      <NameField label={words.name} name={form.name} />
+      <Choice
+        label={words.format}
+        chosen={form.format}
+        of={(choices.value?.formats ?? []).map((format) => ({ value: format, label: words.formatOf(format) }))}
+      />
+      <div class="field">
+        <span class="field-label">{words.cameras}</span>
+        <Chips
+          label={words.cameras}
+          choices={(choices.value?.cameras ?? []).map((camera) => same(camera))}
+          chosen={cameras.value}
+          onToggle={toggle}
+        />
+      </div>
+      <div class="numbers">
+        <Choice label={words.size} chosen={form.size} of={SIZES.map((size) => ({ value: size, label: size.replace("x", " × ") }))} />
+        <Choice label={words.rate} chosen={form.rate} of={(choices.value?.rates ?? []).map((rate) => same(`${rate}`))} />
+      </div>
+      {isSet && <Switch label={words.withFailures} isOn={form.withFailures} />}
+      <Switch label={words.withoutConstant} isOn={form.withoutConstant} />
+    </>
+  );
+}
+
+/** Makes a dataset of a recording or a generated set, and checks it. */
+export function ExportDialog({ source }: { source: Source }) {
+  const form = useForm(source);
+  const { job, error, isBusy, start } = useJob();
+  const close = () => (exported.value = null);
+  return (
+    <Dialog
+      title={words.title(titleOfSource(source))}
+      onClose={close}
+      actions={
+        <JobActions
+          job={job}
+          start={{
+            label: words.export,
+            ...when(may("export")),
+            isBusy: isBusy.value,
+            onClick: () => void start(request("export", wantedOf(source, form))),
+          }}
+          onClose={close}
+        />
+      }
+    >
+      {job === undefined ? (
+        <>
+          <Fields form={form} isSet={"set" in source} />
+          <p class="hint">{words.place(choices.value?.folder ?? "", form.name.value)}</p>
+          {error.value !== null && (
+            <p class="said trouble" role="alert">
+              {error.value}
+            </p>
+          )}
+        </>
+      ) : (
+        <>
+          <JobProgress job={job} />
+          <p class="hint">{isOpen(job) ? words.staysWhenClosed : words.place(choices.value?.folder ?? "", job.name)}</p>
+        </>
+      )}
+    </Dialog>
+  );
+}

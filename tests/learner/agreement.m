@@ -92,3 +92,14 @@ for k = 0:59
   columns(isnan(columns)) = 0;
   show(columns);
 end
+
+% A picture of four faces, with noise and without.
+[column, row] = meshgrid(0:29, 0:23);
+face = 0.1 + 0.25 * floor(row / 12) + 0.4 * floor(column / 15);
+for k = 1:3
+  noise = 0.04 * (mod(row * (31 + k) + column * 17, 23) / 22 - 0.5);
+  picture(:, :, k) = min(max(face * (k / 2) + noise, 0), 1);
+end
+show(noiseOf(picture));
+show(withoutNoise(picture, 0.04, 4));
+show(withoutNoise(picture, 0.08, 1));

@@ -17,9 +17,11 @@ from plan.loads import belongs_to, load_of
 from plan.making_room import room_moves
 from plan.moves import Move
 from plan.skyline import skyline_of
+from see.denoising import without_noise
 from see.eye import Eye, onto_plane, to_pixel
 from see.faces import fit_face
 from see.light import clear_matches, color_changes
+from see.pictures import noise_of
 from things.areas import overlap
 from things.blocks import Block, yaw_difference
 from things.steps import Step
@@ -79,6 +81,7 @@ def moves_that_make_room(eye):
 
     yield from what_a_tool_passes()
     yield from colors_in_another_light()
+    yield from flat_colors()
 
 
 def what_a_tool_passes():
@@ -105,6 +108,17 @@ def colors_in_another_light():
         changes = color_changes(wanted, seen)
         yield np.minimum(changes, 9).T
         yield [0 if it is None else it + 1 for it in clear_matches(changes)]
+
+
+def flat_colors():
+    """A picture of four faces, with noise and without."""
+    row, column = np.indices((24, 30))
+    face = 0.1 + 0.25 * (row // 12) + 0.4 * (column // 15)
+    picture = np.stack([np.clip(face * (it / 2) + 0.04 * ((row * (31 + it) + column * 17) % 23 / 22 - 0.5), 0, 1)
+                        for it in (1, 2, 3)], axis=2)
+    yield [noise_of(picture)]
+    yield from without_noise(picture, 0.04, 4).T
+    yield from without_noise(picture, 0.08, 1).T
 
 
 def main():

@@ -20,6 +20,7 @@ from plan.skyline import skyline_of
 from see.denoising import without_noise
 from see.eye import Eye, onto_plane, to_pixel
 from see.faces import fit_face
+from see.gains import brightened, gains_between
 from see.light import clear_matches, color_changes
 from see.pictures import noise_of
 from things.areas import overlap
@@ -101,13 +102,17 @@ def what_a_tool_passes():
 
 
 def colors_in_another_light():
-    """By how much colors changed, and which are the same; 9 and 0 if they are not."""
+    """By how much colors changed, and which are the same; 9 and 0 if they are not; and how much brighter it is."""
     for k in range(60):
         wanted = np.array([[37 * i * k % 11, (23 * i + k) % 7, (i + 1) * k % 5] for i in range(1, 4)]) / 10
         seen = np.array([[31 * i * k % 11, (23 * i + k) % 6, (i + 1) * k % 5] for i in range(1, 6)]) / 12
         changes = color_changes(wanted, seen)
         yield np.minimum(changes, 9).T
         yield [0 if it is None else it + 1 for it in clear_matches(changes)]
+        shown = 0.05 + 0.9 * ((np.outer(np.arange(1, 25), [0.754877, 0.569840, 0.430159]) + 0.1 * k) % 1)
+        seen = brightened(shown[:15], [0.5 + 0.02 * k, 0.6 + 0.01 * k, 1])
+        yield gains_between(shown, shown)
+        yield gains_between(shown, np.round(255 * seen) / 255)
 
 
 def flat_colors():

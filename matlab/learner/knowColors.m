@@ -1,6 +1,7 @@
 function state = knowColors(state, picture, eye, heights)
 % Gives what is wanted the colors that it has in a picture, once for each color: one that is seen as it was
 % demonstrated stays as it is. What is not seen, or not clearly, is looked for in the next picture.
+  if any(isnan(state.unseenColors(:))), state = knowLight(state, picture); end
   things = wantedThings(state);
   wanted = colorsOfThings(things);
   if any(isnan(state.unseenColors(:))), state.unseenColors = wanted; end

@@ -1,6 +1,6 @@
 function [action, ticks, status, image_seconds, sensor] = waitForPictures(action, sensor, aux)
 % Waits until the arms rest, then for a picture; if it has noise, for so many that their mean has little,
-% which takes the place of the last one.
+% which takes the place of the last one, without that.
   c = constants().execution;
   ticks = 1;
   status = 'busy';
@@ -10,12 +10,13 @@ function [action, ticks, status, image_seconds, sensor] = waitForPictures(action
     return
   end
   if ~isfield(action, 'pictures')
-    action.pictures = struct('sum', 0, 'count', 0, 'wanted', numPictures(sensor.rgbVision));
+    action.pictures = struct('sum', 0, 'count', 0, 'noise', noiseOf(sensor.rgbVision));
   end
   action.pictures.sum = action.pictures.sum + sensor.rgbVision;
   action.pictures.count = action.pictures.count + 1;
-  if action.pictures.count < action.pictures.wanted, return; end
-  if action.pictures.count > 1, sensor.rgbVision = action.pictures.sum / action.pictures.count; end
+  seen = action.pictures;
+  if seen.count < numPictures(seen.noise), return; end
+  if seen.noise > 0, sensor.rgbVision = withoutNoise(seen.sum / seen.count, seen.noise, seen.count); end
   image_seconds = c.no_image_s;
   status = 'done';
 end

@@ -17,6 +17,7 @@ _GROUPS = {name: SimpleNamespace(**numbers)
 BLOCKS = _GROUPS["blocks"]
 PERCEPTION = _GROUPS["perception"]
 LIGHT = _GROUPS["light"]
+GAINS = _GROUPS["gains"]
 BALLS = _GROUPS["balls"]
 CLEARANCE = _GROUPS["clearance"]
 TASK_MODEL = _GROUPS["task_model"]

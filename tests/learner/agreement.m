@@ -80,7 +80,7 @@ is_tool = belongsTo(tool, some);
 show(is_tool);
 show(loadOf(some(is_tool, :), 0.5, [1, 0, 0, 1; 0, -1, 0, 2; 0, 0, -1, 3; 0, 0, 0, 1]));
 
-% By how much colors changed, and which are the same; 9 and 0 if they are not.
+% By how much colors changed, and which are the same; 9 and 0 if they are not; and how much brighter it is.
 for k = 0:59
   i = (1:3)';
   wanted = [mod(37 * i * k, 11), mod(23 * i + k, 7), mod((i + 1) * k, 5)] / 10;
@@ -91,4 +91,19 @@ for k = 0:59
   columns = clearMatches(changes);
   columns(isnan(columns)) = 0;
   show(columns);
+  shown = 0.05 + 0.9 * mod((1:24)' * [0.754877, 0.569840, 0.430159] + 0.1 * k, 1);
+  seen = brightened(shown(1:15, :), [0.5 + 0.02 * k, 0.6 + 0.01 * k, 1]);
+  show(gainsBetween(shown, shown));
+  show(gainsBetween(shown, round(255 * seen) / 255));
 end
+
+% A picture of four faces, with noise and without.
+[column, row] = meshgrid(0:29, 0:23);
+face = 0.1 + 0.25 * floor(row / 12) + 0.4 * floor(column / 15);
+for k = 1:3
+  noise = 0.04 * (mod(row * (31 + k) + column * 17, 23) / 22 - 0.5);
+  picture(:, :, k) = min(max(face * (k / 2) + noise, 0), 1);
+end
+show(noiseOf(picture));
+show(withoutNoise(picture, 0.04, 4));
+show(withoutNoise(picture, 0.08, 1));

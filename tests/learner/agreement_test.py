@@ -17,9 +17,12 @@ from plan.loads import belongs_to, load_of
 from plan.making_room import room_moves
 from plan.moves import Move
 from plan.skyline import skyline_of
+from see.denoising import without_noise
 from see.eye import Eye, onto_plane, to_pixel
 from see.faces import fit_face
+from see.gains import brightened, gains_between
 from see.light import clear_matches, color_changes
+from see.pictures import noise_of
 from things.areas import overlap
 from things.blocks import Block, yaw_difference
 from things.steps import Step
@@ -79,6 +82,7 @@ def moves_that_make_room(eye):
 
     yield from what_a_tool_passes()
     yield from colors_in_another_light()
+    yield from flat_colors()
 
 
 def what_a_tool_passes():
@@ -98,13 +102,28 @@ def what_a_tool_passes():
 
 
 def colors_in_another_light():
-    """By how much colors changed, and which are the same; 9 and 0 if they are not."""
+    """By how much colors changed, and which are the same; 9 and 0 if they are not; and how much brighter it is."""
     for k in range(60):
         wanted = np.array([[37 * i * k % 11, (23 * i + k) % 7, (i + 1) * k % 5] for i in range(1, 4)]) / 10
         seen = np.array([[31 * i * k % 11, (23 * i + k) % 6, (i + 1) * k % 5] for i in range(1, 6)]) / 12
         changes = color_changes(wanted, seen)
         yield np.minimum(changes, 9).T
         yield [0 if it is None else it + 1 for it in clear_matches(changes)]
+        shown = 0.05 + 0.9 * ((np.outer(np.arange(1, 25), [0.754877, 0.569840, 0.430159]) + 0.1 * k) % 1)
+        seen = brightened(shown[:15], [0.5 + 0.02 * k, 0.6 + 0.01 * k, 1])
+        yield gains_between(shown, shown)
+        yield gains_between(shown, np.round(255 * seen) / 255)
+
+
+def flat_colors():
+    """A picture of four faces, with noise and without."""
+    row, column = np.indices((24, 30))
+    face = 0.1 + 0.25 * (row // 12) + 0.4 * (column // 15)
+    picture = np.stack([np.clip(face * (it / 2) + 0.04 * ((row * (31 + it) + column * 17) % 23 / 22 - 0.5), 0, 1)
+                        for it in (1, 2, 3)], axis=2)
+    yield [noise_of(picture)]
+    yield from without_noise(picture, 0.04, 4).T
+    yield from without_noise(picture, 0.08, 1).T
 
 
 def main():

@@ -10,9 +10,27 @@ function check_noise()
   check(max(abs(blocked(:))) < 0.1, 'joints stop at an obstacle whatever the motors are told');
 
   picture = pictureOf(block([1, 0, 0], [4, 1, 1], 0, -2, 0, 0));
-  check(numPictures(picture) == 1, 'one picture without noise is enough');
-  count = numPictures(picture + 0.02 * randn(size(picture)));
+  check(numPictures(noiseOf(picture)) == 1, 'one picture without noise is enough');
+  count = numPictures(noiseOf(picture + 0.02 * randn(size(picture))));
   check(abs(count - 16) <= 1, 'noisy pictures are taken repeatedly');
+
+  [picture, heights] = pictureOf([block([1, 0, 0], [4, 1, 1], 0, -2, 0, 0), block([0, 1, 0], [1, 1, 1], 3, -2, 0, 0.3)]);
+  is_table = all(abs(picture - reshape([0.6, 0.5, 0.4], 1, 1, 3)) < 0.001, 3);
+  picture(repmat(is_table, 1, 1, 3)) = 1;
+  picture(1:100, :, :) = 0;
+  picture = round(255 * picture) / 255;
+  randn('seed', 1);
+  total = 0;
+  for k = 1:36
+    seen = round(min(max(255 * picture + 7.5 * randn(size(picture)), 0), 255)) / 255;
+    if k == 1, noise = noiseOf(seen); end
+    total = total + seen;
+  end
+  check(abs(noise - 7.5 / 255) < 0.004, 'noise is measured where it is not cut off');
+  found = withoutNoise(total / 36, noise, 36);
+  wrong = mean(max(abs(found - picture), [], 3)(:) > 1.5 / 255);
+  check(wrong < 0.001, 'noise leaves flat colors, also where it is cut off');
+  check(numel(detectUnknownObjects(found, robotEye(), noBlocks(), heights)) == 2, 'unknown objects are found in noise');
 end
 
 function estimates = estimatesWhile(truths, told, noise)

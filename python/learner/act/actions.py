@@ -37,7 +37,7 @@ class Action:
     opening: float = np.inf  # at which the fingers came to rest [units]
     still_time: float = 0  # since then [s]
     pictures: list = field(default_factory=list)  # of the arms at rest
-    num_pictures: int = 0  # wanted
+    noise: float = 0  # of the first of them
 
 
 def ticks_within(seconds, aux):

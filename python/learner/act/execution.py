@@ -5,7 +5,8 @@ import numpy as np
 from act.actions import ticks_within
 from act.gripping import grasp, open_fingers
 from constants import EXECUTION as C
-from see.pictures import num_pictures
+from see.denoising import without_noise
+from see.pictures import noise_of, num_pictures
 
 
 def execute_action(action, sensor, motor, aux):
@@ -23,18 +24,19 @@ def execute_action(action, sensor, motor, aux):
 
 def observe(action, sensor, motor, aux):
     """Waits until the arms rest, then for a picture; if it has noise, for so many that their mean
-    has little, which takes the place of the last one."""
+    has little, which takes the place of the last one, without that."""
     aux.imageSeconds = 0  # with the next step
     if action.time <= C.settle_s or "rgbVision" not in sensor:
         motor.ticks = max(ticks_within(C.settle_s - action.time, aux) + 1, 1)
         return "busy"
     if not action.pictures:
-        action.num_pictures = num_pictures(sensor.rgbVision)
+        action.noise = noise_of(sensor.rgbVision / 255)
     action.pictures.append(sensor.rgbVision)
-    if len(action.pictures) < action.num_pictures:
+    if len(action.pictures) < num_pictures(action.noise):
         return "busy"
-    if len(action.pictures) > 1:
-        sensor.rgbVision = np.mean(action.pictures, axis=0)
+    if action.noise > 0:
+        mean = np.mean(action.pictures, axis=0) / 255
+        sensor.rgbVision = 255 * without_noise(mean, action.noise, len(action.pictures))
     aux.imageSeconds = C.no_image_s
     return "done"
 

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from check.light_of_controls import know_light
 from constants import PERCEPTION as C
 from see.colors import color_mask, distinct_colors, table_color
 from see.containers import detect_container
@@ -19,6 +20,7 @@ def know_colors(state, picture, eye, heights):
     demonstrated stays as it is. What is not seen, or not clearly, is looked for in the next picture."""
     things = wanted_things(state)
     if state.unseen_colors is None:
+        know_light(state, things + state.unknown_objects, picture)
         state.unseen_colors = different_colors(whole(things))
     if not state.unseen_colors:
         return

@@ -5,11 +5,13 @@ import unittest
 
 import numpy as np
 
+from check.other_light import know_colors
+from check.task_state import TaskState
 from explain.demonstration import read_demonstration
 from explain.devices import infer_devices
 from match.pressing import button_of, locate, looks_pressed
 from recordings import RecordingTest
-from scenes import BLUE, BROWN, EYE, GRAY, GREEN, RED, block, picture_of, thing, view_of
+from scenes import BLUE, BROWN, CUBE, EYE, GRAY, GREEN, RED, block, picture_of, step, thing, view_of
 from see.surfaces import surface_of
 from things.areas import rotated
 
@@ -46,6 +48,26 @@ class PressTest(RecordingTest):
         self.assertAlmostEqual(button.top, 0.45, delta=0.01)
         surface = surface_of(*view_of(self.fixture(x, y, yaw, True)), EYE)
         self.assertTrue(looks_pressed(self.press, alignment, surface, EYE))
+
+    def test_in_another_light_the_demonstration_is_compared_as_it_would_look_there(self):
+        picture, heights = view_of(self.fixture(1.5, -3, 0.4, False))
+        light = np.array([0.8, 0.75, 0.6])
+        picture = np.round(255 * picture * light) / 255
+        wanted = step(block(GREEN, CUBE, 0, 0), [])
+        self.assertIsNone(locate(self.press, picture, heights, EYE, EYE))
+        state = TaskState([wanted], presses=[self.press], shown=EYE)
+        know_colors(state, picture, EYE, heights)
+        np.testing.assert_allclose(wanted.color, light * GREEN, atol=0.005)
+        alignment = locate(self.press, picture, heights, EYE, EYE)
+        self.assertAlmostEqual(math.remainder(alignment.angle + 0.4, 2 * math.pi), 0, delta=0.02)
+        self.assertFalse(looks_pressed(self.press, alignment, surface_of(picture, heights, EYE), EYE))
+
+    def test_in_the_same_light_nothing_changes(self):
+        before = self.press.before.copy()
+        state = TaskState([], presses=[self.press], shown=EYE)
+        picture, heights = view_of([*self.fixture(1.5, -3, 0.4, True), *thing(RED, -3, -2)])
+        know_colors(state, picture, EYE, heights)
+        np.testing.assert_array_equal(self.press.before, before)
 
     def test_what_is_not_there_is_not_found(self):
         picture, heights = view_of([block(GRAY, np.array([1.0, 0.5, 0.3]), 1, -3), *thing(RED, -2, -3)])

@@ -9,9 +9,10 @@ from act.finger_room import grasp_yaws
 from scenes import (
     BLUE, BROWN, CUBE, EYE, GREEN, PLANK, RED, TABLE, add_ball, block, picture_of, update_beliefs, view_of)
 from see.balls import ball_color
+from see.denoising import without_noise
 from see.detection import detect_blocks
 from see.eye import height_map, pixel_at, to_pixel
-from see.pictures import num_pictures
+from see.pictures import noise_of, num_pictures
 from see.regions import is_cut, label_regions
 from see.sight import is_top_hidden
 from see.unexplained import is_unexplained, unexplained_points
@@ -101,10 +102,24 @@ class PictureTest(unittest.TestCase):
         self.assertEqual(label_regions(spiral).max(), 1)
 
     def test_noisy_pictures_are_taken_repeatedly(self):
-        picture = 255 * picture_of([block(RED, PLANK, 0, -2)])
-        self.assertEqual(num_pictures(picture), 1)
-        noise = 255 * 0.02 * np.random.default_rng(1).standard_normal(picture.shape)
-        self.assertAlmostEqual(num_pictures(picture + noise), 16, delta=1)
+        picture = picture_of([block(RED, PLANK, 0, -2)])
+        self.assertEqual(num_pictures(noise_of(picture)), 1)
+        noise = 0.02 * np.random.default_rng(1).standard_normal(picture.shape)
+        self.assertAlmostEqual(num_pictures(noise_of(picture + noise)), 16, delta=1)
+
+    def test_noise_leaves_flat_colors_also_where_it_is_cut_off(self):
+        picture, heights = view_of([block(RED, PLANK, 0, -2), block(GREEN, CUBE, 3, -2, yaw=0.3)])
+        picture[(picture == TABLE).all(axis=2)] = 1
+        picture[:100] = 0
+        picture = np.round(255 * picture) / 255
+        random = np.random.default_rng(1)
+        noisy = [np.round(np.clip(255 * picture + 7.5 * random.standard_normal(picture.shape), 0, 255)) / 255
+                 for _ in range(36)]
+        noise = noise_of(noisy[0])
+        self.assertAlmostEqual(noise, 7.5 / 255, delta=0.004)
+        found = without_noise(np.mean(noisy, axis=0), noise, len(noisy))
+        self.assertLess(np.mean(np.abs(found - picture).max(axis=2) > 1.5 / 255), 0.001)
+        self.assertEqual(len(detect_unknown_objects(found, EYE, [], heights)), 2)
 
     def test_a_point_ahead_is_in_the_middle_of_the_picture(self):
         ahead = EYE.pose[:3, 3] + 9 * EYE.pose[:3, 2]

@@ -5,7 +5,7 @@ import numpy.typing
 import os
 import pathlib
 import typing
-__all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'ThreadTeam', 'VideoWriter', 'Viewer', 'analyze', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'film', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'pieces_of', 'program_name', 'read_picture', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
+__all__: list[str] = ['ControlKind', 'FrameReader', 'GoalSpace', 'HandName', 'Model', 'Recording', 'Simulation', 'State', 'Task', 'TaskEpisode', 'ThreadTeam', 'VideoWriter', 'Viewer', 'analyze', 'arm_names_of', 'channel_positions', 'channels_of', 'data_file', 'describe', 'edit', 'film', 'gripper_rates', 'imitate', 'jump_ticks', 'load', 'open', 'pieces_of', 'places_of_events', 'program_name', 'read_picture', 'record_demonstration', 'replay', 'shipped_tasks', 'step_episodes', 'tool_poses']
 class Model:
     """
     A scene with a robot, compiled once. It never changes; threads and simulations share it.
@@ -241,9 +241,11 @@ class FrameReader:
     def state(self, arg0: typing.SupportsInt | typing.SupportsIndex) -> tuple:
         ...
 class VideoWriter:
-    def __init__(self, arg0: os.PathLike | str | bytes, arg1: typing.SupportsInt | typing.SupportsIndex, arg2: typing.SupportsInt | typing.SupportsIndex, arg3: typing.SupportsFloat | typing.SupportsIndex) -> None:
+    def __init__(self, path: os.PathLike | str | bytes, width: typing.SupportsInt | typing.SupportsIndex, height: typing.SupportsInt | typing.SupportsIndex, rate: typing.SupportsFloat | typing.SupportsIndex, has_levels: bool = False) -> None:
         ...
     def add(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.uint8]) -> None:
+        ...
+    def add_levels(self, arg0: typing.Annotated[numpy.typing.ArrayLike, numpy.uint16]) -> None:
         ...
     def finish(self) -> None:
         ...
@@ -374,6 +376,8 @@ def load(arg0: os.PathLike | str | bytes, arg1: str | None, arg2: collections.ab
 def open(arg0: os.PathLike | str | bytes) -> Recording:
     ...
 def pieces_of(arg0: Recording) -> list:
+    ...
+def places_of_events(arg0: Recording) -> list:
     ...
 def program_name() -> str:
     ...

@@ -219,6 +219,60 @@ class Version2Test(unittest.TestCase):
         self.assertRegex(str(examine(copy)[0]), "meta/episodes.jsonl: is missing")
 
 
+class LanguageTest(unittest.TestCase):
+    """Each frame has the words of its subtask, which begin when the one before has ended."""
+
+    WORDS = ["take RedBlock", "put RedBlock on the table", "finish"]
+
+    def exported(self, name, **options):
+        folder = Path(SHARED.name) / name
+        export([ROBOT, ROBOT], folder, cameras=(), fps=FPS, language=True, **options)
+        self.assertEqual([str(finding) for finding in examine(folder) if finding.is_error], [])
+        return folder
+
+    def test_rows_hold_from_the_event_on_that_ended_the_subtask_before(self):
+        folder = self.exported("language")
+        table = pq.read_table(folder / "data/chunk-000/file-000.parquet").to_pylist()
+        times = {event["kind"]: event["tick"] for event in smile.open(ROBOT).events}
+        for row in table:
+            # As LeRobot does: the last row of a style that has begun.
+            begun = [one for one in row["language_persistent"] if one["timestamp"] <= row["timestamp"]]
+            active = {one["style"]: one["content"] for one in begun}
+            done = sum(row["sim.tick"] > times[kind] for kind in ("gripper_holds", "gripper_let_go"))
+            self.assertEqual(active["subtask"], self.WORDS[done])
+            self.assertEqual(active["plan"].split("\n")[0], f"1. {self.WORDS[done]}")
+            self.assertEqual(active["plan"].count("\n"), 2 - done)
+            self.assertEqual(row["language_events"], [])
+        info = json.loads((folder / "meta/info.json").read_text())
+        self.assertEqual(info["features"]["language_persistent"],
+                         {"dtype": "language", "shape": [1], "names": None})
+
+    def test_annotations_of_version_2_are_numbers_of_tasks(self):
+        folder = self.exported("language2", format="lerobot-v2.1")
+        lines = (folder / "meta/tasks.jsonl").read_text().splitlines()
+        tasks = {row["task_index"]: row["task"] for row in map(json.loads, lines)}
+        modality = json.loads((folder / "meta/modality.json").read_text())["annotation"]
+        for row in pq.read_table(folder / "data/chunk-000/episode_000001.parquet").to_pylist():
+            self.assertEqual(tasks[row[modality["sim.subtask"]["original_key"]]], self.WORDS[row["sim.subtask"]])
+            self.assertEqual(tasks[row["task_index"]], "tower_robot")
+
+    def test_words_say_where_things_were_put(self):
+        folder = Path(SHARED.name) / "words"
+        export([PROJECT / "tests/golden/recordings/um"], folder, cameras=(), fps=FPS)
+        row, = pq.read_table(folder / "meta/episodes/chunk-000/file-000.parquet").to_pylist()
+        actions = smile.open(PROJECT / "tests/golden/recordings/um").actions
+        shown = [one.words.split(" ", 2)[2].replace("takes", "take").replace("puts", "put") for one in actions]
+        self.assertEqual([words for words in row["smile/subtask_words"] if words != "finish"], shown)
+
+    def test_other_formats_are_refused_and_have_the_words_of_episodes(self):
+        with self.assertRaisesRegex(ValueError, "format 'zarr', expected lerobot-v3.0 or lerobot-v2.1"):
+            self.exported("no", format="zarr")
+        folder = Path(SHARED.name) / "words_zarr"
+        export([ROBOT], folder, format="zarr", cameras=(), fps=FPS)
+        episode, = zarr.open(str(folder / "replay.zarr"), mode="r").attrs["episodes"]
+        self.assertEqual(episode["smile/subtask_words"], self.WORDS)
+
+
 class RobomimicTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -392,9 +446,33 @@ class MapsTest(unittest.TestCase):
             np.testing.assert_array_equal(depth, expected.depth, format)
             np.testing.assert_array_equal(id, expected.id, format)
 
-    def test_films_keep_none(self):
-        with self.assertRaisesRegex(ValueError, "expected robomimic or zarr or mcap: films keep no exact numbers"):
-            export([ROBOT], Path(SHARED.name) / "no", maps=["depth"])
+    def test_films_of_depth_are_exact_to_half_a_millimeter(self):
+        recording, folder, key = smile.open(ROBOT), Path(SHARED.name) / "depth", "observation.images.eye_depth"
+        export([ROBOT, ROBOT], folder, cameras={"eye": (66, 46)}, fps=5, maps=["depth"])
+        self.assertEqual([str(finding) for finding in examine(folder) if finding.is_error], [])
+        feature = json.loads((folder / "meta/info.json").read_text())["features"][key]
+        about = feature["info"]
+        self.assertEqual((feature["shape"], about["is_depth_map"], about["depth_unit"]), ([46, 66, 1], True, "mm"))
+        with av.open(str(folder / f"videos/{key}/chunk-000/file-000.mp4")) as film:
+            self.assertEqual((film.streams.video[0].codec.name, film.streams.video[0].format.name),
+                             (about["video.codec"], about["video.pix_fmt"]))
+            frames = [(frame.time, frame.to_ndarray(format="gray12le")) for frame in film.decode(video=0)]
+        ticks = pq.read_table(folder / "data/chunk-000/file-000.parquet")["sim.tick"].to_pylist()
+        self.assertEqual([round(5 * time, 6) for time, _ in frames], list(range(len(ticks))))
+        # As LeRobot 0.6 does.
+        scale = (about["video.depth_max"] - about["video.depth_min"]) / 4095
+        for (_, levels), tick in list(zip(frames, ticks, strict=True))[::7]:
+            drawn = recording.at(tick / 60).render("eye", (66, 46), channels=("depth",)).depth
+            self.assertGreater(drawn.max(), 0.5)
+            self.assertLess(np.abs(levels * scale + about["video.depth_min"] - drawn).max(), 0.0005 + 1e-6)
+        stats = json.loads((folder / "meta/stats.json").read_text())[key]
+        self.assertEqual(stats["max"], [[[max(int(levels.max()) for _, levels in frames)]]])
+
+    def test_films_keep_no_numbers_of_objects(self):
+        with self.assertRaisesRegex(ValueError, "expected robomimic or zarr or mcap for id: readers of the others"):
+            export([ROBOT], Path(SHARED.name) / "no", maps=["depth", "id"])
+        with self.assertRaisesRegex(ValueError, "expected .* or lerobot-v3.0 for depth"):
+            export([ROBOT], Path(SHARED.name) / "no", maps=["depth"], format="lerobot-v2.1")
         with self.assertRaisesRegex(ValueError, "maps is .*'deep'.*, expected some of depth, id"):
             export([ROBOT], Path(SHARED.name) / "no", format="zarr", maps=["deep"])
 

@@ -117,6 +117,28 @@ class DoctorTest(Exported):
             table, "sim.subtask_progress", [float("nan")] * len(table)))
         self.finds("numbers in sim.subtask_progress that are not finite")
 
+    def test_finds_words_that_are_damaged(self):
+        shutil.rmtree(self.copy)
+        export(self.runs, self.copy, cameras=(), fps=FPS, language=True)
+
+        def change(edit):
+            def changed(table):
+                rows = table["language_persistent"].to_pylist()
+                edit(rows)
+                return self.replaced(table, "language_persistent", rows)
+            return changed
+        sound = (self.copy / "data/chunk-000/file-000.parquet").read_bytes()
+        for edit, message in ((lambda rows: rows[3].pop(), "differ between frames of the episode"),
+                              (lambda rows: [row[2].update(timestamp=1.234) for row in rows],
+                               "begin at 1.23.* s with 'put RedBlock on the table', which is the time of no frame"),
+                              (lambda rows: [row[0].update(style="vqa") for row in rows], "have the style 'vqa'"),
+                              (lambda rows: [row[0].update(camera="eye") for row in rows], "have the camera 'eye'")):
+            (self.copy / "data/chunk-000/file-000.parquet").write_bytes(sound)
+            self.edit_table(change(edit))
+            self.finds("episode 0: has words in language_persistent that " + message)
+        self.edit_json("info.json", lambda info: info["features"]["language_events"].update(dtype="string"))
+        self.finds("language_events: has the dtype 'string'")
+
     def test_finds_tasks_that_are_no_index(self):
         self.edit_table(lambda table: table.replace_schema_metadata({}), "meta/tasks.parquet")
         self.finds("meta/tasks.parquet: does not declare the tasks as the index")

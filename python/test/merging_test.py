@@ -70,6 +70,18 @@ class MergeTest(Exported):
         self.assertEqual((report.episodes, report.frames), (2, len(self.table)))
         self.assert_same_dataset(self.out / "merged", halves)
 
+    def test_words_and_depth_are_joined(self):
+        for name, options in (("v3", {"maps": ["depth"]}), ("v2", {"format": "lerobot-v2.1"})):
+            for number, runs in enumerate(([self.runs[0]], [self.runs[1]], self.runs)):
+                export(runs, self.out / f"{name}{number}", cameras={"eye": SIZE}, fps=FPS, language=True, **options)
+            merge([self.out / f"{name}0", self.out / f"{name}1"], self.out / f"{name}joined")
+            once, joined = files_of(self.out / f"{name}2"), files_of(self.out / f"{name}joined")
+            films = {path for path in once | joined if path.suffix == ".mp4"}
+            self.assertEqual([path for path in set(once) - films - {EPISODES} if once[path] != joined[path]], [])
+            found = [str(finding) for finding in examine(self.out / f"{name}joined") if finding.is_error]
+            self.assertEqual(found, [])
+            self.assertEqual(len([path for path in joined if "eye_depth" in str(path)]), 2 if name == "v3" else 0)
+
     def test_is_associative(self):
         a, b = self.export_halves()
         merge([a, b], self.out / "ab")

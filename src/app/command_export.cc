@@ -33,7 +33,7 @@ struct ExportOptions {
 struct DatasetOptions {
   std::vector<std::string> cameras, maps;
   std::string size, fps, action, task, parts;
-  bool include_failed = false, drop_constant = false, no_extras = false;
+  bool include_failed = false, drop_constant = false, no_extras = false, language = false;
 
   /// Returns them as arguments of the package.
   std::vector<std::string> arguments() const {
@@ -47,7 +47,8 @@ struct DatasetOptions {
     }
     for (const auto& [name, is_set] :
          {std::pair{"--include-failed", include_failed},
-          std::pair{"--drop-constant", drop_constant}, std::pair{"--no-extras", no_extras}}) {
+          std::pair{"--drop-constant", drop_constant}, std::pair{"--no-extras", no_extras},
+          std::pair{"--language", language}}) {
       if (is_set) words.emplace_back(name);
     }
     return words;
@@ -234,6 +235,8 @@ void AddDatasetOptions(CLI::App* command, DatasetOptions* options) {
   group->add_flag("--include-failed", options->include_failed, "also runs that failed");
   group->add_flag("--drop-constant", options->drop_constant, "no joints that never move");
   group->add_flag("--no-extras", options->no_extras, "no copies of the recordings");
+  group->add_flag("--language", options->language,
+                  "words of the subtask and the plan at each frame (lerobot-v3.0, lerobot-v2.1)");
 }
 
 }  // namespace

@@ -93,30 +93,58 @@ void EyePass::SetLight(const scene::Lighting& lighting) {
               static_cast<float>(s * x + c * y));
 }
 
-const Framebuffer& EyePass::Draw(const std::vector<Piece>& visible, const CameraView& view,
+const Framebuffer& EyePass::Draw(const std::vector<Piece>& pieces,
+                                 const std::vector<Piece>& visible, const CameraView& view,
                                  const RenderOptions& options, const scene::Lighting& lighting,
                                  MeshStore* meshes, FramebufferPool* pool) {
   FramebufferLayout layout{.width_px = view.intrinsics.width_px,
                            .height_px = view.intrinsics.height_px,
                            .color_formats = {GL_RGBA8}};
-  const bool ids_apart = options.ids && !FitIntoAlpha(visible);
-  if (ids_apart) layout.color_formats.push_back(GL_R32UI);
-  const Framebuffer& picture = pool->Get(layout);
+  if (options.ids && !FitIntoAlpha(visible)) layout.color_formats.push_back(GL_R32UI);
+  const PictureKey key{.view = view,
+                       .lighting = lighting,
+                       .background = options.background,
+                       .layouts = {layout},
+                       .color = options.color,
+                       .depth = options.depth,
+                       .ids = options.ids};
+  const Eigen::Matrix4f clip_from_world = ClipFromWorld(view);
+  if (!KeptPictures::MayKeep(view.intrinsics)) {
+    const Framebuffer& picture = pool->Get(layout);
+    DrawInto(picture, visible, key, clip_from_world, clip_from_world, meshes);
+    return picture;
+  }
+  KeptPicture& kept = kept_.Get(key);
+  const Framebuffer& picture = kept.framebuffers.front();
+  const PixelRectangle region = ChangedRegion(kept, pieces, nullptr, meshes);
+  // Until it is complete, it is no picture of anything.
+  kept.pieces.reset();
+  if (!region.is_empty()) {
+    const ScissorScope scissor(region);
+    DrawInto(picture, visible, key, clip_from_world,
+             ClipOfRegion(clip_from_world, region, view.intrinsics), meshes);
+  }
+  kept.pieces = pieces;
+  return picture;
+}
+
+void EyePass::DrawInto(const Framebuffer& picture, const std::vector<Piece>& visible,
+                       const PictureKey& key, const Eigen::Matrix4f& clip_from_world,
+                       const Eigen::Matrix4f& cull, MeshStore* meshes) {
   picture.BindForDrawing();
+  const bool ids_apart = HasIdsOfTheirOwn(picture);
   // Outputs that are not requested are not written, which saves bandwidth.
-  const bool writes_first = options.color || (options.ids && !ids_apart);
+  const bool writes_first = key.color || (key.ids && !ids_apart);
   const GLenum outputs[] = {writes_first ? GLenum{GL_COLOR_ATTACHMENT0} : GLenum{GL_NONE},
                             GL_COLOR_ATTACHMENT1};
   glDrawBuffers(ids_apart ? 2 : 1, outputs);
-  const Color background = lighting.background.value_or(Color{0, 0, 0});
-  Clear(options.background.value_or(background), ids_apart);
+  const Color background = key.lighting.background.value_or(Color{0, 0, 0});
+  Clear(key.background.value_or(background), ids_apart);
 
   program_.Use();
-  const Eigen::Matrix4f clip_from_world = ClipFromWorld(view);
   glUniformMatrix4fv(clip_from_world_, 1, GL_FALSE, clip_from_world.data());
-  SetLight(lighting);
-  meshes->Draw(visible, clip_from_world);
-  return picture;
+  SetLight(key.lighting);
+  meshes->Draw(visible, cull);
 }
 
 }  // namespace smile::camera::internal

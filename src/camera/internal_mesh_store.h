@@ -17,6 +17,10 @@ class MeshStore {
   /// Draws with the program in use; pieces that share a unit mesh are drawn in one call.
   /// @param clip_from_world  of the program; pieces beside the picture are left out.
   void Draw(const std::vector<Piece>& pieces, const Eigen::Matrix4f& clip_from_world);
+  /// Returns the box around a unit mesh.
+  const Eigen::AlignedBox3f& BoxOf(const mesh::UnitMesh& unit_mesh) {
+    return MeshFor(unit_mesh).box;
+  }
 
  private:
   struct UploadedMesh {

@@ -108,17 +108,23 @@ void SetMatrix(const Program& program, const char* name, const Eigen::Matrix4f& 
 }
 
 /// Averages the samples of each pixel (multisample resolve).
-const Framebuffer& Resolve(const Framebuffer& picture, FramebufferPool* pool) {
+void Resolve(const Framebuffer& picture, const Framebuffer& resolved) {
   const auto [width, height] = std::pair(picture.layout().width_px, picture.layout().height_px);
-  const Framebuffer& resolved = pool->Get({.width_px = width,
-                                           .height_px = height,
-                                           .color_formats = {GL_SRGB8_ALPHA8},
-                                           .has_depth = false});
   glBindFramebuffer(GL_READ_FRAMEBUFFER, picture.name());
   glReadBuffer(GL_COLOR_ATTACHMENT0);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved.name());
   glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  return resolved;
+}
+
+/// Returns the shadows of the lamp, as far as they may be seen.
+ShadowSweep SweepOf(const std::vector<Piece>& visible, const Vector3& to_lamp, double texel_span) {
+  // Samples lie up to 2.5 texels away along each axis of the map, and half a texel below.
+  constexpr double kTexels = 5;
+  ShadowSweep sweep{.to_lamp = to_lamp, .margin = kTexels * texel_span};
+  for (const Piece& piece : visible) {
+    sweep.lowest = std::min(sweep.lowest, piece.p_WV.dot(to_lamp) - piece.bounding_radius);
+  }
+  return sweep;
 }
 
 }  // namespace
@@ -139,23 +145,55 @@ const Framebuffer& PresentationPass::Draw(const std::vector<Piece>& pieces,
                                           const RenderOptions& options,
                                           const scene::Lighting& lighting, MeshStore* meshes,
                                           FramebufferPool* pool) {
-  shadow_map_.Draw(pieces, visible, DirectionToLamp(lighting), meshes);
-
-  // Shadows first, since drawing the pieces reads the map; the background last, where no piece was
-  // drawn.
-  const Framebuffer& picture = pool->Get({.width_px = view.intrinsics.width_px,
-                                          .height_px = view.intrinsics.height_px,
+  // Shadows first, since drawing the pieces reads the map.
+  const Vector3 to_lamp = DirectionToLamp(lighting);
+  shadow_map_.Draw(pieces, visible, to_lamp, meshes);
+  const FramebufferLayout layout{.width_px = view.intrinsics.width_px,
+                                 .height_px = view.intrinsics.height_px,
+                                 .color_formats = {GL_SRGB8_ALPHA8},
+                                 .samples = samples_};
+  const FramebufferLayout resolved_layout{.width_px = layout.width_px,
+                                          .height_px = layout.height_px,
                                           .color_formats = {GL_SRGB8_ALPHA8},
-                                          .samples = samples_});
+                                          .has_depth = false};
+  const PictureKey key{.view = view,
+                       .lighting = lighting,
+                       .background = options.background,
+                       .layouts = {layout, resolved_layout},
+                       .map_from_world = shadow_map_.map_from_world()};
+  const Eigen::Matrix4f clip_from_world = ClipFromWorld(view);
+  if (!KeptPictures::MayKeep(view.intrinsics)) {
+    const Framebuffer& picture = pool->Get(layout);
+    const Framebuffer& resolved = pool->Get(resolved_layout);
+    DrawInto(picture, resolved, visible, key, clip_from_world, meshes);
+    return resolved;
+  }
+  KeptPicture& kept = kept_.Get(key);
+  const ShadowSweep sweep = SweepOf(visible, to_lamp, shadow_map_.texel_span());
+  const PixelRectangle region = ChangedRegion(kept, pieces, &sweep, meshes);
+  // Until it is complete, it is no picture of anything.
+  kept.pieces.reset();
+  if (!region.is_empty()) {
+    const ScissorScope scissor(region);
+    DrawInto(kept.framebuffers.front(), kept.framebuffers.back(), visible, key,
+             ClipOfRegion(clip_from_world, region, view.intrinsics), meshes);
+  }
+  kept.pieces = pieces;
+  return kept.framebuffers.back();
+}
+
+void PresentationPass::DrawInto(const Framebuffer& picture, const Framebuffer& resolved,
+                                const std::vector<Piece>& visible, const PictureKey& key,
+                                const Eigen::Matrix4f& cull, MeshStore* meshes) {
   picture.BindForDrawing();
   glEnable(GL_FRAMEBUFFER_SRGB);  // shaders compute linear light, the card encodes it
   const GLfloat far_plane = 1;
   glClearBufferfv(GL_DEPTH, 0, &far_plane);
-  DrawPieces(visible, view, lighting, meshes);
-  DrawBackground(options.background ? options.background : lighting.background);
-  const Framebuffer& resolved = Resolve(picture, pool);
+  DrawPieces(visible, key.view, key.lighting, cull, meshes);
+  // Last, where no piece was drawn.
+  DrawBackground(key.background ? key.background : key.lighting.background);
+  Resolve(picture, resolved);
   glDisable(GL_FRAMEBUFFER_SRGB);
-  return resolved;
 }
 
 void PresentationPass::DrawBackground(const std::optional<Color>& background) {
@@ -178,7 +216,8 @@ void PresentationPass::DrawBackground(const std::optional<Color>& background) {
 }
 
 void PresentationPass::DrawPieces(const std::vector<Piece>& visible, const CameraView& view,
-                                  const scene::Lighting& lighting, MeshStore* meshes) {
+                                  const scene::Lighting& lighting, const Eigen::Matrix4f& cull,
+                                  MeshStore* meshes) {
   program_.Use();
   const Eigen::Matrix4f clip_from_world = ClipFromWorld(view);
   SetMatrix(program_, "clip_from_world", clip_from_world);
@@ -191,7 +230,7 @@ void PresentationPass::DrawPieces(const std::vector<Piece>& visible, const Camer
   glUniform1f(program_.Uniform("normal_offset"),
               static_cast<float>(-0.5 * shadow_map_.texel_span()));
   shadow_map_.BindTexture();
-  meshes->Draw(visible, clip_from_world);
+  meshes->Draw(visible, cull);
 }
 
 }  // namespace smile::camera::internal

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "camera/internal_framebuffer.h"
+#include "camera/internal_kept_picture.h"
 #include "camera/internal_mesh_store.h"
 #include "camera/internal_shadow_map.h"
 #include "camera/renderer.h"
@@ -22,9 +23,15 @@ class PresentationPass {
 
  private:
   void DrawBackground(const std::optional<Color>& background);
+  /// @param cull  matrix by which pieces beside the region to be drawn are left out.
   void DrawPieces(const std::vector<Piece>& visible, const CameraView& view,
-                  const scene::Lighting& lighting, MeshStore* meshes);
+                  const scene::Lighting& lighting, const Eigen::Matrix4f& cull, MeshStore* meshes);
+  /// Draws a picture, and averages the samples of each pixel (multisample resolve).
+  void DrawInto(const Framebuffer& picture, const Framebuffer& resolved,
+                const std::vector<Piece>& visible, const PictureKey& key,
+                const Eigen::Matrix4f& cull, MeshStore* meshes);
 
+  KeptPictures kept_;
   ShadowMap shadow_map_;
   Program background_program_;
   Program program_;

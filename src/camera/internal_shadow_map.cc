@@ -4,6 +4,7 @@
 #include "camera/internal_shadow_map.h"
 
 #include <algorithm>
+#include <cstring>
 #include <iterator>
 #include <stdexcept>
 
@@ -53,11 +54,15 @@ std::vector<Piece> Casters(const std::vector<Piece>& pieces) {
   return casters;
 }
 
+/// Returns true if two pieces cast the same shadow.
+bool HaveSameShape(const Piece& a, const Piece& b) {
+  return std::memcmp(a.instance.rows, b.instance.rows, sizeof(a.instance.rows)) == 0 &&
+         a.unit_mesh == b.unit_mesh;
+}
+
 }  // namespace
 
-ShadowMap::ShadowMap()
-    : program_(std::string(kVertexShaderInputs) + kShadowVertexShader, kShadowFragmentShader),
-      clip_from_world_(program_.Uniform("clip_from_world")) {
+ShadowMap::Layer::Layer() {
   glBindTexture(GL_TEXTURE_2D, texture_.name());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kSize, kSize, 0, GL_DEPTH_COMPONENT,
                GL_UNSIGNED_INT, nullptr);
@@ -79,6 +84,23 @@ ShadowMap::ShadowMap()
     throw std::runtime_error("OpenGL: glCheckFramebufferStatus: no shadow map can be made");
   }
 }
+
+void ShadowMap::Layer::Begin() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+  const GLfloat far_plane = 1;
+  glClearBufferfv(GL_DEPTH, 0, &far_plane);
+}
+
+void ShadowMap::Layer::BeginWith(const Layer& other) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, other.framebuffer_.name());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.name());
+  glBlitFramebuffer(0, 0, kSize, kSize, 0, 0, kSize, kSize, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+}
+
+ShadowMap::ShadowMap()
+    : program_(std::string(kVertexShaderInputs) + kShadowVertexShader, kShadowFragmentShader),
+      clip_from_world_(program_.Uniform("clip_from_world")) {}
 
 void ShadowMap::FitTo(const std::vector<Piece>& casters, const std::vector<Piece>& receivers,
                       const Vector3& to_lamp) {
@@ -107,11 +129,15 @@ void ShadowMap::Draw(const std::vector<Piece>& pieces, const std::vector<Piece>&
   // Pieces that cast no shadows do not enlarge the map: shadows are the same with and without them.
   const std::vector<Piece> casters = Casters(pieces);
   FitTo(casters, Casters(visible), to_lamp);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-  glViewport(0, 0, kSize, kSize);
-  const GLfloat far_plane = 1;
-  glClearBufferfv(GL_DEPTH, 0, &far_plane);
+  std::vector<bool> stands_still(casters.size());
+  const bool is_comparable =
+      map_from_world_ == last_map_from_world_ && casters.size() == last_casters_.size();
+  for (std::size_t i = 0; is_comparable && i < casters.size(); ++i) {
+    stands_still[i] = HaveSameShape(casters[i], last_casters_[i]);
+  }
+  if (is_comparable && !std::ranges::count(stands_still, false)) return;
 
+  glViewport(0, 0, kSize, kSize);
   // Draws back faces: lit front faces then never shade themselves by rounding (shadow acne).
   glFrontFace(GL_CCW);
   glCullFace(GL_FRONT);
@@ -122,9 +148,45 @@ void ShadowMap::Draw(const std::vector<Piece>& pieces, const std::vector<Piece>&
   clip_from_map.topRightCorner<3, 1>().setConstant(-1);
   const Eigen::Matrix4f clip_from_world = clip_from_map * map_from_world_;
   glUniformMatrix4fv(clip_from_world_, 1, GL_FALSE, clip_from_world.data());
-  meshes->Draw(casters, clip_from_world);
+
+  // The layer of what stands still is drawn again if something of it moves, and now and then to
+  // take up what has stopped.
+  constexpr int kMaxAge = 16;
+  bool is_valid = is_comparable && !is_in_still_.empty();
+  for (std::size_t i = 0; is_valid && i < casters.size(); ++i) {
+    is_valid = stands_still[i] || !is_in_still_[i];
+  }
+  const bool is_old = ++still_age_ >= kMaxAge && is_in_still_ != stands_still;
+  if (!is_valid || is_old) {
+    is_in_still_.clear();
+    if (std::ranges::count(stands_still, true)) {
+      is_in_still_ = stands_still;
+      if (!still_) still_.emplace();
+      still_->Begin();
+      DrawCasters(casters, true, clip_from_world, meshes);
+    }
+    still_age_ = 0;
+  }
+  if (is_in_still_.empty()) {
+    map_.Begin();
+    meshes->Draw(casters, clip_from_world);
+  } else {
+    map_.BeginWith(*still_);
+    DrawCasters(casters, false, clip_from_world, meshes);
+  }
   glCullFace(GL_BACK);
   glFrontFace(GL_CW);
+  last_casters_ = casters;
+  last_map_from_world_ = map_from_world_;
+}
+
+void ShadowMap::DrawCasters(const std::vector<Piece>& casters, bool stand_still,
+                            const Eigen::Matrix4f& clip_from_world, MeshStore* meshes) const {
+  std::vector<Piece> drawn;
+  for (std::size_t i = 0; i < casters.size(); ++i) {
+    if (is_in_still_[i] == stand_still) drawn.push_back(casters[i]);
+  }
+  meshes->Draw(drawn, clip_from_world);
 }
 
 }  // namespace smile::camera::internal

@@ -62,8 +62,8 @@ void Renderer::Render(const scene::VisualModel& model, const scene::VisualState&
     eye_options.color = false;
   }
   if (eye_options.color || options.depth || options.ids) {
-    const internal::Framebuffer& picture =
-        s.eye_pass.Draw(visible, view, eye_options, model.lighting, &s.meshes, &s.framebuffers);
+    const internal::Framebuffer& picture = s.eye_pass.Draw(
+        pieces, visible, view, eye_options, model.lighting, &s.meshes, &s.framebuffers);
     if (options.ids && !internal::EyePass::HasIdsOfTheirOwn(picture)) {
       s.read_back.ReadColorAndIds(picture, eye_options.color, image);
     } else {

@@ -8,7 +8,8 @@
 #include "video/internal_libav.h"
 
 // Writes films with libav and x264. The same pictures must give the same bytes, so that films can
-// be compared in tests: one thread, fixed settings, bit-exact flags, no dates.
+// be compared in tests: one thread, fixed settings, bit-exact flags, no dates. Films of numbers are
+// made by x265.
 
 namespace smile::video {
 
@@ -20,7 +21,10 @@ class VideoWriter::Encoder {
  public:
   Encoder(std::filesystem::path path, int width_px, int height_px, double frames_per_second,
           VideoCoding coding)
-      : path_(std::move(path)), width_px_(width_px), height_px_(height_px) {
+      : path_(std::move(path)),
+        width_px_(width_px),
+        height_px_(height_px),
+        has_levels_(coding == VideoCoding::kLevels) {
     av_log_set_level(AV_LOG_ERROR);  // x264 reports statistics otherwise
     OpenOutput();
     OpenCodec(av_d2q(frames_per_second, 1'000'000), coding);
@@ -29,8 +33,7 @@ class VideoWriter::Encoder {
   }
 
   void Add(const Image& image) {
-    if (is_finished_)
-      throw std::logic_error(path_.string() + ": is finished; no more pictures can be added");
+    RequireOpen(false);
     const std::size_t row_bytes = std::size_t{3} * width_px_;
     if (image.width_px != width_px_ || image.height_px != height_px_ ||
         image.color.size() != row_bytes * height_px_) {
@@ -49,6 +52,26 @@ class VideoWriter::Encoder {
     Encode(yuv_.get());
   }
 
+  void AddLevels(std::span<const std::uint16_t> levels) {
+    RequireOpen(true);
+    const auto num_pixels = static_cast<std::size_t>(width_px_) * height_px_;
+    const auto highest = std::ranges::max_element(levels);
+    if (levels.size() != num_pixels || *highest > kMaxLevel) {
+      throw std::invalid_argument(
+          path_.string() + ": a picture has " + std::to_string(levels.size()) + " numbers up to " +
+          std::to_string(levels.empty() ? 0 : *highest) + ", expected " +
+          std::to_string(num_pixels) + " up to " + std::to_string(kMaxLevel));
+    }
+    Check(av_frame_make_writable(yuv_.get()), path_, "av_frame_make_writable");
+    const std::size_t row_bytes = sizeof(std::uint16_t) * width_px_;
+    for (int v = 0; v < height_px_; ++v) {
+      std::memcpy(yuv_->data[0] + static_cast<std::ptrdiff_t>(v) * yuv_->linesize[0],
+                  levels.data() + static_cast<std::size_t>(v) * width_px_, row_bytes);
+    }
+    yuv_->pts = num_frames_++;
+    Encode(yuv_.get());
+  }
+
   void Finish() {
     if (is_finished_) return;
     if (num_frames_ == 0) throw std::logic_error(path_.string() + ": a film needs a picture");
@@ -63,6 +86,18 @@ class VideoWriter::Encoder {
   int num_frames() const { return num_frames_; }
 
  private:
+  static constexpr std::uint16_t kMaxLevel = 4095;
+
+  void RequireOpen(bool has_levels) const {
+    if (is_finished_)
+      throw std::logic_error(path_.string() + ": is finished; no more pictures can be added");
+    if (has_levels != has_levels_) {
+      throw std::invalid_argument(
+          path_.string() + ": is a film of " +
+          (has_levels_ ? "numbers, expected no colors" : "colors, expected no numbers"));
+    }
+  }
+
   void OpenOutput() {
     AVFormatContext* output = nullptr;
     Check(avformat_alloc_output_context2(&output, nullptr, "mp4", internal::UrlOf(path_).c_str()),
@@ -75,33 +110,47 @@ class VideoWriter::Encoder {
   /// Opens the encoder. Every setting that influences the bytes is fixed, so that equal pictures
   /// give equal files.
   void OpenCodec(AVRational rate, VideoCoding coding) {
-    const AVCodec* x264 = CheckMade(avcodec_find_encoder_by_name("libx264"), path_,
-                                    "avcodec_find_encoder_by_name(libx264)");
-    codec_.reset(CheckMade(avcodec_alloc_context3(x264), path_, "avcodec_alloc_context3"));
+    const char* name = has_levels_ ? "libx265" : "libx264";
+    const AVCodec* encoder =
+        CheckMade(avcodec_find_encoder_by_name(name), path_, "avcodec_find_encoder_by_name");
+    codec_.reset(CheckMade(avcodec_alloc_context3(encoder), path_, "avcodec_alloc_context3"));
     // 4:2:0 subsampling needs even sizes.
-    codec_->width = width_px_ + width_px_ % 2;
-    codec_->height = height_px_ + height_px_ % 2;
-    codec_->pix_fmt = AV_PIX_FMT_YUV420P;
+    codec_->width = width_px_ + (has_levels_ ? 0 : width_px_ % 2);
+    codec_->height = height_px_ + (has_levels_ ? 0 : height_px_ % 2);
+    codec_->pix_fmt = has_levels_ ? AV_PIX_FMT_GRAY12 : AV_PIX_FMT_YUV420P;
     codec_->framerate = rate;
     // One unit of time is one frame, so time stamps are frame numbers.
     codec_->time_base = av_inv_q(rate);
-    // BT.709 in limited range: what players assume of films in high definition.
-    codec_->color_range = AVCOL_RANGE_MPEG;
-    codec_->colorspace = AVCOL_SPC_BT709;
-    codec_->color_primaries = AVCOL_PRI_BT709;
-    codec_->color_trc = AVCOL_TRC_BT709;
-    if (coding == VideoCoding::kSeekable) {
+    if (has_levels_) {
+      codec_->color_range = AVCOL_RANGE_JPEG;
+    } else {
+      // BT.709 in limited range: what players assume of films in high definition.
+      codec_->color_range = AVCOL_RANGE_MPEG;
+      codec_->colorspace = AVCOL_SPC_BT709;
+      codec_->color_primaries = AVCOL_PRI_BT709;
+      codec_->color_trc = AVCOL_TRC_BT709;
+    }
+    if (coding != VideoCoding::kCompact) {
       codec_->gop_size = 2;
       codec_->max_b_frames = 0;
     }
     codec_->thread_count = 1;  // the bytes depend on the number of threads
     codec_->flags |= AV_CODEC_FLAG_GLOBAL_HEADER | AV_CODEC_FLAG_BITEXACT;
     AVDictionary* options = nullptr;
-    // A fast preset, as one thread encodes.
-    av_dict_set(&options, "preset", "veryfast", 0);
-    // Constant quality: the size follows from the content. 20 is nearly without visible loss.
-    av_dict_set(&options, "crf", "20", 0);
-    const int result = avcodec_open2(codec_.get(), x264, &options);
+    if (has_levels_) {
+      av_dict_set(&options, "preset", "ultrafast", 0);
+      // One thread, and no name of the encoder in the stream.
+      av_dict_set(&options, "x265-params",
+                  "lossless=1:pools=none:frame-threads=1:wpp=0:bframes=0:keyint=2:min-keyint=2:"
+                  "scenecut=0:info=0:log-level=error",
+                  0);
+    } else {
+      // A fast preset, as one thread encodes.
+      av_dict_set(&options, "preset", "veryfast", 0);
+      // Constant quality: the size follows from the content. 20 is nearly without visible loss.
+      av_dict_set(&options, "crf", "20", 0);
+    }
+    const int result = avcodec_open2(codec_.get(), encoder, &options);
     av_dict_free(&options);
     Check(result, path_, "avcodec_open2");
 
@@ -109,6 +158,8 @@ class VideoWriter::Encoder {
     stream_->avg_frame_rate = rate;
     Check(avcodec_parameters_from_context(stream_->codecpar, codec_.get()), path_,
           "avcodec_parameters_from_context");
+    // The one of two names of HEVC in mp4 that all players know.
+    if (has_levels_) stream_->codecpar->codec_tag = MKTAG('h', 'v', 'c', '1');
   }
 
   void OpenFile() {
@@ -122,9 +173,10 @@ class VideoWriter::Encoder {
   }
 
   void MakeFrames() {
-    rgb_ = MakeFrame(AV_PIX_FMT_RGB24);
-    yuv_ = MakeFrame(AV_PIX_FMT_YUV420P);
+    yuv_ = MakeFrame(codec_->pix_fmt);
     packet_.reset(CheckMade(av_packet_alloc(), path_, "av_packet_alloc"));
+    if (has_levels_) return;
+    rgb_ = MakeFrame(AV_PIX_FMT_RGB24);
     scaler_.reset(CheckMade(
         sws_getContext(codec_->width, codec_->height, AV_PIX_FMT_RGB24, codec_->width,
                        codec_->height, AV_PIX_FMT_YUV420P,
@@ -173,6 +225,7 @@ class VideoWriter::Encoder {
 
   std::filesystem::path path_;
   int width_px_, height_px_;
+  bool has_levels_;
   int num_frames_ = 0;
   bool is_finished_ = false;
   internal::Output output_;
@@ -208,6 +261,7 @@ VideoWriter::~VideoWriter() {
 }
 
 void VideoWriter::Add(const Image& image) { encoder_->Add(image); }
+void VideoWriter::AddLevels(std::span<const std::uint16_t> levels) { encoder_->AddLevels(levels); }
 void VideoWriter::Finish() { encoder_->Finish(); }
 int VideoWriter::num_frames() const { return encoder_->num_frames(); }
 

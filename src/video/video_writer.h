@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 
 #include "image/image.h"
 
@@ -14,12 +15,15 @@ enum class VideoCoding {
   /// For readers of single pictures: every second one stands alone, and none refers to a later one,
   /// so that times begin at 0 and pictures are stored in the order in which they are shown.
   kSeekable,
+  /// For numbers, 0 to 4095, without loss: HEVC, 12 bits of gray; otherwise as kSeekable.
+  kLevels,
 };
 
 /// Writer of an mp4 film that browsers and players show directly: H.264, 4:2:0, BT.709, with the
 /// index in front. Equal pictures give equal bytes.
 ///
-/// The format requires even sizes: the last column or row of an odd picture is repeated.
+/// The format requires even sizes: the last column or row of an odd picture is repeated. Films of
+/// numbers (VideoCoding::kLevels) may have any size.
 class VideoWriter {
  public:
   /// @param frames_per_second  above 0, at most 1000.
@@ -34,10 +38,14 @@ class VideoWriter {
   VideoWriter& operator=(const VideoWriter&) = delete;
 
   /// Appends one picture, of which only the color is used.
-  /// @throws std::invalid_argument if it has another size, or no color.
+  /// @throws std::invalid_argument if it has another size, or no color, or the film is of numbers.
   /// @throws std::logic_error after Finish().
   /// @throws std::runtime_error naming the path and the reason.
   void Add(const Image& image);
+
+  /// Appends a picture of numbers, row by row from the top.
+  /// @throws as Add(); std::invalid_argument if a number is above 4095, or the film is of colors.
+  void AddLevels(std::span<const std::uint16_t> levels);
 
   /// Completes the file. Calling it again does nothing.
   /// @throws std::logic_error if no picture was added: players refuse such a film.

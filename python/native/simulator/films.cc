@@ -104,6 +104,13 @@ void Add(video::VideoWriter& film, const Pixels& rgb) {
   film.Add(image);
 }
 
+using Levels = py::array_t<std::uint16_t, py::array::c_style | py::array::forcecast>;
+
+void AddLevels(video::VideoWriter& film, const Levels& levels) {
+  const py::gil_scoped_release release;
+  film.AddLevels({levels.data(), static_cast<std::size_t>(levels.size())});
+}
+
 void FilmRecording(const recording::Recording& recording, const std::filesystem::path& mp4,
                    const std::string& camera, int width, int height, double rate, double speed) {
   const py::gil_scoped_release release;
@@ -128,11 +135,16 @@ void BindFilms(py::module_& m) {
                                 .channels = {.rgb = rgb, .depth = depth, .id = id}});
       });
   py::class_<video::VideoWriter>(m, "VideoWriter")
-      .def(py::init([](const std::filesystem::path& path, int width, int height, double rate) {
-        return std::make_unique<video::VideoWriter>(path, width, height, rate,
-                                                    video::VideoCoding::kSeekable);
-      }))
+      .def(py::init([](const std::filesystem::path& path, int width, int height, double rate,
+                       bool has_levels) {
+             return std::make_unique<video::VideoWriter>(
+                 path, width, height, rate,
+                 has_levels ? video::VideoCoding::kLevels : video::VideoCoding::kSeekable);
+           }),
+           py::arg("path"), py::arg("width"), py::arg("height"), py::arg("rate"),
+           py::arg("has_levels") = false)
       .def("add", &Add)
+      .def("add_levels", &AddLevels)
       .def("finish", &video::VideoWriter::Finish, py::call_guard<py::gil_scoped_release>())
       .def_property_readonly("num_frames", &video::VideoWriter::num_frames);
 }

@@ -76,6 +76,29 @@ py::list EventsOf(const Recording& recording) {
   return events;
 }
 
+/// Of each event, as EventsOf() lists them: of a release, the support of the object: its id, empty
+/// for the table; whether the object lies in it; whether it rests there already. None for other
+/// events, and beyond the table's edge.
+py::list PlacesOfEvents(const Recording& recording) {
+  using enum sim::EventKind;
+  py::list places;
+  recording::TraceReader trace(recording);
+  for (const auto& [tick, event] : recording::TraceReader(recording).Events()) {
+    std::optional<model::Support> support;
+    if (event.kind == kReleased || event.kind == kGripperReleased) {
+      if (const auto moment = trace.At(tick)) {
+        support = SupportAt(*moment, event.object, recording.scene());
+      }
+    }
+    if (support) {
+      places.append(py::make_tuple(support->object, support->is_inside, support->is_near()));
+    } else {
+      places.append(py::none());
+    }
+  }
+  return places;
+}
+
 /// The actions on the recording's path: (tick at begin, tick at end, words).
 py::list ActionsOf(const Recording& recording) {
   py::list actions;
@@ -151,6 +174,7 @@ void BindRecording(py::module_& m) {
       .def("frames", &FramesOf)
       .def("first_difference", &FirstDifference)
       .def("render", &RenderAt);
+  m.def("places_of_events", &PlacesOfEvents);
   m.def("read_picture", &ReadPicture);
   m.def("open", [](const std::filesystem::path& directory) {
     const py::gil_scoped_release release;

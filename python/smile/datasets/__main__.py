@@ -62,7 +62,9 @@ def _add_export(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -
     parser.add_argument("--no-extras", action="store_true", help="do not copy the recordings into the dataset")
     parser.add_argument("--map", action="append", choices=MAPS, default=[],
                         help="store of each pixel what it shows, too, beside its color: its depth [m], the number of "
-                             "its object; may be repeated (robomimic, zarr, mcap)")
+                             "its object; may be repeated (robomimic, zarr, mcap; depth also lerobot-v3.0)")
+    parser.add_argument("--language", action="store_true",
+                        help="give each frame the words of its subtask and of the plan (LeRobot's formats)")
     parser.add_argument("--parts", type=int, metavar="N",
                         help="make the dataset in parts of N episodes: an interrupted export continues after its "
                              "last part (lerobot-v3.0)")
@@ -86,7 +88,7 @@ def _export(options: argparse.Namespace) -> int:
     report = export(options.runs, options.out, format=options.to, cameras=cameras, fps=options.fps,
                     action=options.action, task=options.task, include_failed=options.include_failed,
                     drop_constant=options.drop_constant, extras=not options.no_extras, parts=options.parts,
-                    maps=options.map,
+                    maps=options.map, language=options.language,
                     progress=lambda line: print(line, file=sys.stderr, flush=True))
     for feature, names in report.constant.items():
         print(f"note: {feature} has dimensions that never change: {', '.join(names)}; see --drop-constant",

@@ -37,7 +37,7 @@ class Writer(lerobot.Writer):
     # Each episode begins a file.
     DATA_MEGABYTES, FILM_MEGABYTES = 0, 0
 
-    def _write_frames(self, values: Mapping[str, npt.NDArray[Any]]) -> Row:
+    def _write_frames(self, values: Mapping[str, npt.NDArray[Any]], more: Row) -> Row:
         blocks = []
         for name, feature in self.features.items():
             if feature["dtype"] == "video":

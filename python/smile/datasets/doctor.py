@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 import pyarrow as pa
 
-from smile.datasets import statistics
+from smile.datasets import language, statistics
 from smile.datasets.features import DEFAULTS
 from smile.datasets.layout import Layout, LayoutError, ListedEpisode, place_of, read_layout, read_table
 from smile.datasets.mp4 import Film, read_film
@@ -73,6 +73,9 @@ def _features(layout: Layout) -> Iterator[Finding]:
         if name.startswith("action") and name != "action":
             yield Finding(False, name, "begins with 'action': policies are trained to output it, too",
                           "rename it, unless that is meant")
+        if (name in language.FEATURES) != (feature.get("dtype") == language.DTYPE):
+            yield Finding(True, name, f"has the dtype {feature.get('dtype')!r}: of this dtype are "
+                          f"{' and '.join(language.FEATURES)}, and no others", "rename the feature, or correct it")
         names = feature.get("names")
         if is_picture and not (isinstance(names, list) and len(names) == 3
                                and names[2] in ("channel", "channels", "width")):
@@ -182,14 +185,28 @@ def _frames_of(layout: Layout, episode: ListedEpisode, table: Any, begin: int) -
     if late.max(initial=0) > TIME_TOLERANCE:
         yield Finding(True, where, f"has times that are not frame_index / fps, by up to {late.max():.4f} s: films "
                       "are read at other moments", "write timestamp as frame_index / fps")
-    unknown = sorted(set(np.unique(part["task_index"].to_numpy()).tolist()) - set(layout.tasks))
-    if unknown:
-        yield Finding(True, where, f"has the task {unknown[0]}, which is not in the list of tasks", "add the task")
+    yield from _words_of_frames(layout, where, part)
     for name, feature in layout.features.items():
         if feature.get("dtype") in ("float32", "float64") and name in part.column_names:
             if not _are_finite(part[name]):
                 yield Finding(True, where, f"has numbers in {name} that are not finite: losses become NaN",
                               "leave out the episode, or write these numbers again")
+
+
+def _words_of_frames(layout: Layout, where: str, part: Any) -> Iterator[Finding]:
+    """Checks tasks, and the words of subtasks."""
+    for name in ("task_index", language.ANNOTATION):
+        if name in part.column_names:
+            unknown = sorted(set(np.unique(part[name].to_numpy()).tolist()) - set(layout.tasks))
+            if unknown:
+                found = f"task {unknown[0]}" if name == "task_index" else f"task {unknown[0]} in {name}"
+                yield Finding(True, where, f"has the {found}, which is not in the list of tasks", "add the task")
+    cameras = [name for name in layout.features if name.startswith("observation.images.")]
+    for name in language.FEATURES:
+        if name in part.column_names:
+            for fault in language.faults_of(name, part[name], part["timestamp"].to_pylist(), cameras):
+                yield Finding(True, where, f"has words in {name} that {fault}", "write these words again")
+                break
 
 
 def _are_finite(column: Any) -> bool:

@@ -45,6 +45,8 @@ class Subtask(NamedTuple):
     """A part of an episode, from one deed to the next."""
 
     name: str
+    words: str
+    """what is done, in words, for example `put BlueBlock on RedBlock`"""
     begin: int
     """first frame"""
     end: int
@@ -267,15 +269,35 @@ def subtasks_of(recording: smile.Recording, frames: npt.NDArray[np.intp]) -> lis
     ticks = recording.ticks[frames].astype(np.int64)
     subtasks: list[Subtask] = []
     begin = 0
-    for event in recording.events:
+    holders: dict[str, int] = {}
+    for event, place in zip(recording.events, _native.places_of_events(recording._native), strict=True):
+        id = event.get("object", "")
+        holders[id] = max(0, holders.get(id, 0) + (event["kind"] in _TAKES) - (event["kind"] in _LEAVES))
         verb = _VERBS.get(event["kind"])
         if verb is None:
             continue
         end = int(np.searchsorted(ticks, event["tick"], side="right"))
         if end > begin:
-            thing = event.get("control") or event.get("object") or ""
-            subtasks.append(Subtask(f"{verb} {thing}".strip(), begin, end))
+            thing = event.get("control") or id
+            words = _words_of(event, f"{verb} {thing}".strip(), place if holders[id] == 0 else None)
+            subtasks.append(Subtask(f"{verb} {thing}".strip(), words, begin, end))
             begin = end
     if begin < len(frames):
-        subtasks.append(Subtask("finish", begin, len(frames)))
+        subtasks.append(Subtask("finish", "finish", begin, len(frames)))
     return subtasks
+
+
+def _words_of(event: dict[str, Any], name: str, place: tuple[str, bool, bool] | None) -> str:
+    """place: of what was released: its support, empty for the table; whether it lies in that; whether
+    it already rests there. None beyond the table's edge, or where something else still holds it"""
+    if event["kind"] in ("gripper_let_go", "released"):
+        if place is None:
+            return f"release {event['object']}"
+        support, is_inside, is_near = place
+        return (f"{'put' if is_near else 'drop'} {event['object']} {'into' if is_inside else 'on'} "
+                f"{support or 'the table'}")
+    if event["kind"] == "destroyed":
+        return f"remove {event['object']} from the table"
+    if event["kind"] == "used":
+        return f"{event.get('state', 'use')} {event.get('part', '')} with {event.get('by', '')}"
+    return name

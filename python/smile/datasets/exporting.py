@@ -18,7 +18,7 @@ from smile.datasets import statistics
 from smile.datasets.episode import (
     ACTIONS, Column, Episode, Sampling, channels_of, positions_of, read_episode, rows_at)
 from smile.datasets.features import Camera
-from smile.datasets.lerobot import FilmFiles, Row, Writer, WriterOfVersion2, write_json
+from smile.datasets.lerobot import FilmFiles, Row, Writer, WriterOfVersion2, levels_of, write_json
 from smile.datasets.pictures import MAPS, Pictures
 from smile.datasets.sources import Source, find_sources
 from smile.datasets.target import new_folder, refuse_existing
@@ -32,6 +32,7 @@ else:
 
 FORMATS = ("lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr", "mcap", "csv")
 _WITH_MAPS = ("robomimic", "zarr", "mcap")
+_WITH_DEPTH = (*_WITH_MAPS, "lerobot-v3.0")
 RATES = tuple(fps for fps in range(1, TICKS_PER_SECOND + 1) if TICKS_PER_SECOND % fps == 0)
 # Statistics of colors are of at most as many pictures of an episode.
 _SAMPLED_PICTURES = 100
@@ -58,6 +59,7 @@ class Options(NamedTuple):
     format: str
     task: str | None
     extras: bool
+    language: bool = False
 
 
 class Plan(NamedTuple):
@@ -75,7 +77,7 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
            size: tuple[int, int] = (320, 240), fps: int = 30, action: str = "joint_position",
            task: str | None = None, include_failed: bool = False, drop_constant: bool = False,
            extras: bool = True, parts: int | None = None, maps: Sequence[str] = (),
-           progress: Callable[[str], None] | None = None) -> Report:
+           language: bool = False, progress: Callable[[str], None] | None = None) -> Report:
     """Exports runs as a dataset, an episode for each, in the order given.
 
     runs            recordings, or folders of imitations (docs/datasets.md)
@@ -92,7 +94,9 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
     parts           number of episodes of a part: an export that was interrupted continues after its
                     last part; only of lerobot-v3.0
     maps            some of `depth` and `id`: what each pixel shows, beside its color; in robomimic, zarr
-                    and mcap
+                    and mcap, and depth in lerobot-v3.0
+    language        whether each frame has the words of its subtask, as learners of language read them;
+                    only of LeRobot's formats
     progress        called with a line for each step
 
     Raises ValueError if the runs cannot be exported in this way, FileExistsError if there is such a
@@ -102,8 +106,11 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
     target = Path(folder)
     _check_words(format, action, fps, parts, maps)
     refuse_existing(target)
+    if language and not format.startswith("lerobot"):
+        raise ValueError(f"language is asked for and format {format!r}, expected lerobot-v3.0 or lerobot-v2.1: the "
+                         "others have the words of subtasks as `smile/subtask_words`")
     plan = _plan(_sources(runs, include_failed), _cameras(cameras, size, maps), fps, action, drop_constant)
-    options = Options(format, task, extras)
+    options = Options(format, task, extras, language)
     if parts is None:
         return _write(plan, options, target, say)
     # Imported late: it needs this module.
@@ -122,8 +129,10 @@ def _write(plan: Plan, options: Options, target: Path, say: Callable[[str], None
                 if not plan.has_success:
                     episode.columns.pop("next.success", None)
                 if writer is None:
-                    writer = _writer_of(options.format)(partial, fps, plan.cameras, _columns_before_drawing(
-                        episode, plan.cameras), plan.robot)
+                    columns = _columns_before_drawing(episode, plan.cameras)
+                    writer = _writer_of(options.format)(partial, fps, plan.cameras, columns, plan.robot)
+                    if options.language:
+                        writer.add_language()
                 say(f"episode {number + 1} of {len(plan.sources)}: {source.path}, {len(episode)} frames")
                 drawn = _draw(episode, writer.films)
                 episode.columns.update(_pose_columns(plan.cameras, drawn.poses))
@@ -176,9 +185,10 @@ def _check_words(format: str, action: str, fps: int, parts: int | None, maps: Se
                          f"{TICKS_PER_SECOND} ticks per second")
     if isinstance(maps, str) or not set(maps) <= set(MAPS):
         raise ValueError(f"maps is {maps!r}, expected some of {', '.join(MAPS)}")
-    if maps and format not in _WITH_MAPS:
-        raise ValueError(f"maps is {maps!r} and format {format!r}, expected {' or '.join(_WITH_MAPS)}: films keep "
-                         "no exact numbers")
+    for name, formats in (("depth", _WITH_DEPTH), ("id", _WITH_MAPS)):
+        if name in maps and format not in formats:
+            raise ValueError(f"maps is {maps!r} and format {format!r}, expected {' or '.join(formats)} for {name}: "
+                             "readers of the others know no such films")
     if parts is not None and (parts < 1 or format != FORMATS[0]):
         raise ValueError(f"parts is {parts} and format {format!r}, expected at least 1 and {FORMATS[0]}")
 
@@ -273,17 +283,24 @@ def _draw(episode: Episode, films: Mapping[str, FilmFiles]) -> _Drawn:
     """Draws an episode into the films."""
     reader = _native.FrameReader(episode.recording._native)
     drawn = _Drawn({key: film.begin() for key, film in films.items()},
-                   {key: statistics.Pixels() for key in films},
+                   {key: film.new_pixels() for key, film in films.items()},
                    {key: np.zeros((len(episode), 12), np.float32) for key in films}, {})
     step = -(-len(episode) // _SAMPLED_PICTURES)
     for number, row in enumerate(episode.rows):
         tick = int(episode.recording.ticks[row])
         for key, film in films.items():
             camera = film.camera
+            if key != camera.key:
+                continue  # drawn with its camera
             rgb, depth, id, matrix, pose = reader.render(tick, camera.name, camera.width, camera.height,
                                                          True, *(one in camera.maps for one in MAPS))
             film.add(rgb)
-            if camera.maps:
+            if camera.depth_key in films:
+                levels = levels_of(depth)
+                films[camera.depth_key].add(levels)
+                if number % step == 0:
+                    drawn.pixels[camera.depth_key].add(levels)
+            elif camera.maps:
                 cast(Pictures, film).add_maps(depth, id)
             drawn.poses[key][number] = pose[:3].reshape(-1)
             drawn.intrinsics[camera.name] = matrix.tolist()
@@ -306,7 +323,8 @@ def _more_about(episode: Episode, fps: int) -> Row:
     row: Row = {"smile/recording_sha256": source.digest(), "smile/state_hash": f"{recording.hashes[-1]:016x}",
                 "smile/seed": source.seed, "smile/success": source.is_success, "smile/cause": source.cause,
                 "smile/source": source.path.name,
-                "smile/variation": json.dumps(source.variation) if source.variation is not None else ""}
+                "smile/variation": json.dumps(source.variation) if source.variation is not None else "",
+                "smile/subtask_words": [part.words for part in episode.subtasks]}
     for kind in ("sparse", "dense"):
         row.update({
             f"{kind}_subtask_names": [part.name for part in episode.subtasks],

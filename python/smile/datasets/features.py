@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 import pyarrow as pa
 
+from smile.datasets import language, statistics
 from smile.datasets.episode import Column
 
 DTYPES = {"float32": pa.float32(), "int64": pa.int64(), "bool": pa.bool_()}
@@ -32,6 +33,11 @@ class Camera:
     def key(self) -> str:
         return f"observation.images.{self.name}"
 
+    @property
+    def depth_key(self) -> str:
+        """of the films of its depth, in LeRobot's datasets"""
+        return f"{self.key}_depth"
+
 
 def feature_of(column: Column) -> dict[str, Any]:
     """Describes a column in `info.json`."""
@@ -49,6 +55,17 @@ def film_feature(camera: Camera, fps: int) -> dict[str, Any]:
                  "video.channels": 3, "has_audio": False, "is_depth_map": False}}
 
 
+def depth_feature(camera: Camera, fps: int) -> dict[str, Any]:
+    """Describes the films of a camera's depth in `info.json`: a step of brightness is a millimeter."""
+    return {
+        "dtype": "video", "shape": [camera.height, camera.width, 1],
+        "names": ["height", "width", "channels"],
+        "info": {"video.height": camera.height, "video.width": camera.width, "video.codec": "hevc",
+                 "video.pix_fmt": "gray12le", "video.is_depth_map": True, "video.fps": fps, "video.channels": 1, "has_audio": False,
+                 "is_depth_map": True, "depth_unit": "mm", "video.depth_min": 0.0,
+                 "video.depth_max": statistics.DEPTH_LEVELS[-1] / 1000, "video.shift": 0.0, "video.use_log": False}}
+
+
 def features_of(columns: Mapping[str, Column], cameras: list[Camera], fps: int) -> dict[str, Any]:
     """Describes all features in `info.json`."""
     features = {camera.key: film_feature(camera, fps) for camera in cameras}
@@ -59,10 +76,10 @@ def features_of(columns: Mapping[str, Column], cameras: list[Camera], fps: int) 
 
 
 def schema_of(features: Mapping[str, Any]) -> pa.Schema:
-    """Returns the schema of the data files: films have no column."""
+    """Returns the schema of the data files, without columns of language: films have no column."""
     fields = []
     for name, feature in features.items():
-        if feature["dtype"] == "video":
+        if feature["dtype"] in ("video", language.DTYPE):
             continue
         kind, shape = DTYPES[feature["dtype"]], feature["shape"]
         # Readers expect a number, not a list, of a single dimension.

@@ -15,9 +15,9 @@ import numpy.typing as npt
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from smile.datasets import statistics
+from smile.datasets import language, statistics
 from smile.datasets.episode import Column
-from smile.datasets.features import Camera, array_of, features_of, schema_of
+from smile.datasets.features import Camera, array_of, depth_feature, features_of, schema_of
 from smile.native import load
 
 if TYPE_CHECKING:
@@ -53,13 +53,20 @@ def path_of(pattern: str, file: int, camera: str = "") -> str:
 class FilmFiles:
     """Films of one camera: episodes one after another, in files of a limited size."""
 
+    IS_DEPTH = False
+
     def __init__(self, folder: Path, camera: Camera, fps: int, pattern: str, megabytes: int) -> None:
         self._folder, self.camera, self._fps, self._pattern = folder, camera, fps, pattern
         self._limit = megabytes * MEGABYTE
         self._file = -1
         self._film: Any = None
         self._path = folder
-        self.pixels = statistics.Pixels()
+        self.pixels = self.new_pixels()
+
+    @property
+    def key(self) -> str:
+        """of the feature"""
+        return self.camera.key
 
     def begin(self) -> Row:
         """Begins an episode; returns its place."""
@@ -67,14 +74,19 @@ class FilmFiles:
             self.finish()
         if self._film is None:
             self._file += 1
-            self._path = self._folder / path_of(self._pattern, self._file, self.camera.key)
+            self._path = self._folder / path_of(self._pattern, self._file, self.key)
             self._path.parent.mkdir(parents=True, exist_ok=True)
-            self._film = _native.VideoWriter(self._path, self.camera.width, self.camera.height, self._fps)
+            self._film = _native.VideoWriter(self._path, self.camera.width, self.camera.height, self._fps,
+                                             self.IS_DEPTH)
         return {**place(self._file), "from_timestamp": self._film.num_frames / self._fps}
 
-    def add(self, rgb: npt.NDArray[np.uint8]) -> None:
+    def add(self, picture: npt.NDArray[Any]) -> None:
         assert self._film is not None
-        self._film.add(rgb)
+        self._film.add(picture)
+
+    def new_pixels(self) -> statistics.Pixels:
+        """Returns counts of pixels, of no picture yet."""
+        return statistics.Pixels()
 
     def end(self) -> float:
         """Ends an episode; returns its end in the film [s]."""
@@ -87,11 +99,35 @@ class FilmFiles:
         self._film = None
 
 
+class DepthFiles(FilmFiles):
+    """Films of the depth of one camera."""
+
+    IS_DEPTH = True
+
+    @property
+    def key(self) -> str:
+        return self.camera.depth_key
+
+    def add(self, picture: npt.NDArray[Any]) -> None:
+        """picture: (height, width, 1), levels_of() depths"""
+        assert self._film is not None
+        self._film.add_levels(picture)
+
+    def new_pixels(self) -> statistics.Pixels:
+        return statistics.Pixels(statistics.DEPTH_LEVELS, 1)
+
+
+def levels_of(depth: npt.NDArray[np.float32]) -> npt.NDArray[np.uint16]:
+    """Returns depths [m] as numbers of millimeters, (height, width, 1); 0 where nothing is seen. What is
+    beyond the highest level has that one."""
+    return np.rint(depth * 1000.0).clip(0, statistics.DEPTH_LEVELS[-1]).astype(np.uint16)[:, :, None]
+
+
 class DataFiles:
     """Parquet files of frames: a row group for each episode, in files of a limited size."""
 
     def __init__(self, folder: Path, schema: pa.Schema, pattern: str, megabytes: int) -> None:
-        self._folder, self._schema, self._pattern = folder, schema, pattern
+        self._folder, self.schema, self._pattern = folder, schema, pattern
         self._limit = megabytes * MEGABYTE
         self._file = -1
         self._writer: Any = None
@@ -106,7 +142,7 @@ class DataFiles:
             path = self._folder / path_of(self._pattern, self._file)
             path.parent.mkdir(parents=True, exist_ok=True)
             self._sink = pa.OSFile(str(path), "wb")
-            self._writer = pq.ParquetWriter(self._sink, self._schema, compression="snappy")
+            self._writer = pq.ParquetWriter(self._sink, self.schema, compression="snappy")
         self._writer.write_table(table, row_group_size=max(1, len(table)))
         return place(self._file)
 
@@ -139,16 +175,24 @@ class Writer:
                  robot: str) -> None:
         """columns: of any episode; the others have the same"""
         self._folder, self._fps, self._robot = folder, fps, robot
-        self.features = features_of(columns, cameras, fps)
+        with_depth = [camera for camera in cameras if "depth" in camera.maps]
+        self.features = {**{camera.depth_key: depth_feature(camera, fps) for camera in with_depth},
+                         **features_of(columns, cameras, fps)}
         self._schema = schema_of(self.features)
-        self.films = {camera.key: FilmFiles(folder, camera, fps, self.FILMS, self.FILM_MEGABYTES)
-                      for camera in cameras}
+        films = [kind(folder, camera, fps, self.FILMS, self.FILM_MEGABYTES)
+                 for kind, some in ((FilmFiles, cameras), (DepthFiles, with_depth)) for camera in some]
+        self.films = {film.key: film for film in films}
         self._data = DataFiles(folder, self._schema, self.DATA, self.DATA_MEGABYTES)
         self._tasks: dict[str, int] = {}
         self._episodes: list[Row] = []
         self._num_episodes = self._num_frames = 0
         self._blocks: dict[int, list[pa.Table]] = {}
         self._totals: dict[str, statistics.Values] = {}
+
+    def add_language(self) -> None:
+        """Lets each frame have the words of its subtask. To be called before the first episode."""
+        self.features = {**self.features, **language.FEATURES}
+        self._data.schema = pa.schema([*self._schema, *language.TYPES.items()])
 
     @property
     def num_episodes(self) -> int:
@@ -171,7 +215,8 @@ class Writer:
         length = len(next(iter(columns.values())).values)
         values = {name: column.values for name, column in columns.items()}
         values.update(self._default_columns(length, task))
-        data = self._write_frames(values)
+        self._add_words(values, more)
+        data = self._write_frames(values, more)
         row: Row = {"episode_index": self._num_episodes, "tasks": [task], "length": length}
         row.update({f"data/{name}": number for name, number in data.items()})
         row["dataset_from_index"] = self._num_frames
@@ -197,10 +242,16 @@ class Writer:
             self._blocks.setdefault(file, []).append(_episodes_table(self._episodes, place(file)))
             self._episodes = []
 
-    def _write_frames(self, values: Mapping[str, npt.NDArray[Any]]) -> Row:
+    def _add_words(self, values: dict[str, npt.NDArray[Any]], more: Row) -> None:
+        """Adds features that are numbers and stand for words."""
+
+    def _write_frames(self, values: Mapping[str, npt.NDArray[Any]], more: Row) -> Row:
         """Appends the frames of an episode to the data; returns their place."""
-        return self._data.add(pa.table([array_of(values[field.name], field.type) for field in self._schema],
-                                       schema=self._schema))
+        arrays = [array_of(values[field.name], field.type) for field in self._schema]
+        if language.PERSISTENT in self.features:
+            rows = language.rows_of(more["smile/subtask_words"], more["sparse_subtask_start_frames"], self._fps)
+            arrays += [array for _, array in language.arrays_of(rows, len(arrays[0]))]
+        return self._data.add(pa.table(arrays, schema=self._data.schema))
 
     def _default_columns(self, length: int, task: str) -> dict[str, npt.NDArray[Any]]:
         frames = np.arange(length)
@@ -213,7 +264,9 @@ class Writer:
                        pixels: Mapping[str, statistics.Pixels],
                        known: Mapping[str, statistics.Statistics]) -> dict[str, statistics.Statistics]:
         of_episode = {}
-        for name in self.features:
+        for name, feature in self.features.items():
+            if feature["dtype"] == language.DTYPE:
+                continue
             if name in values:
                 if name not in self._totals:
                     self._totals[name] = statistics.Values(self._folder, name)
@@ -231,7 +284,7 @@ class Writer:
         self._data.finish()
         totals = {name: self.films[name].pixels.statistics() if name in self.films
                   else self._totals[name].statistics()
-                  for name in self.features}
+                  for name, feature in self.features.items() if feature["dtype"] != language.DTYPE}
         self._write_meta(totals)
         return totals
 
@@ -275,6 +328,16 @@ class WriterOfVersion2(Writer):
     # Each episode begins a file.
     DATA_MEGABYTES, FILM_MEGABYTES = 0, 0
 
+    def add_language(self) -> None:
+        # Annotations of GR00T are numbers in the list of tasks.
+        self.features = {**self.features, language.ANNOTATION: {"dtype": "int64", "shape": [1], "names": None}}
+        self._schema = self._data.schema = schema_of(self.features)
+
+    def _add_words(self, values: dict[str, npt.NDArray[Any]], more: Row) -> None:
+        if language.ANNOTATION in self.features:
+            numbers = [self._tasks.setdefault(words, len(self._tasks)) for words in more["smile/subtask_words"]]
+            values[language.ANNOTATION] = np.array(numbers)[values["sim.subtask"]]
+
     def _list(self, row: Row) -> None:
         self._episodes.append(_listed(row))
         meta = self._folder / "meta"
@@ -312,8 +375,10 @@ def modality_of(features: Mapping[str, Any]) -> Row:
              for name, key in (("state", "observation.state"), ("action", "action"))}
     cameras = {key.removeprefix("observation.images."): {"original_key": key}
                for key, feature in features.items() if feature["dtype"] == "video"}
-    return {**parts, "video": cameras,
-            "annotation": {"human.task_description": {"original_key": "task_index"}}}
+    annotations = {"human.task_description": {"original_key": "task_index"}}
+    if language.ANNOTATION in features:
+        annotations[language.ANNOTATION.removeprefix("annotation.")] = {"original_key": language.ANNOTATION}
+    return {**parts, "video": cameras, "annotation": annotations}
 
 
 def _parts_of(names: Sequence[str]) -> dict[str, dict[str, int]]:

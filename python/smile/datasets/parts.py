@@ -47,5 +47,5 @@ def _key_of(plan: Plan, options: Options) -> str:
     runs = [[str(source.path), source.digest(), source.result] for source in plan.sources]
     content = hashlib.sha256(json.dumps(runs).encode()).hexdigest()
     return json.dumps({"runs": content, "sampling": sampling, "options": options._asdict(),
-                       "cameras": [[camera.name, camera.width, camera.height] for camera in plan.cameras],
+                       "cameras": [[camera.name, camera.width, camera.height, camera.maps] for camera in plan.cameras],
                        "has_success": plan.has_success})

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from smile.datasets import statistics
 from smile.datasets.features import Camera
 from smile.datasets.lerobot import Row
 
@@ -28,6 +29,9 @@ class Pictures:
 
     def add(self, rgb: npt.NDArray[np.uint8]) -> None:
         self.frames.append(rgb)
+
+    def new_pixels(self) -> statistics.Pixels:
+        return statistics.Pixels()
 
     def add_maps(self, depth: npt.NDArray[np.float32] | None, id: npt.NDArray[np.uint32] | None) -> None:
         """Adds those of the picture that was just added."""

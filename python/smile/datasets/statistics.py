@@ -12,6 +12,9 @@ import numpy.typing as npt
 QUANTILES = {"q01": 0.01, "q10": 0.10, "q50": 0.50, "q90": 0.90, "q99": 0.99}
 NAMES = ("min", "max", "mean", "std", "count", *QUANTILES)
 
+# [mm]
+DEPTH_LEVELS: npt.NDArray[np.uint16] = np.arange(4096, dtype=np.uint16)
+
 Statistics = dict[str, Any]
 """each of NAMES: a list with one number for each dimension; of pictures nested, (3, 1, 1)"""
 
@@ -86,17 +89,19 @@ class Values:
 
 
 class Pixels:
-    """Colors of pictures, counted: statistics of any number of them are exact."""
+    """Colors of pictures, counted: statistics of any number of them are exact. Colors are 0 to 1."""
 
-    def __init__(self) -> None:
-        self.counts = np.zeros((3, 256), np.int64)
+    def __init__(self, levels: npt.NDArray[Any] = np.arange(256) / 255, channels: int = 3) -> None:
+        """levels: what the numbers of pixels stand for"""
+        self._levels = levels.astype(float)
+        self.counts = np.zeros((channels, len(levels)), np.int64)
         self.num_pictures = 0
 
-    def add(self, rgb: npt.NDArray[np.uint8]) -> None:
-        """Counts a picture, (height, width, 3); of large ones, each second, third, … pixel."""
-        step = max(1, max(rgb.shape[:2]) // 150)
-        for channel in range(3):
-            self.counts[channel] += np.bincount(rgb[::step, ::step, channel].ravel(), minlength=256)
+    def add(self, picture: npt.NDArray[Any]) -> None:
+        """Counts a picture, (height, width, channels); of large ones, each second, third, … pixel."""
+        step = max(1, max(picture.shape[:2]) // 150)
+        for channel, counts in enumerate(self.counts):
+            counts += np.bincount(picture[::step, ::step, channel].ravel(), minlength=len(counts))
         self.num_pictures += 1
 
     def join(self, other: Pixels) -> None:
@@ -104,19 +109,18 @@ class Pixels:
         self.num_pictures += other.num_pictures
 
     def statistics(self) -> Statistics:
-        """Colors are 0 to 1."""
-        levels = np.arange(256) / 255
+        levels = self._levels
         total = self.counts.sum(axis=1)
         mean = self.counts @ levels / total
         variance = self.counts @ levels**2 / total - mean**2
         below = np.cumsum(self.counts, axis=1)
         result: dict[str, npt.NDArray[np.float64]] = {
             "min": levels[np.argmax(self.counts > 0, axis=1)],
-            "max": levels[255 - np.argmax(self.counts[:, ::-1] > 0, axis=1)],
+            "max": levels[len(levels) - 1 - np.argmax(self.counts[:, ::-1] > 0, axis=1)],
             "mean": mean, "std": np.sqrt(np.maximum(variance, 0))}
         for name, share in QUANTILES.items():
             result[name] = levels[np.argmax(below >= share * total[:, None], axis=1)]
-        statistics: Statistics = {name: column.reshape(3, 1, 1).tolist()
+        statistics: Statistics = {name: column.reshape(-1, 1, 1).tolist()
                                   for name, column in result.items()}
         statistics["count"] = [self.num_pictures]
         return statistics

@@ -15,7 +15,7 @@ import pyarrow as pa
 import pyarrow.csv
 import pyarrow.parquet as pq
 
-from smile.datasets import csv_films, lerobot, statistics
+from smile.datasets import csv_films, language, lerobot, statistics
 from smile.datasets.doctor import examine
 from smile.datasets.episode import Column
 from smile.datasets.features import DEFAULTS, Camera, schema_of
@@ -62,9 +62,10 @@ class Stored(ABC):
 class _StoredPixels(statistics.Pixels):
     """Statistics of the pictures of an episode. Its colors are counted with those of its dataset."""
 
-    def __init__(self, stored: statistics.Statistics) -> None:
+    def __init__(self, stored: statistics.Statistics, counts: statistics.Pixels) -> None:
+        """counts: of no picture"""
         super().__init__()
-        self._stored = stored
+        self._stored, self.counts = stored, counts.counts
 
     def statistics(self) -> statistics.Statistics:
         return self._stored
@@ -95,32 +96,37 @@ class _Tables(Stored):
             raise ValueError(f"{folder}: is no dataset that SMILE exported") from None
         if "pixels" not in self.about:
             raise ValueError(f"{folder}: is of an earlier export; export it again")
-        self.cameras = [Camera(key.removeprefix("observation.images."), feature["shape"][1], feature["shape"][0])
-                        for key, feature in self.info["features"].items() if feature["dtype"] == "video"]
+        films = {key: feature for key, feature in self.info["features"].items() if feature["dtype"] == "video"}
+        self.film_keys = list(films)
+        self.cameras = [Camera(key.removeprefix("observation.images."), feature["shape"][1], feature["shape"][0],
+                               ("depth",) if films.get(f"{key}_depth", feature)["info"]["is_depth_map"] else ())
+                        for key, feature in films.items() if not feature["info"]["is_depth_map"]]
+        # What stands for words is made again.
         self._kinds = {field.name: field.type for field in schema_of(self.info["features"])
-                       if field.name not in DEFAULTS}
+                       if field.name not in (*DEFAULTS, language.ANNOTATION)}
 
     def common(self) -> Row:
         return {**{name: self.info[name] for name in ("codebase_version", "fps", "robot_type", "features")},
                 **{name: self.about[name] for name in ("action", "dropped")}}
 
     def new_writer(self, folder: Path) -> lerobot.Writer:
-        columns = {name: Column(_no_rows(feature), feature["names"])
-                   for name, feature in self.info["features"].items()
-                   if feature["dtype"] != "video" and name not in DEFAULTS}
+        features = self.info["features"]
+        columns = {name: Column(_no_rows(features[name]), features[name]["names"]) for name in self._kinds}
         writer = self.WRITER(folder, self.info["fps"], self.cameras, columns, self.info["robot_type"])
+        if language.PERSISTENT in features or language.ANNOTATION in features:
+            writer.add_language()
         if writer.features != self.info["features"]:
             raise ValueError(f"{self.folder}: has other features than this version writes; export it again")
         return writer
 
     def append_to(self, writer: lerobot.Writer, folder: Path) -> None:
-        keys = [camera.key for camera in self.cameras]
+        keys = self.film_keys
         for episode in self._episodes():
             films = {key: self._film(key, episode, writer.num_episodes, folder) for key in keys}
-            pixels = {key: _StoredPixels(episode.known.get(key, {})) for key in keys}
+            pixels = {key: _StoredPixels(episode.known.get(key, {}), writer.films[key].new_pixels()) for key in keys}
             writer.add(episode.columns, episode.task, films, pixels, episode.more, episode.known)
         for key in keys:
-            counted = statistics.Pixels()
+            counted = writer.films[key].new_pixels()
             counted.counts = np.array(self.about["pixels"][key]["counts"], np.int64)
             counted.num_pictures = self.about["pixels"][key]["pictures"]
             writer.films[key].pixels.join(counted)
@@ -144,12 +150,13 @@ class Version3(_Tables):
     """A dataset of LeRobot 3.0."""
 
     def append_to(self, writer: lerobot.Writer, folder: Path) -> None:
-        self._moved = {camera.key: self._copy_films(camera.key, folder) for camera in self.cameras}
+        self._moved = {key: self._copy_films(key, folder) for key in self.film_keys}
         super().append_to(writer, folder)
 
     def _episodes(self) -> Iterator[_Episode]:
         # Numbers of episodes, frames and tasks change.
-        remain = [name for name in self.info["features"] if name not in ("episode_index", "index", "task_index")]
+        remain = [name for name, feature in self.info["features"].items()
+                  if name not in ("episode_index", "index", "task_index") and feature["dtype"] != language.DTYPE]
         tables = self._frames()
         for path in sorted((self.folder / "meta/episodes").rglob("*.parquet")):
             for rows in pq.read_table(path).to_batches(max_chunksize=_EPISODES_AT_ONCE):
@@ -205,7 +212,7 @@ class Version2(_Tables):
         with (meta / "episodes.jsonl").open() as episodes, (meta / "episodes_stats.jsonl").open() as stats:
             for row, its_stats in zip(map(json.loads, episodes), map(json.loads, stats), strict=True):
                 known = {name: values for name, values in its_stats["stats"].items()
-                         if name not in ("episode_index", "index", "task_index")}
+                         if name not in ("episode_index", "index", "task_index", language.ANNOTATION)}
                 more = {name: value for name, value in row.items() if name.startswith(_OWN)}
                 table = pq.read_table(self.folder / path_of(self.WRITER.DATA, row["episode_index"]))
                 yield _Episode(self._columns_of(table), row["tasks"][0], known, more, row)

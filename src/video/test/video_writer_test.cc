@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -57,8 +58,9 @@ void WriteFilm(const std::filesystem::path& path, int width_px, int height_px, i
   writer.Finish();
 }
 
-/// The Y, U and V of the middle of each picture of a film.
-std::vector<std::array<int, 3>> MiddlesOf(const std::filesystem::path& path) {
+/// Decodes a film.
+/// @param see  is called with each picture.
+void Decode(const std::filesystem::path& path, const std::function<void(const AVFrame&)>& see) {
   AVFormatContext* opened = nullptr;
   Check(avformat_open_input(&opened, path.c_str(), nullptr, nullptr), path, "open");
   const internal::Input input(opened);
@@ -68,15 +70,8 @@ std::vector<std::array<int, 3>> MiddlesOf(const std::filesystem::path& path) {
   Check(avcodec_open2(codec.get(), nullptr, nullptr), path, "decoder");
   const internal::Frame frame(av_frame_alloc());
   const internal::Packet packet(av_packet_alloc());
-  std::vector<std::array<int, 3>> middles;
   const auto receive = [&] {
-    while (avcodec_receive_frame(codec.get(), frame.get()) == 0) {
-      const auto at = [&](int plane, int u, int v) {
-        return int{frame->data[plane][v * frame->linesize[plane] + u]};
-      };
-      const int u = frame->width / 2, v = frame->height / 2;
-      middles.push_back({at(0, u, v), at(1, u / 2, v / 2), at(2, u / 2, v / 2)});
-    }
+    while (avcodec_receive_frame(codec.get(), frame.get()) == 0) see(*frame);
   };
   while (av_read_frame(input.get(), packet.get()) == 0) {
     avcodec_send_packet(codec.get(), packet.get());
@@ -85,7 +80,34 @@ std::vector<std::array<int, 3>> MiddlesOf(const std::filesystem::path& path) {
   }
   avcodec_send_packet(codec.get(), nullptr);
   receive();
+}
+
+/// The Y, U and V of the middle of each picture of a film.
+std::vector<std::array<int, 3>> MiddlesOf(const std::filesystem::path& path) {
+  std::vector<std::array<int, 3>> middles;
+  Decode(path, [&middles](const AVFrame& frame) {
+    const auto at = [&](int plane, int u, int v) {
+      return int{frame.data[plane][v * frame.linesize[plane] + u]};
+    };
+    const int u = frame.width / 2, v = frame.height / 2;
+    middles.push_back({at(0, u, v), at(1, u / 2, v / 2), at(2, u / 2, v / 2)});
+  });
   return middles;
+}
+
+/// The numbers of each picture of a film of numbers, row by row.
+std::vector<std::vector<std::uint16_t>> LevelsOf(const std::filesystem::path& path) {
+  std::vector<std::vector<std::uint16_t>> pictures;
+  Decode(path, [&pictures](const AVFrame& frame) {
+    EXPECT_EQ(frame.format, AV_PIX_FMT_GRAY12);
+    auto& levels = pictures.emplace_back();
+    for (int v = 0; v < frame.height; ++v) {
+      const auto* row =
+          reinterpret_cast<const std::uint16_t*>(frame.data[0] + v * frame.linesize[0]);
+      levels.insert(levels.end(), row, row + frame.width);
+    }
+  });
+  return pictures;
 }
 
 std::string MessageOf(const auto& action) {
@@ -145,6 +167,38 @@ TEST_F(VideoWriterTest, RoundsOddSizesUp) {
     EXPECT_EQ(info.height_px, height + height % 2);
     EXPECT_EQ(info.num_frames, 3);
   }
+}
+
+std::vector<std::uint16_t> Levels(int width_px, int height_px, int number) {
+  std::vector<std::uint16_t> levels(static_cast<std::size_t>(width_px) * height_px);
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    levels[k] = static_cast<std::uint16_t>((k * k * 37 + number * 1001) % 4096);
+  }
+  return levels;
+}
+
+TEST_F(VideoWriterTest, KeepsNumbersWithoutLossInEqualBytes) {
+  for (const auto& [width, height] : {std::pair{64, 48}, {66, 34}, {33, 41}}) {
+    for (const char* name : {"a.mp4", "b.mp4"}) {
+      VideoWriter writer(File(name), width, height, 30, VideoCoding::kLevels);
+      for (int k = 0; k < 7; ++k) writer.AddLevels(Levels(width, height, k));
+      writer.Finish();
+    }
+    EXPECT_EQ(ReadFile(File("a.mp4"), 1 << 20), ReadFile(File("b.mp4"), 1 << 20));
+    EXPECT_EQ(ReadVideoInfo(File("a.mp4")), (VideoInfo{width, height, 30.0, 7}));
+    const auto pictures = LevelsOf(File("a.mp4"));
+    ASSERT_EQ(pictures.size(), 7u);
+    for (int k = 0; k < 7; ++k) EXPECT_EQ(pictures[k], Levels(width, height, k)) << k;
+  }
+}
+
+TEST_F(VideoWriterTest, RefusesColorsAmongNumbers) {
+  VideoWriter numbers(File("a.mp4"), 64, 48, 30, VideoCoding::kLevels);
+  VideoWriter colors(File("b.mp4"), 64, 48, 30);
+  EXPECT_THROW(numbers.Add(Filled(64, 48, {1, 2, 3})), std::invalid_argument);
+  EXPECT_THROW(colors.AddLevels(Levels(64, 48, 0)), std::invalid_argument);
+  EXPECT_THROW(numbers.AddLevels(Levels(64, 47, 0)), std::invalid_argument);
+  EXPECT_THROW(numbers.AddLevels(std::vector<std::uint16_t>(64 * 48, 4096)), std::invalid_argument);
 }
 
 TEST_F(VideoWriterTest, KeepsUnusualRates) {

@@ -1,6 +1,7 @@
 """The learner does tasks beyond those of `smile experiment`: equal colors that touch at several heights,
 half heights and several sizes, what the demonstration did not move, what began on something, what must make room
-first, discs, a ball, a lid, a plank that must be turned, a switch and drives of several colors, and a pair of scissors.
+first, discs, a ball, a lid, a plank that must be turned, a switch and drives of several colors, a pair of scissors,
+and a cover that screws hold.
 What it claims at the end is right.
 
     tasks_test.py SMILE SOURCE
@@ -28,6 +29,7 @@ CASES = [("pyramid", PYTHON, ["--seed", "1"]), ("bricks", OCTAVE, ["--seed", "1"
          ("lid", OCTAVE, ["--seed", "2", "--level", "piles"]),
          ("drive", PYTHON, ["--seed", "1", "--level", "fixtures"]),
          ("scissors", PYTHON, ["--seed", "2", "--level", "fixtures"]),
+         ("cover", PYTHON, ["--seed", "1", "--level", "fixtures"]),
          ("plank", OCTAVE, ["--seed", "2"]), ("drive", OCTAVE, ["--seed", "41", "--level", "fixtures"]),
          ("scissors", OCTAVE, ["--seed", "31", "--level", "fixtures"]),
          ("pedestal", OCTAVE, [])]

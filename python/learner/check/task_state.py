@@ -8,6 +8,7 @@ import numpy as np
 from act.actions import Grasp
 from check.claims import Claim
 from see.eye import Eye
+from see.surfaces import Surface
 from things.blocks import Block
 from things.kinds import same_size
 from things.resting import on_each_face
@@ -43,6 +44,7 @@ class TaskState:
     presses: list = field(default_factory=list)  # of switches and buttons, in the demonstrated order
     shown: Optional[Eye] = None  # the eye of the demonstration, which shows them
     alignments: dict = field(default_factory=dict)  # of a control's name: Alignment of its surroundings
+    surface: Optional[Surface] = None  # what the eye sees now, if something has to be put aside
     last_picture: Optional[np.ndarray] = None  # seen before the scene was still
     num_looks: int = 0  # number of pictures until then
     num_still: int = 0  # number of the last of them in which nothing moved

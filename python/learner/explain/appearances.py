@@ -5,6 +5,8 @@ import math
 import numpy as np
 
 from constants import TASK_MODEL as C
+from explain.flat_tops import is_side_at, measure_flat_top
+from explain.object_roles import carried_along
 from explain.part_measuring import measure_parts
 from explain.shown_pictures import read_picture
 from explain.tops import measure_ball, measure_top, measure_top_with_knob
@@ -14,31 +16,30 @@ from things.steps import stands_on
 
 
 def measure_objects(demo, needed):
-    """Measures the appearance of the objects of a demonstration in its pictures: the texts contain
-    the pose of each object in each picture, so its top can be found there. An object began on the
-    table or on a lower one; its height is twice the distance of its middle from there.
+    """Measures the appearance of the objects of a demonstration in its pictures: the texts contain the pose of each
+    object in each picture, so its top can be found there. An object began on the table or on a lower one; its height
+    is twice the distance of its middle from there.
 
-    Returns a dict: number -> Block at its first place, its sides along its own axes. Objects that
-    are not among the needed ones are left out if no picture shows them.
+    Returns a dict: number -> Block at its first place, its sides along its own axes. Objects that are not among the
+    needed ones are left out if no picture shows them.
     """
     appearances = {}
     pictures = {}  # cache
-    for n in sorted(range(len(demo.ids)), key=lambda n: demo.moves[n][0, 3]):
+    measured = [n for n in range(len(demo.ids)) if n not in carried_along(demo)]
+    for n in sorted(measured, key=lambda n: demo.moves[n][0, 3]):
         found = measure_object(demo, n, list(appearances.values()), pictures)
         if found:
             appearances[n] = found
         elif n in needed:
             raise ValueError(f"no picture of the demonstration shows {demo.ids[n]} entirely")
-    for it in appearances.values():
-        # What has the same layout is as high, whatever it stood on.
+    for it in appearances.values():  # what has the same layout is as high, whatever it stood on
         it.size[2] = min(other.size[2] for other in appearances.values()
                          if other is it or has_parts_of(it, other, False))
     return appearances
 
 
 def measure_object(demo, n, lower, pictures):
-    """Measures an object in the first frame that shows it entirely. Returns it as a Block at its
-    first place, or None.
+    """Measures an object in the first frame that shows it entirely. Returns it as a Block at its first place, or None.
 
     lower:    Blocks that it may have stood on at the start
     pictures: cache
@@ -55,20 +56,20 @@ def measure_object(demo, n, lower, pictures):
             if not top:
                 continue
             color, face = top
-            block = Block(color, np.append(face.sides, height), np.array(start),
-                          math.radians(degrees), form="disc" if face.is_round else "block")
-            if bottom == 0 or any(stands_on(block, it) for it in lower):
+            block = Block(color, np.append(face.sides, height), np.array(start), math.radians(degrees),
+                          form="disc" if face.is_round else "block")
+            is_on = any(stands_on(block, it) for it in lower)
+            if bottom == 0 or is_on and not is_side_at(pictures[frame], demo.eye, [*pose[:2], pose[2] + height / 2]):
                 return block
     start = np.array(start)
-    return (measure_ball(demo, start, frames, pictures)
+    return (measure_ball(demo, n, start, frames, pictures)
             or measure_top_with_knob(demo, n, start, math.radians(degrees), frames, pictures)
-            or measure_parts(demo, n))
+            or measure_parts(demo, n) or measure_flat_top(demo, n, lower))
 
 
 def select_frames(demo, n):
-    """Returns the frames in which an object may be entirely visible, with its pose, in rows as of
-    demo.moves: its first, those where it was highest, and some in which others were moved, which
-    may have covered it before."""
+    """Returns the frames in which an object may be entirely visible, with its pose, in rows as of demo.moves: its first,
+    those where it was highest, and some in which others were moved, which may have covered it before."""
     moves = demo.moves[n]
     highest = np.argsort(-moves[:, 3], kind="stable")[:C.num_highest_frames]
     frames = np.unique(np.concatenate([rows[:, 0] for rows in demo.moves]))

@@ -22,6 +22,8 @@ def deed_of(word, fields, held):
     """Returns what an action ends, in words; empty if it ends nothing, like a grasp."""
     if word not in DEEDS:
         return ""
+    if word == "use" and fields[2] in DEEDS:
+        return f"{fields[0]} {DEEDS[fields[2]]} {fields[3]} with {fields[1]}"
     objects = [held.get(fields[0], "")] if word in ("release", "destroy") else fields[1:2]
     return " ".join([fields[0] or "something", DEEDS[word], *objects])
 

@@ -19,6 +19,19 @@ def tools_of(demo):
     return {n for n in used if is_same_pose(demo.moves[n][0, 1:], demo.moves[n][-1, 1:])}
 
 
+def carried_along(demo):
+    """Returns the numbers of the objects that were never held, but lifted on or in others."""
+    return {n for n, moves in enumerate(demo.moves)
+            if n not in demo.placed and moves[:, 3].max() > moves[0, 3] + C.min_carried}
+
+
+def may_be_ball(demo, n):
+    """Returns true unless an object was lower than at the start, where a ball lies on the table, or is of several shapes."""
+    created = next(fields for _, word, fields in demo.events if word == "create" and fields[0] == demo.ids[n])
+    is_lower = demo.moves[n][:, 3].min() < demo.moves[n][0, 3] - C.max_rest_error
+    return not is_lower and "composite" not in created[1:3]
+
+
 def former_owner(demo, step):
     """Returns the name of another moved object that began at the place of a step; empty if there is none."""
     end = demo.moves[demo.ids.index(step.name)][-1, 1:]

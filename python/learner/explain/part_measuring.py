@@ -8,8 +8,8 @@ import numpy as np
 from constants import PARTS as C, PERCEPTION, TASK_MODEL
 from explain.handles import displaced_regions
 from explain.shown_pictures import read_picture
-from see.colors import color_mask, frequent_colors
-from see.eye import onto_plane
+from see.colors import color_mask, frequent_colors, is_color_near
+from see.eye import onto_plane, pixel_at
 from see.faces import fit_face
 from things.areas import rotated
 from things.blocks import Block
@@ -33,20 +33,23 @@ def measure_parts(demo, n):
     return None
 
 
-def parts_between(before, after, eye):
+def parts_between(before, after, eye, can_be_round=False):
     """Returns the parts that two views of an object show, a list. A view: picture, and pose of the object."""
     parts = []
     for color in frequent_colors(before[0], PERCEPTION.min_rim_pixels):
+        middles = [pixel_at(picture, eye, pose[:3]) for picture, pose in (before, after)]
+        if not all(is_color_near(picture, color, it) for (picture, _), it in zip((before, after), middles)):
+            continue
         masks = [color_mask(picture, color) for picture, _ in (before, after)]
         for pixels in product(displaced_regions(*masks), displaced_regions(*masks[::-1])):
             color = np.median(before[0][pixels[0]], axis=0)
-            part = part_of(color, pixels, (before[1], after[1]), eye)
+            part = part_of(color, pixels, (before[1], after[1]), eye, can_be_round)
             if part and all(np.linalg.norm(it.position - part.position) > C.max_error for it in parts):
                 parts.append(part)
     return parts
 
 
-def part_of(color, pixels, poses, eye):
+def part_of(color, pixels, poses, eye, can_be_round):
     """Returns the part that two regions of pixels show in two views, or None. Its place in the frame of the
     object grows in proportion to its height, differently in each view; at its height both agree."""
     above = []
@@ -59,9 +62,10 @@ def part_of(color, pixels, poses, eye):
         return None
     (place, face), (other, later) = [face_at(height, *it, eye) for it in zip(pixels, poses)]
     is_part = (np.hypot(*(place - other)) < C.max_error and same_size(face.sides, later.sides)
-               and max(face.misfit, later.misfit) < PERCEPTION.misfit and not face.is_round
+               and max(face.misfit, later.misfit) < PERCEPTION.misfit and (can_be_round or not face.is_round)
                and min(face.sides) > C.min_side)
-    return Block(color, np.append(face.sides, 0), np.append(place, height), 0.0) if is_part else None
+    form = "disc" if face.is_round else "block"
+    return Block(color, np.append(face.sides, 0), np.append(place, height), 0.0, form=form) if is_part else None
 
 
 def face_at(height, pixels, pose, eye):

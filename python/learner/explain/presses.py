@@ -22,6 +22,7 @@ class Press:
     changed: np.ndarray  # mask of the pixels that it changed, HxW bool
     tool: Optional[Step] = None  # that was used, in a Use
     attempts: int = 0
+    grasp: Optional[object] = None  # of the last attempt
     done: bool = False
 
     def __str__(self):

@@ -20,9 +20,8 @@ def measure_container(demo, steps):
               and step.displacement is None and not step.takes_place_of]
     if not inside:
         return None
-    for n in range(len(demo.ids)):
-        if n in demo.placed:
-            continue
+    still = [n for n in range(len(demo.ids)) if n not in demo.placed]
+    for n in sorted(still, key=lambda n: np.hypot(*(demo.moves[n][0, 1:3] - inside[0].position[:2]))):
         x, y, z = demo.moves[n][0, 1:4]
         for color, face in rims_at(demo, n, [x, y, 2 * z]):
             container = Container(color, np.append(face.sides, 2 * z), np.append(face.center, z),

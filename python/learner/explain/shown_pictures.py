@@ -3,7 +3,8 @@
 import numpy as np
 from PIL import Image
 
-from see.eye import Eye
+from constants import USES as C
+from see.eye import Eye, pixels_of
 
 
 def eye_of(info):
@@ -29,3 +30,13 @@ def read_picture(demo, frame):
     """Reads the picture of a frame: HxWx3, 0 to 1; None if there is none."""
     found = sorted(demo.folder.glob(f"*/{int(frame)}.png"))
     return np.asarray(Image.open(found[0]).convert("RGB")) / 255 if found else None
+
+
+def mask_around(picture, eye, point):
+    """Returns the mask, HxW bool, of what a picture shows at and around a point, x y z [units]."""
+    side = np.linspace(-C.around, C.around, C.points_around)
+    x, y = (it.ravel() for it in np.meshgrid(side, side))
+    row, column, inside = pixels_of(point + np.column_stack([x, y, 0 * x]), eye, picture)
+    mask = np.zeros(picture.shape[:2], bool)
+    mask[row[inside], column[inside]] = True
+    return mask

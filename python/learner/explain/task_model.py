@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from constants import TASK_MODEL as C
 from explain.appearances import measure_objects
+from explain.asides import with_asides
 from explain.handles import measure_handle
 from explain.object_roles import former_owner, moved_objects, tools_of
 from explain.placed_steps import step_of
@@ -34,7 +35,8 @@ def infer_task(demo, attention):
     for step in steps:
         if not step.on and step.bottom > C.min_inside_bottom and not is_dragged(step):
             step.takes_place_of = former_owner(demo, step)
-    return steps, measure_container(demo, steps)
+    steps = with_asides(demo, steps)
+    return steps, measure_container(demo, [it for it in steps if not it.aside])
 
 
 def set_order(steps, ordered):

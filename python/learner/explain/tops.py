@@ -5,8 +5,9 @@ import math
 import numpy as np
 
 from constants import PERCEPTION, TASK_MODEL as C
+from explain.object_roles import may_be_ball
 from see.balls import ball_color
-from see.colors import color_mask, frequent_colors
+from see.colors import color_mask, frequent_colors, is_color_near
 from see.covered import smallest_rectangle
 from see.eye import onto_plane, pixel_at
 from see.faces import fit_face
@@ -33,10 +34,10 @@ def measure_top(picture, eye, pose, height):
     return (color, face) if is_whole else None
 
 
-def measure_ball(demo, start, frames, pictures):
+def measure_ball(demo, n, start, frames, pictures):
     """Measures an object that may be a ball on the table, like measure_object."""
     radius = start[2]
-    for frame, *pose in frames:
+    for frame, *pose in frames if may_be_ball(demo, n) else []:
         picture = pictures[frame]
         color = ball_color(picture, demo.eye, np.array(pose[:3]), radius) if picture is not None else None
         if color is not None:
@@ -45,8 +46,8 @@ def measure_ball(demo, start, frames, pictures):
 
 
 def measure_top_with_knob(demo, n, start, yaw, frames, pictures):
-    """Measures an object with a part in the middle of its top, like measure_object. Its height is twice
-    that of its middle where a hand put it lowest, on the table."""
+    """Measures an object with a part in the middle of its top, like measure_object. Its height is twice that of its
+    middle where a hand put it lowest, on the table."""
     height = 2 * demo.moves[n][:, 3].min()
     for frame, *pose in frames if n in demo.placed else []:
         picture = pictures[frame]
@@ -58,13 +59,14 @@ def measure_top_with_knob(demo, n, start, yaw, frames, pictures):
 
 
 def sides_around(picture, eye, color, pose, height):
-    """Returns the sides of a top of a color at a pose, if most of it, but not its middle, is visible;
-    otherwise None."""
+    """Returns the sides of a top of a color at a pose, if most of it, but not its middle, is visible; or None."""
     top = pose[:3] + np.array([0, 0, height / 2])
-    number = label_regions(color_mask(picture, color))
     middle = pixel_at(picture, eye, top)
+    if not is_color_near(picture, color, middle):
+        return None
+    number = label_regions(color_mask(picture, color))
     for region in np.flatnonzero(np.bincount(number.ravel()) >= PERCEPTION.min_rim_pixels):
-        if region == 0 or middle is None or number[middle] == region:
+        if region == 0 or number[middle] == region:
             continue
         row, column = np.nonzero(number == region)
         x, y, area = onto_plane(row, column, eye, top[2])

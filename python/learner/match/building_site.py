@@ -7,6 +7,7 @@ import numpy as np
 from constants import BUILDING_SITE as C, numbers_of
 from match.found_places import place_dragged, place_in_container
 from match.landmarks import place_by_what_stays, place_of_other
+from match.returning import place_below, place_returning
 from match.sites import NoSite, first_within_reach, site_cost
 from things.steps import is_dragged
 
@@ -18,7 +19,9 @@ def choose_site(state, arms, picture, eye):
     false. Returns the reason, or None."""
     try:
         replacing = [step for step in state.steps if step.takes_place_of]
-        carried = [step for step in state.steps if not is_dragged(step) and step not in replacing]
+        returning = {step.name: place_returning(step, state) for step in state.steps if step.aside}
+        carried = [step for step in state.steps
+                   if not is_dragged(step) and step not in replacing and not step.aside]
         if state.container:
             carried, state.container = place_in_container(carried, state.container, state.known,
                                                           picture, eye)
@@ -26,9 +29,11 @@ def choose_site(state, arms, picture, eye):
             carried = (place_by_what_stays(carried, state.known, arms, eye)
                        or place_on_table(carried, state.known, arms, eye))
         carried = iter(carried)
+        shown, back = [it for it in state.steps if it.aside], list(returning.values())
         state.steps = [place_dragged(step, state.known) if is_dragged(step)
-                       else place_of_other(step, state.steps, state.known) if step in replacing
-                       else next(carried) for step in state.steps]
+                       else place_below(step, shown, back) or place_of_other(step, state.steps, state.known)
+                       if step in replacing
+                       else returning[step.name] if step.aside else next(carried) for step in state.steps]
     except NoSite as problem:
         return str(problem)
     state.has_site = True

@@ -1,8 +1,10 @@
 """Chooses the next press of a button or use of a tool."""
 
 from constants import PRESSES as C
+from explain.drives import Drive
 from match.alignment import agreement
 from match.pressing import locate, looks_pressed
+from plan.drive_planning import plan_drive, was_driven
 from plan.press_planning import plan_press
 from plan.use_planning import plan_use
 from see.surfaces import surface_of
@@ -32,14 +34,16 @@ def choose_device(state, arms, picture, heights, eye, sensor):
     press = next_device(state)
     while press and all(state.done[k] for k in press.after):
         where = state.alignments[press.control], surface, state.shown
-        if looks_pressed(press, *where):
+        is_drive = isinstance(press, Drive)
+        if was_driven(press, state) if is_drive else looks_pressed(press, *where):
             press.done = True
             press = next_device(state)
             continue
         if press.attempts >= C.max_attempts:
             return [], f"{press}: {press.attempts} attempts failed"
-        plan = plan_use if press.tool else plan_press
+        plan = plan_drive if is_drive else plan_use if press.tool else plan_press
         actions, state.grasp, reason = plan(press, *where[:2], state, arms, sensor)
+        press.grasp = state.grasp
         press.attempts += 1
         return actions, f"{press}: {reason}" if reason else None
     return [], None

@@ -5,8 +5,10 @@ from dataclasses import replace
 import numpy as np
 
 from act.finger_room import grasp_yaws
+from plan.finger_depths import with_depth
 from plan.obstruction import is_obstructing
 from plan.pick_and_place import plan_pick_and_place
+from plan.returning_moves import plan_returning, returning_step
 from plan.temporary_places import plan_temporary_placement
 from plan.turning import plan_turn
 from things.areas import is_inside
@@ -23,6 +25,11 @@ def plan_move(state, step, move, eye, arms, sensor):
     Returns actions; the block where it will be, and whether that is a temporary place; and the
     reason if there are no actions.
     """
+    returning = returning_step(move.block, state)
+    if returning:
+        block = with_depth(move.block, state.surface)
+        actions, place, reason = plan_returning(block, returning, bool(move.goal), state, arms, sensor)
+        return actions, place, not move.goal, reason
     others = with_held_parts([block for block in state.known if block is not move.block])
     others += assumed_support(move.block) + container_walls(state.container)
     container = [state.container] if state.container else []
@@ -34,8 +41,8 @@ def plan_move(state, step, move, eye, arms, sensor):
         if is_inside(state.container, goal.position) and not grasp_yaws(goal, others):
             goal = raised_above(goal, state.container)
         sites.append(standing)
-        actions, reason = plan_pick_and_place(arms, move.block, goal, others, sensor,
-                                              state.failures)
+        actions, reason = plan_pick_and_place(arms, with_depth(move.block, state.surface),
+                                              with_depth(goal, state.surface), others, sensor, state.failures)
         if actions:
             place = replace(move.block, position=move.goal.position, yaw=move.goal.yaw)
             return actions, place, False, None

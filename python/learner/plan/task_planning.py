@@ -10,9 +10,12 @@ from check.looking import is_moving, observe
 from check.notes import plan_notes
 from check.progress import assess_progress, open_steps
 from match.building_site import choose_site
+from match.returning import locate_asides
 from plan.device_planning import choose_device, forget_fixtures, locate_controls
+from plan.drive_planning import is_driver
 from plan.step_planning import plan_step
 from see.eye import height_map
+from see.surfaces import surface_of
 
 
 def choose_actions(state, sensor, eye, arms):
@@ -23,9 +26,12 @@ def choose_actions(state, sensor, eye, arms):
         return [Action("observe")]
     if not state.has_site or "second look" not in state.without:
         observe(state, sensor, picture, eye)
-    heights = height_map(sensor.depthVision, eye) if state.presses else None
+    has_asides = any(it.aside for it in state.steps)
+    heights = height_map(sensor.depthVision, eye) if state.presses or has_asides else None
+    state.surface = surface_of(picture, heights, eye) if has_asides else None
     if not state.has_site:
-        problem = choose_site(state, arms, picture, eye) or locate_controls(state, picture, heights, eye)
+        problem = (locate_controls(state, picture, heights, eye) or locate_asides(state, picture, heights, eye)
+                   or choose_site(state, arms, picture, eye))
         if problem:
             give_up(state, f"before it began: {problem}")
             return []
@@ -45,7 +51,8 @@ def choose_actions(state, sensor, eye, arms):
         state.claim = Claim(True, "as seen within %.2f units and %.1f degrees" % (
             distance, math.degrees(angle)))
         return []
-    return plan_one_of(steps, state, [block for block in state.known if block not in used], eye, arms, sensor)
+    free = [block for block in state.known if block not in used and not is_driver(block, state)]
+    return plan_one_of(steps, state, free, eye, arms, sensor)
 
 
 def plan_one_of(steps, state, free, eye, arms, sensor):

@@ -24,8 +24,9 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
     """
     width = block.size[1]
     opening = min(width + C.opening_margin, arm.opening)
+    depth = min(grip_depth(arm, block.size[2]), block.depth - arm.reach, goal.depth - arm.reach)
     # Of the tool, from the block's center.
-    offset = np.array([0, 0, block.size[2] / 2 - grip_depth(arm, block.size[2])])
+    offset = np.array([0, 0, block.size[2] / 2 - depth])
     start = arm.tool_pose(block.position + offset, grasp_yaw, width)
     over_start = at_height(start, lift)
     end = arm.tool_pose(goal.position + offset + [0, 0, C.place_height_margin], place_yaw, width)

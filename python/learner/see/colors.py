@@ -6,8 +6,8 @@ from constants import PERCEPTION as C
 
 
 def colors_to_detect(picture, like):
-    """Returns the colors to detect, a list: those of some blocks and, if the color of one of them
-    does not matter, every frequent color of the picture."""
+    """Returns the colors to detect, a list: those of some blocks and, if the color of one of them does not matter,
+    every frequent color of the picture."""
     colors = [it.color for it in like if it.color is not None]
     if len(colors) < len(like):
         colors += frequent_colors(picture)
@@ -38,8 +38,8 @@ def color_of_code(number):
 
 
 def color_mask(picture, color):
-    """Returns the mask, HxW bool, of the pixels that have a color. In the robot's eye each face of
-    a block has one flat color: its true color on top, darker ones at the sides."""
+    """Returns the mask, HxW bool, of the pixels that have a color. In the robot's eye each face of a block has one flat
+    color: its true color on top, darker ones at the sides."""
     tolerance = C.color_tolerance + C.color_tolerance_bright * max(color)
     mask = np.abs(picture[:, :, 0] - color[0]) < tolerance
     for channel in (1, 2):
@@ -47,17 +47,24 @@ def color_mask(picture, color):
     return mask
 
 
+def is_color_near(picture, color, pixel):
+    """Returns true if a color appears within some distance of a pixel (row, column); false for None."""
+    if pixel is None:
+        return False
+    row, column = np.maximum(np.array(pixel) - C.near_pixels, 0)
+    part = picture[row:pixel[0] + C.near_pixels + 1, column:pixel[1] + C.near_pixels + 1]
+    return bool(color_mask(part, color).any())
+
+
 def table_color(picture):
     """Returns the color of the table: the most frequent one except black, the background."""
-    step = C.table_pixel_step
-    pixels = np.round(255 * picture[::step, ::step]).astype(int).reshape(-1, 3) @ [65536, 256, 1]
+    pixels = np.round(255 * picture[::C.table_pixel_step, ::C.table_pixel_step]).astype(int).reshape(-1, 3) @ [65536, 256, 1]
     colors, count = np.unique(pixels[pixels > 0], return_counts=True)
     return color_of_code(colors[count.argmax()]) if len(colors) else np.full(3, np.nan)
 
 
 def is_darker_shade(color, bright):
-    """Returns true if a color is a darker shade of the same hue: that of a side of a block with a
-    bright top."""
+    """Returns true if a color is a darker shade of the same hue: that of a side of a block with a bright top."""
     fraction = (color * bright).sum() / max((bright**2).sum(), np.finfo(float).eps)
     least, greatest = C.shade
     difference = np.abs(color - fraction * bright).max()

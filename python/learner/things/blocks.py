@@ -21,6 +21,7 @@ class Block:
     has_knob: bool = field(default=False, kw_only=True)  # whether it is held by a part on its top,
     knob: Optional["Block"] = field(default=None, kw_only=True)  # this one: see knobs
     parts: list = field(default_factory=list, kw_only=True)  # of a thing of several colors: see parts
+    depth: float = field(default=math.inf, kw_only=True)  # how far below its top the fingers may reach [units]
 
     @property
     def is_round(self):

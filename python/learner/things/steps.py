@@ -26,6 +26,7 @@ class Step(Block):
     takes_place_of: str = ""  # name of the object that began at the place of this step
     start: Optional[np.ndarray] = None  # x y z of its center at the start of the demonstration [units]
     start_size: Optional[np.ndarray] = None  # as size, of an object that began on another face
+    aside: Optional[object] = None  # where it was put before it came back: an Aside
     tolerance: float = BLOCKS.position_tolerance  # of its position [units]
 
     def __str__(self):

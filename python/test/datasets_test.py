@@ -569,6 +569,19 @@ class RefusalsTest(unittest.TestCase):
         table = pq.read_table(self.folder / "dataset/data/chunk-000/file-000.parquet")
         self.assertFalse(any(table["next.success"].to_pylist()))
 
+    def test_a_correction_tells_from_which_frame_on_another_actor_took_over(self):
+        corrected = self.folder / "corrected"
+        shutil.copytree(ROBOT, corrected)
+        info = json.loads((corrected / "demo.json").read_text())
+        (corrected / "demo.json").write_text(json.dumps(info | {"corrects": {"recording": "imitation", "seconds": 1.5}}))
+        export([ROBOT, corrected], self.folder / "dataset", cameras=(), fps=10)
+        table = pq.read_table(self.folder / "dataset/data/chunk-000/file-000.parquet").to_pandas()
+        flags = [list(episode["intervention"]) for _, episode in table.groupby("episode_index")]
+        self.assertFalse(any(flags[0]))
+        self.assertEqual(flags[1], [k >= 15 for k in range(len(flags[1]))])
+        episodes = pq.read_table(next((self.folder / "dataset/meta/episodes").rglob("*.parquet")))
+        self.assertEqual(episodes["smile/corrects"].to_pylist(), ["", "imitation"])
+
     def test_a_folder_that_exists_stays_as_it_is(self):
         (self.folder / "mine").mkdir()
         (self.folder / "mine/notes.txt").write_text("important")

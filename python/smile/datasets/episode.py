@@ -137,6 +137,9 @@ def read_episode(source: Source, recording: smile.Recording, sampling: Sampling)
     is_success = source.is_success if sampling.has_robot else True
     if is_success is not None:
         episode.columns["next.success"] = Column(done & is_success, None)
+    corrects = source.corrects()
+    since = corrects["seconds"] - 0.5 / TICKS_PER_SECOND if corrects else np.inf
+    episode.columns["intervention"] = Column(recording.times[frames] >= since, None)
     return episode
 
 

@@ -70,6 +70,7 @@ class Plan(NamedTuple):
     cameras: list[Camera]
     robot: str
     has_success: bool
+    has_interventions: bool
 
 
 def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0",
@@ -128,6 +129,8 @@ def _write(plan: Plan, options: Options, target: Path, say: Callable[[str], None
                 episode = read_episode(source, smile.open(source.recording), plan.sampling)
                 if not plan.has_success:
                     episode.columns.pop("next.success", None)
+                if not plan.has_interventions:
+                    episode.columns.pop("intervention")
                 if writer is None:
                     columns = _columns_before_drawing(episode, plan.cameras)
                     writer = _writer_of(options.format)(partial, fps, plan.cameras, columns, plan.robot)
@@ -253,7 +256,8 @@ def _plan(sources: list[Source], cameras: list[Camera], fps: int, action: str,
     sampling = Sampling(fps, action, has_robot, frozenset(dropped if has_robot else []))
     robot = sources[0].robot_name() if has_robot else "none"
     has_success = not has_robot or all(source.result is not None for source in sources)
-    return Plan(sources, sampling, cameras, robot, has_success)
+    has_interventions = any(source.corrects() for source in sources)
+    return Plan(sources, sampling, cameras, robot, has_success, has_interventions)
 
 
 def _task_of(episode: Episode) -> str:
@@ -322,7 +326,7 @@ def _more_about(episode: Episode, fps: int) -> Row:
     source, recording = episode.source, episode.recording
     row: Row = {"smile/recording_sha256": source.digest(), "smile/state_hash": f"{recording.hashes[-1]:016x}",
                 "smile/seed": source.seed, "smile/success": source.is_success, "smile/cause": source.cause,
-                "smile/source": source.path.name,
+                "smile/source": source.path.name, "smile/corrects": (source.corrects() or {}).get("recording", ""),
                 "smile/variation": json.dumps(source.variation) if source.variation is not None else "",
                 "smile/subtask_words": [part.words for part in episode.subtasks]}
     for kind in ("sparse", "dense"):

@@ -48,4 +48,4 @@ def _key_of(plan: Plan, options: Options) -> str:
     content = hashlib.sha256(json.dumps(runs).encode()).hexdigest()
     return json.dumps({"runs": content, "sampling": sampling, "options": options._asdict(),
                        "cameras": [[camera.name, camera.width, camera.height, camera.maps] for camera in plan.cameras],
-                       "has_success": plan.has_success})
+                       "has_success": plan.has_success, "has_interventions": plan.has_interventions})

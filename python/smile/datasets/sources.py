@@ -41,8 +41,17 @@ class Source:
 
     def robot_name(self) -> str:
         """Returns the name of the recording's robot; `none` without one."""
-        robot = json.loads((self.recording / "demo.json").read_text()).get("robot")
+        robot = self._info().get("robot")
         return str(robot["name"]) if robot else "none"
+
+    def corrects(self) -> dict[str, Any] | None:
+        """Returns which `recording` it corrects and from which time on (`seconds`); None for another one."""
+        corrects: dict[str, Any] | None = self._info().get("corrects")
+        return corrects
+
+    def _info(self) -> dict[str, Any]:
+        info: dict[str, Any] = json.loads((self.recording / "demo.json").read_text())
+        return info
 
     def digest(self) -> str:
         """Returns the identity of the recording: SHA-256 of its scene, commands and trace."""

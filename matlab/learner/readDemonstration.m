@@ -39,7 +39,8 @@ function demo = readDemonstration(folder)
     error('there is no recording in %s: it has no 0.txt', folder);
   end
   for n = 1:numel(demo.ids)
-    poses = demo.moves(demo.moves(:, 2) == n, 3:8);
+    poses = uprightAtStart(demo.moves(demo.moves(:, 2) == n, 3:8));
+    demo.moves(demo.moves(:, 2) == n, 3:8) = poses;
     demo.start(n, :) = poses(1, :);
     demo.final(n, :) = poses(end, :);
   end

@@ -5,10 +5,7 @@ function [sides, yaw] = restingAt(appearance, pose)
 %   appearance  as from measureObjects: its sides along its own axes
   sides = appearance.size;
   yaw = pose(6) * pi / 180;
-  c = cos(pose(4:6) * pi / 180);
-  s = sin(pose(4:6) * pi / 180);
-  axes = [c(3), -s(3), 0; s(3), c(3), 0; 0, 0, 1] * [c(2), 0, s(2); 0, 1, 0; -s(2), 0, c(2)] * ...
-         [1, 0, 0; 0, c(1), -s(1); 0, s(1), c(1)];  % its columns are those of the object
+  axes = rotationOf(pose(4:6));  % its columns are those of the object
   [most, up] = max(abs(axes(3, :)));
   is_leaning = most < cos(constants().task_model.max_rest_degrees * pi / 180);
   if up == 3 || is_leaning || isRound(appearance) || ~isempty(appearance.parts), return; end

@@ -13,6 +13,14 @@ function check_resting()
         isequal(turnsBetween(flat, side, 2), [2, 2]), 'turns about the fingers bring a block onto any face');
   check(isnan(turnsBetween(flat, side, 0.9)) && isnan(turnsBetween(flat, [2, 1, 1], 2)), 'or they cannot');
 
+  began = block([1, 0, 0], side, -2, -2, 0, 30 * pi / 180);
+  [folder, remove] = newRecording({pictureOf(began), pictureOf(block([1, 0, 0], flat, 2, -3, 0, 0))});
+  write(folder, '0.txt', {'0,create,Plank,shape,block', '0,move,Plank,-2.0,-2.0,0.5,90.0,0.0,30.0'});
+  write(folder, '1.txt', {'1,grasp,AnyHand,Plank', '1,move,Plank,2.0,-3.0,0.25,0.0,0.0,0.0', '1,release,AnyHand'});
+  step = inferTask(readDemonstration(folder), []);
+  check(max(abs(step.size - flat)) < 0.03 && max(abs(step.startSize - side)) < 0.03 && abs(sin(step.yaw)) < 0.02, ...
+        'what began on its side is laid down');
+
   goal = asStep(block([1, 0, 0], side, 0, -2, 0, 0));
   goal.startSize = flat;
   state = initialTaskState(goal, []);

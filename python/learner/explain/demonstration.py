@@ -8,6 +8,7 @@ import numpy as np
 
 from explain.shown_pictures import eye_of
 from see.eye import Eye
+from things.rotations import upright_at_start
 
 
 @dataclass
@@ -18,7 +19,7 @@ class Demonstration:
     folder: Path
     ids: list  # names of the objects
     moves: list  # of each object, Mx7: frame, x y z of its center [units], angles about x, y, z
-    #              [degrees]; the first row is its initial pose
+    #              [degrees], see upright_at_start; the first row is its initial pose
     placed: list  # numbers of the released objects, in the order of release
     events: list  # all lines except moves: frame, word ('grasp', 'release', ...), list of fields
     eye: Eye  # camera of the observing robot
@@ -63,5 +64,6 @@ def read_demonstration(folder):
     if segment == 0:
         raise FileNotFoundError(f"there is no recording in {folder}: it has no 0.txt")
     info = json.loads((folder / "demo.json").read_text())
-    return Demonstration(folder, ids, [np.array(rows) for rows in moves], placed, events,
-                         eye_of(info))
+    moves = [np.array(rows) for rows in moves]
+    moves = [np.column_stack([rows[:, 0], upright_at_start(rows[:, 1:])]) for rows in moves]
+    return Demonstration(folder, ids, moves, placed, events, eye_of(info))

@@ -10,6 +10,7 @@ import numpy as np
 
 from constants import TASK_MODEL as C
 from things.kinds import same_size
+from things.rotations import rotation_of
 
 
 def resting_at(appearance, pose):
@@ -28,19 +29,6 @@ def resting_at(appearance, pose):
     along, across = [axis for axis in range(3) if axis != up]
     return replace(appearance, size=appearance.size[[along, across, up]], position=pose[:3],
                    yaw=math.atan2(axes[1, along], axes[0, along]))
-
-
-def rotation_of(angles):
-    """Returns the rotation by angles about x, then y, then z [degrees], 3x3: its columns are the axes of
-    the object."""
-    rotation = np.eye(3)
-    for axis, angle in enumerate(np.radians(angles)):
-        c, s = math.cos(angle), math.sin(angle)
-        i, j = [(1, 2), (2, 0), (0, 1)][axis]
-        about = np.eye(3)
-        about[[i, i, j, j], [i, j, i, j]] = c, -s, s, c
-        rotation = about @ rotation
-    return rotation
 
 
 def on_each_face(size):

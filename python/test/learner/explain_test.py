@@ -126,5 +126,18 @@ class UnstackingTest(RecordingTest):
             self.assertEqual(step.on, [])
 
 
+class TurningTest(RecordingTest):
+    def test_what_began_on_its_side_is_laid_down(self):
+        began = block(RED, np.array([3, 0.5, 1]), -2, -2, yaw=math.radians(30))
+        ends = block(RED, np.array([3, 1, 0.5]), 2, -3)
+        self.record(picture_of([began]), picture_of([ends]))
+        self.write(0, ["0,create,Plank,shape,block", "0,move,Plank,-2.0,-2.0,0.5,90.0,0.0,30.0"])
+        self.write(1, ["1,grasp,AnyHand,Plank", "1,move,Plank,2.0,-3.0,0.25,0.0,0.0,0.0", "1,release,AnyHand"])
+        [[found], _] = self.infer_task()
+        np.testing.assert_allclose(found.size, ends.size, atol=0.03)
+        np.testing.assert_allclose(found.start_size, began.size, atol=0.03)
+        self.assertAlmostEqual(yaw_difference(ends, found.yaw), 0, delta=0.02)
+
+
 if __name__ == "__main__":
     unittest.main()

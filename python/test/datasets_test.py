@@ -473,6 +473,8 @@ class MapsTest(unittest.TestCase):
             export([ROBOT], Path(SHARED.name) / "no", maps=["depth", "id"])
         with self.assertRaisesRegex(ValueError, "expected .* or lerobot-v3.0 for depth"):
             export([ROBOT], Path(SHARED.name) / "no", maps=["depth"], format="lerobot-v2.1")
+        with self.assertRaisesRegex(ValueError, "size is 32x8, expected at least 16x16"):
+            export([ROBOT], Path(SHARED.name) / "no", maps=["depth"], cameras={"eye": (32, 8)})
         with self.assertRaisesRegex(ValueError, "maps is .*'deep'.*, expected some of depth, id"):
             export([ROBOT], Path(SHARED.name) / "no", format="zarr", maps=["deep"])
 

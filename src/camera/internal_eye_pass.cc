@@ -63,6 +63,22 @@ bool FitIntoAlpha(const std::vector<Piece>& pieces) {
       pieces, [](const Piece& piece) { return piece.instance.object_id <= kMaxIdInAlpha; });
 }
 
+/// Returns what a picture depends on beside its pieces.
+PictureKey KeyOf(const std::vector<Piece>& visible, const CameraView& view,
+                 const RenderOptions& options, const scene::Lighting& lighting) {
+  FramebufferLayout layout{.width_px = view.intrinsics.width_px,
+                           .height_px = view.intrinsics.height_px,
+                           .color_formats = {GL_RGBA8}};
+  if (options.ids && !FitIntoAlpha(visible)) layout.color_formats.push_back(GL_R32UI);
+  return {.view = view,
+          .lighting = lighting,
+          .background = options.background,
+          .layouts = {layout},
+          .color = options.color,
+          .depth = options.depth,
+          .ids = options.ids};
+}
+
 /// Clears color, ids and depth of the bound framebuffer.
 void Clear(const Color& background, bool has_ids_of_their_own) {
   const GLfloat color[] = {static_cast<GLfloat>(background.red),
@@ -97,20 +113,10 @@ const Framebuffer& EyePass::Draw(const std::vector<Piece>& pieces,
                                  const std::vector<Piece>& visible, const CameraView& view,
                                  const RenderOptions& options, const scene::Lighting& lighting,
                                  MeshStore* meshes, FramebufferPool* pool) {
-  FramebufferLayout layout{.width_px = view.intrinsics.width_px,
-                           .height_px = view.intrinsics.height_px,
-                           .color_formats = {GL_RGBA8}};
-  if (options.ids && !FitIntoAlpha(visible)) layout.color_formats.push_back(GL_R32UI);
-  const PictureKey key{.view = view,
-                       .lighting = lighting,
-                       .background = options.background,
-                       .layouts = {layout},
-                       .color = options.color,
-                       .depth = options.depth,
-                       .ids = options.ids};
+  const PictureKey key = KeyOf(visible, view, options, lighting);
   const Eigen::Matrix4f clip_from_world = ClipFromWorld(view);
   if (!KeptPictures::MayKeep(view.intrinsics)) {
-    const Framebuffer& picture = pool->Get(layout);
+    const Framebuffer& picture = pool->Get(key.layouts.front());
     DrawInto(picture, visible, key, clip_from_world, clip_from_world, meshes);
     return picture;
   }

@@ -31,7 +31,6 @@ class Bounds {
       box = Eigen::AlignedBox3d(Vector3::Constant(-0.5), Vector3::Constant(0.5));
     }
     bool is_before = false, is_behind = false;
-    const double margin = sweep_ != nullptr ? sweep_->margin : 0;
     for (int corner = 0; corner < 8; ++corner) {
       const Vector3 p = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
       Vector3 p_WQ;
@@ -40,17 +39,10 @@ class Bounds {
         p_WQ[row] = entries[0] * p.x() + entries[1] * p.y() + entries[2] * p.z() + entries[3];
       }
       if (!p_WQ.allFinite()) return false;
-      const double fall = sweep_ != nullptr && piece.casts_shadow
-                              ? std::max(0.0, p_WQ.dot(sweep_->to_lamp) - sweep_->lowest)
-                              : 0;
-      for (const double way : {0.0, fall}) {
-        const Vector3 p_WS = way > 0 ? Vector3(p_WQ - way * sweep_->to_lamp) : p_WQ;
-        for (int side = 0; side < (margin > 0 ? 8 : 1); ++side) {
-          const Vector3 offset((side & 1) != 0 ? margin : -margin,
-                               (side & 2) != 0 ? margin : -margin,
-                               (side & 4) != 0 ? margin : -margin);
-          AddPoint(X_CW_ * Vector3(p_WS + offset), &is_before, &is_behind);
-        }
+      AddPoint(p_WQ, &is_before, &is_behind);
+      if (sweep_ != nullptr && piece.casts_shadow) {
+        const double fall = std::max(0.0, p_WQ.dot(sweep_->to_lamp) - sweep_->lowest);
+        AddPoint(p_WQ - fall * sweep_->to_lamp, &is_before, &is_behind);
       }
     }
     // What is partly behind the camera may be anywhere in the picture.
@@ -72,15 +64,20 @@ class Bounds {
   }
 
  private:
-  void AddPoint(const Vector3& p_C, bool* is_before, bool* is_behind) {
+  /// Adds a point and what is within the margin around it.
+  void AddPoint(const Vector3& p_WQ, bool* is_before, bool* is_behind) {
     const CameraIntrinsics& c = view_.intrinsics;
-    if (p_C.z() < c.near) {
-      *is_behind = true;
-      return;
+    const double margin = sweep_ != nullptr ? sweep_->margin : 0;
+    for (int side = 0; side < (margin > 0 ? 8 : 1); ++side) {
+      const Vector3 offset((side & 1) != 0 ? margin : -margin, (side & 2) != 0 ? margin : -margin,
+                           (side & 4) != 0 ? margin : -margin);
+      const Vector3 p_C = X_CW_ * Vector3(p_WQ + offset);
+      const bool is_seen = p_C.z() >= c.near;
+      *(is_seen ? is_before : is_behind) = true;
+      if (!is_seen) continue;
+      pixels_.extend(
+          Eigen::Vector2d(c.cx + c.fx * p_C.x() / p_C.z(), c.cy + c.fy * p_C.y() / p_C.z()));
     }
-    *is_before = true;
-    pixels_.extend(
-        Eigen::Vector2d(c.cx + c.fx * p_C.x() / p_C.z(), c.cy + c.fy * p_C.y() / p_C.z()));
   }
 
   const CameraView& view_;

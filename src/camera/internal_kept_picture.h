@@ -7,7 +7,9 @@
 #include "camera/internal_framebuffer.h"
 #include "camera/internal_mesh_store.h"
 #include "camera/internal_pieces.h"
-#include "camera/renderer.h"
+#include "math/camera_projection.h"
+#include "math/color.h"
+#include "scene/lighting.h"
 
 namespace smile::camera::internal {
 

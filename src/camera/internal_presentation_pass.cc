@@ -140,14 +140,8 @@ PresentationPass::PresentationPass()
   samples_ = std::min(samples_, kSamples);
 }
 
-const Framebuffer& PresentationPass::Draw(const std::vector<Piece>& pieces,
-                                          const std::vector<Piece>& visible, const CameraView& view,
-                                          const RenderOptions& options,
-                                          const scene::Lighting& lighting, MeshStore* meshes,
-                                          FramebufferPool* pool) {
-  // Shadows first, since drawing the pieces reads the map.
-  const Vector3 to_lamp = DirectionToLamp(lighting);
-  shadow_map_.Draw(pieces, visible, to_lamp, meshes);
+PictureKey PresentationPass::KeyOf(const CameraView& view, const RenderOptions& options,
+                                   const scene::Lighting& lighting) const {
   const FramebufferLayout layout{.width_px = view.intrinsics.width_px,
                                  .height_px = view.intrinsics.height_px,
                                  .color_formats = {GL_SRGB8_ALPHA8},
@@ -156,15 +150,26 @@ const Framebuffer& PresentationPass::Draw(const std::vector<Piece>& pieces,
                                           .height_px = layout.height_px,
                                           .color_formats = {GL_SRGB8_ALPHA8},
                                           .has_depth = false};
-  const PictureKey key{.view = view,
-                       .lighting = lighting,
-                       .background = options.background,
-                       .layouts = {layout, resolved_layout},
-                       .map_from_world = shadow_map_.map_from_world()};
+  return {.view = view,
+          .lighting = lighting,
+          .background = options.background,
+          .layouts = {layout, resolved_layout},
+          .map_from_world = shadow_map_.map_from_world()};
+}
+
+const Framebuffer& PresentationPass::Draw(const std::vector<Piece>& pieces,
+                                          const std::vector<Piece>& visible, const CameraView& view,
+                                          const RenderOptions& options,
+                                          const scene::Lighting& lighting, MeshStore* meshes,
+                                          FramebufferPool* pool) {
+  // Shadows first, since drawing the pieces reads the map.
+  const Vector3 to_lamp = DirectionToLamp(lighting);
+  shadow_map_.Draw(pieces, visible, to_lamp, meshes);
+  const PictureKey key = KeyOf(view, options, lighting);
   const Eigen::Matrix4f clip_from_world = ClipFromWorld(view);
   if (!KeptPictures::MayKeep(view.intrinsics)) {
-    const Framebuffer& picture = pool->Get(layout);
-    const Framebuffer& resolved = pool->Get(resolved_layout);
+    const Framebuffer& picture = pool->Get(key.layouts.front());
+    const Framebuffer& resolved = pool->Get(key.layouts.back());
     DrawInto(picture, resolved, visible, key, clip_from_world, meshes);
     return resolved;
   }

@@ -23,6 +23,9 @@ class PresentationPass {
 
  private:
   void DrawBackground(const std::optional<Color>& background);
+  /// Returns what a picture depends on beside its pieces, after its shadow map is drawn.
+  PictureKey KeyOf(const CameraView& view, const RenderOptions& options,
+                   const scene::Lighting& lighting) const;
   /// @param cull  matrix by which pieces beside the region to be drawn are left out.
   void DrawPieces(const std::vector<Piece>& visible, const CameraView& view,
                   const scene::Lighting& lighting, const Eigen::Matrix4f& cull, MeshStore* meshes);

@@ -124,19 +124,7 @@ void ShadowMap::FitTo(const std::vector<Piece>& casters, const std::vector<Piece
   map_from_world_ = map_from_world.cast<float>();
 }
 
-void ShadowMap::Draw(const std::vector<Piece>& pieces, const std::vector<Piece>& visible,
-                     const Vector3& to_lamp, MeshStore* meshes) {
-  // Pieces that cast no shadows do not enlarge the map: shadows are the same with and without them.
-  const std::vector<Piece> casters = Casters(pieces);
-  FitTo(casters, Casters(visible), to_lamp);
-  std::vector<bool> stands_still(casters.size());
-  const bool is_comparable =
-      map_from_world_ == last_map_from_world_ && casters.size() == last_casters_.size();
-  for (std::size_t i = 0; is_comparable && i < casters.size(); ++i) {
-    stands_still[i] = HaveSameShape(casters[i], last_casters_[i]);
-  }
-  if (is_comparable && !std::ranges::count(stands_still, false)) return;
-
+Eigen::Matrix4f ShadowMap::BeginCasters() const {
   glViewport(0, 0, kSize, kSize);
   // Draws back faces: lit front faces then never shade themselves by rounding (shadow acne).
   glFrontFace(GL_CCW);
@@ -148,25 +136,20 @@ void ShadowMap::Draw(const std::vector<Piece>& pieces, const std::vector<Piece>&
   clip_from_map.topRightCorner<3, 1>().setConstant(-1);
   const Eigen::Matrix4f clip_from_world = clip_from_map * map_from_world_;
   glUniformMatrix4fv(clip_from_world_, 1, GL_FALSE, clip_from_world.data());
+  return clip_from_world;
+}
 
-  // The layer of what stands still is drawn again if something of it moves, and now and then to
-  // take up what has stopped.
-  constexpr int kMaxAge = 16;
-  bool is_valid = is_comparable && !is_in_still_.empty();
-  for (std::size_t i = 0; is_valid && i < casters.size(); ++i) {
-    is_valid = stands_still[i] || !is_in_still_[i];
-  }
-  const bool is_old = ++still_age_ >= kMaxAge && is_in_still_ != stands_still;
-  if (!is_valid || is_old) {
-    is_in_still_.clear();
-    if (std::ranges::count(stands_still, true)) {
-      is_in_still_ = stands_still;
-      if (!still_) still_.emplace();
-      still_->Begin();
-      DrawCasters(casters, true, clip_from_world, meshes);
-    }
-    still_age_ = 0;
-  }
+void ShadowMap::Draw(const std::vector<Piece>& pieces, const std::vector<Piece>& visible,
+                     const Vector3& to_lamp, MeshStore* meshes) {
+  // Pieces that cast no shadows do not enlarge the map: shadows are the same with and without them.
+  const std::vector<Piece> casters = Casters(pieces);
+  FitTo(casters, Casters(visible), to_lamp);
+  const std::vector<bool> stands_still = StandsStill(casters);
+  if (!stands_still.empty() && !std::ranges::count(stands_still, false)) return;
+
+  const Eigen::Matrix4f clip_from_world = BeginCasters();
+
+  RenewStillLayer(casters, stands_still, clip_from_world, meshes);
   if (is_in_still_.empty()) {
     map_.Begin();
     meshes->Draw(casters, clip_from_world);
@@ -178,6 +161,35 @@ void ShadowMap::Draw(const std::vector<Piece>& pieces, const std::vector<Piece>&
   glFrontFace(GL_CW);
   last_casters_ = casters;
   last_map_from_world_ = map_from_world_;
+}
+
+std::vector<bool> ShadowMap::StandsStill(const std::vector<Piece>& casters) const {
+  std::vector<bool> stands_still;
+  if (map_from_world_ != last_map_from_world_ || casters.size() != last_casters_.size()) return {};
+  for (std::size_t i = 0; i < casters.size(); ++i) {
+    stands_still.push_back(HaveSameShape(casters[i], last_casters_[i]));
+  }
+  return stands_still;
+}
+
+void ShadowMap::RenewStillLayer(const std::vector<Piece>& casters,
+                                const std::vector<bool>& stands_still,
+                                const Eigen::Matrix4f& clip_from_world, MeshStore* meshes) {
+  // It is drawn again if something of it moves, and now and then to take up what has stopped.
+  constexpr int kMaxAge = 16;
+  bool is_valid = is_in_still_.size() == stands_still.size() && !is_in_still_.empty();
+  for (std::size_t i = 0; is_valid && i < casters.size(); ++i) {
+    is_valid = stands_still[i] || !is_in_still_[i];
+  }
+  const bool is_old = ++still_age_ >= kMaxAge && is_in_still_ != stands_still;
+  if (is_valid && !is_old) return;
+  is_in_still_.clear();
+  still_age_ = 0;
+  if (!std::ranges::count(stands_still, true)) return;
+  is_in_still_ = stands_still;
+  if (!still_) still_.emplace();
+  still_->Begin();
+  DrawCasters(casters, true, clip_from_world, meshes);
 }
 
 void ShadowMap::DrawCasters(const std::vector<Piece>& casters, bool stand_still,

@@ -46,6 +46,12 @@ class ShadowMap {
 
   void FitTo(const std::vector<Piece>& casters, const std::vector<Piece>& receivers,
              const Vector3& to_lamp);
+  /// Returns which casters are as in the last picture; nothing if the map is another one.
+  std::vector<bool> StandsStill(const std::vector<Piece>& casters) const;
+  void RenewStillLayer(const std::vector<Piece>& casters, const std::vector<bool>& stands_still,
+                       const Eigen::Matrix4f& clip_from_world, MeshStore* meshes);
+  /// Prepares drawing of casters; returns the matrix for it.
+  Eigen::Matrix4f BeginCasters() const;
   /// Draws the casters that are in the layer of what stands still, or the others.
   void DrawCasters(const std::vector<Piece>& casters, bool stand_still,
                    const Eigen::Matrix4f& clip_from_world, MeshStore* meshes) const;

@@ -23,7 +23,7 @@ enum class VideoCoding {
 /// index in front. Equal pictures give equal bytes.
 ///
 /// The format requires even sizes: the last column or row of an odd picture is repeated. Films of
-/// numbers (VideoCoding::kLevels) may have any size.
+/// numbers (VideoCoding::kLevels) may have any size from 16x16.
 class VideoWriter {
  public:
   /// @param frames_per_second  above 0, at most 1000.

@@ -33,6 +33,8 @@ else:
 FORMATS = ("lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr", "mcap", "csv")
 _WITH_MAPS = ("robomimic", "zarr", "mcap")
 _WITH_DEPTH = (*_WITH_MAPS, "lerobot-v3.0")
+# Width and height of a film, of x265 [px].
+_SMALLEST_DEPTH = 16
 RATES = tuple(fps for fps in range(1, TICKS_PER_SECOND + 1) if TICKS_PER_SECOND % fps == 0)
 # Statistics of colors are of at most as many pictures of an episode.
 _SAMPLED_PICTURES = 100
@@ -110,7 +112,12 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
     if language and not format.startswith("lerobot"):
         raise ValueError(f"language is asked for and format {format!r}, expected lerobot-v3.0 or lerobot-v2.1: the "
                          "others have the words of subtasks as `smile/subtask_words`")
-    plan = _plan(_sources(runs, include_failed), _cameras(cameras, size, maps), fps, action, drop_constant)
+    chosen = _cameras(cameras, size, maps)
+    small = [camera for camera in chosen if min(camera.width, camera.height) < _SMALLEST_DEPTH]
+    if "depth" in maps and format.startswith("lerobot") and small:
+        raise ValueError(f"size is {small[0].width}x{small[0].height}, expected at least {_SMALLEST_DEPTH}x"
+                         f"{_SMALLEST_DEPTH}: films of depth have no smaller ones")
+    plan = _plan(_sources(runs, include_failed), chosen, fps, action, drop_constant)
     options = Options(format, task, extras, language)
     if parts is None:
         return _write(plan, options, target, say)

@@ -217,15 +217,18 @@ TEST_F(RendererTest, ASeriesOfPicturesHasTheBytesOfSinglePictures) {
   for (int i = 0; i < 3; ++i) {
     scene.Add(scene::Block{kCubeSize}, kGreen, Vector3(-0.4 + 0.2 * i, 0.3, 0.05));
   }
-  const std::array views{HeadView(96, 64), HeadView(64, 48)};
-  for (int step = 0; step < 60; ++step) {
-    // Nothing, or some objects, also far up, where only their shadows are seen, and out of sight.
+  // Nothing, or some objects, also far up, where only their shadows are seen, and out of sight.
+  const auto move = [&] {
     for (int moves = pick(3); moves > 0; --moves) {
       const int object = 1 + pick(static_cast<int>(scene.state.poses.size()) - 1);
       const Vector3 p_WF(-0.6 + 0.1 * pick(13), -0.4 + 0.1 * pick(9), 0.05 + 0.12 * pick(9));
       scene.state.poses[object] =
           RigidTransform(RotationFromFixedAxes({0, 0, 10.0 * pick(36)}), p_WF);
     }
+  };
+  const std::array views{HeadView(96, 64), HeadView(64, 48)};
+  for (int step = 0; step < 60; ++step) {
+    move();
     if (pick(10) == 0) scene.model.lighting.turn = pick(4);
     if (pick(10) == 0) scene.model.visuals[1].color = pick(2) == 0 ? kRed : kBlue;
     RenderOptions options = pick(2) == 0 ? kAllChannels : kPresented;

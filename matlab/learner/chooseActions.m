@@ -12,9 +12,13 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
   end
   heights = heightMap(sensor.depthVision, eye);
   state = observe(state, picture, heights, eye);
+  state.surface = [];
+  has_asides = ~all(cellfun(@isempty, {state.steps.aside}));
+  if has_asides, state.surface = surfaceOf(picture, heights, eye); end
   if ~state.hasSite
-    [state, problem] = chooseSite(state, arms, picture, eye);
-    if isempty(problem), [state, problem] = locateControls(state, picture, heights, eye); end
+    [state, problem] = locateControls(state, picture, heights, eye);
+    if isempty(problem), [state, problem] = locateAsides(state, picture, heights, eye); end
+    if isempty(problem), [state, problem] = chooseSite(state, arms, picture, eye); end
     if ~isempty(problem)
       state = giveUp(state, ['before it began: ', problem]);
       return
@@ -36,7 +40,13 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
     state.claim = struct('done', true, 'reason', reason);
     return
   end
-  [actions, state] = planOneOf(open, state, find(~used), eye, arms, sensor);
+  [actions, state] = planOneOf(open, state, find(~used & ~areDrivers(state)), eye, arms, sensor);
+end
+
+function yes = areDrivers(state)
+% Returns which known blocks are tools that drive, which stay in their holders meanwhile.
+  drives = state.presses(~cellfun(@isempty, {state.presses.turns}));
+  yes = arrayfun(@(it) any(arrayfun(@(drive) isSameKind(it, drive.tool), drives)), state.known);
 end
 
 function [actions, state] = planOneOf(open, state, free, eye, arms, sensor)

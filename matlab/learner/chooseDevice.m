@@ -8,7 +8,8 @@ function [actions, state, problem] = chooseDevice(state, arms, picture, heights,
     press = state.presses(k);
     if ~all(state.done(press.after)), return; end
     alignment = alignmentOf(press, state);
-    if looksPressed(press, alignment, surface, state.shown)
+    is_drive = ~isempty(press.turns);
+    if (is_drive && wasDriven(press, state)) || (~is_drive && looksPressed(press, alignment, surface, state.shown))
       state.presses(k).done = true;
       continue
     end
@@ -18,6 +19,9 @@ function [actions, state, problem] = chooseDevice(state, arms, picture, heights,
     end
     if isempty(press.tool)
       [actions, state.grasp, problem] = planPress(press, alignment, surface, state, arms, sensor);
+    elseif is_drive
+      [actions, state, problem] = planDrive(press, alignment, surface, state, arms, sensor);
+      state.presses(k).grasp = state.grasp;
     else
       [actions, state, problem] = planUse(press, alignment, surface, state, arms, sensor);
     end

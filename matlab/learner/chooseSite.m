@@ -6,7 +6,8 @@ function [state, problem] = chooseSite(state, arms, picture, eye)
   problem = '';
   is_dragged = arrayfun(@isDragged, state.steps);
   is_replacing = ~cellfun(@isempty, {state.steps.takesPlaceOf});
-  carried = state.steps(~is_dragged & ~is_replacing);
+  is_returning = ~cellfun(@isempty, {state.steps.aside});
+  carried = state.steps(~is_dragged & ~is_replacing & ~is_returning);
   if ~isempty(state.container)
     [carried, state.container, problem] = placeInContainer(carried, state.container, state.known, picture, eye);
   elseif ~isempty(carried)
@@ -15,10 +16,16 @@ function [state, problem] = chooseSite(state, arms, picture, eye)
     carried = placed;
   end
   steps = state.steps;
-  if isempty(problem), steps(~is_dragged & ~is_replacing) = carried; end
-  for k = find(is_dragged | is_replacing)
+  if isempty(problem), steps(~is_dragged & ~is_replacing & ~is_returning) = carried; end
+  for k = [find(is_returning), find(is_dragged | is_replacing)]
     if ~isempty(problem), break; end
-    if is_dragged(k)
+    below = [];
+    if is_replacing(k), below = placeBelow(steps(k), state.steps(is_returning), steps(is_returning)); end
+    if is_returning(k)
+      [steps(k), problem] = placeReturning(steps(k), state);
+    elseif ~isempty(below)
+      steps(k) = below;
+    elseif is_dragged(k)
       [steps(k), problem] = placeDragged(steps(k), state.known);
     else
       [steps(k), problem] = placeOfOther(steps(k), state.steps, state.known);

@@ -51,6 +51,10 @@ function deed = deedOf(action, held, ids)
   deed = '';
   if ~isfield(words, action.word), return; end
   hand = action.fields{1};
+  if strcmp(action.word, 'use') && isfield(words, action.fields{3})
+    deed = sprintf('%s %s %s with %s', hand, words.(action.fields{3}), action.fields{[4, 2]});
+    return
+  end
   object = action.fields(2:min(2, end));
   if any(strcmp(action.word, {'release', 'destroy'}))
     object = {};

@@ -6,15 +6,21 @@ function presses = inferDevices(demo, steps, appearances)
   if ~isfield(demo, 'events'), return; end
   placed = {};  % names of the objects that were released so far for the last time
   num_released = 0;
+  is_driving = false;
   for event = demo.events
     if strcmp(event.word, 'release')
       num_released = num_released + 1;
       n = demo.placed(num_released);
       if ~any(demo.placed(num_released + 1:end) == n), placed{end + 1} = demo.ids{n}; end
     end
+    is_driving = is_driving && ~strcmp(event.word, 'grasp');
     if ~any(strcmp(event.word, {'use', 'trigger', 'press'})), continue; end
     after = find([steps.stays] | ismember({steps.name}, placed));
-    if strcmp(event.word, 'use')
+    if strcmp(event.word, 'use') && any(strcmp(constants().uses.turning, event.fields{3}))
+      drives = presses(~cellfun(@isempty, {presses.turns}));
+      if ~is_driving, presses(end + 1) = driveAt(demo, event, after, drives, appearances); end
+      is_driving = true;
+    elseif strcmp(event.word, 'use')
       presses(end + 1) = useAt(demo, event, after, appearances);
     else
       control = event.fields{1 + strcmp(event.word, 'trigger')};

@@ -33,7 +33,11 @@ function [steps, container, appearances] = inferTask(demo, attention)
     is_held = isempty(steps(k).on) && bottom > constants().task_model.min_inside_bottom && ~isDragged(steps(k));
     if is_held, steps(k).takesPlaceOf = formerOwner(demo, steps(k)); end
   end
-  container = measureContainer(demo, steps);
+  for k = find(~[steps.stays])
+    steps(k).aside = asideOf(demo, steps(k), appearances);
+    if ~isempty(steps(k).aside), steps(k).after = setdiff(1:k - 1, steps(k).on); end
+  end
+  container = measureContainer(demo, steps(cellfun(@isempty, {steps.aside})));
 end
 
 function found = supportsOf(steps, others)

@@ -24,6 +24,7 @@ function state = initialTaskState(steps, container, presses, shown)
 %   lastPicture, numLooks, numStill  seen before the scene was still, number of pictures until then, and of the last of
 %              them in which nothing moved
 %   unseenColors  of things in the demonstration, not yet seen here, Nx3; NaN: all
+%   surface    what the eye sees now, see surfaceOf, if something has to be put aside; [] if not
 %   claim      about the result, at the end: done, true if everything is built, and reason, one line; see
 %              giveUp
   if nargin < 4
@@ -38,7 +39,7 @@ function state = initialTaskState(steps, container, presses, shown)
                  'failures', {struct('position', {}, 'arm', {}, 'yaw', {})}, 'moved', '', ...
                  'notes', asNote({}, {}), 'presses', presses, 'shown', shown, ...
                  'alignments', struct('angle', {}, 'place', {}, 'control', {}), 'lastPicture', [], 'numLooks', 0, ...
-                 'numStill', 0, 'claim', [], 'unseenColors', NaN);
+                 'numStill', 0, 'claim', [], 'surface', [], 'unseenColors', NaN);
   % What has to be turned may lie on any of its faces.
   for step = steps(~cellfun(@isempty, {steps.startSize}))
     for sides = onEachFace(step.size)'

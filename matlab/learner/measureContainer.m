@@ -11,7 +11,10 @@ function container = measureContainer(demo, steps)
   inside = steps(bottoms > c.min_inside_bottom & cellfun(@isempty, {steps.on}) & is_carried & ...
                  cellfun(@isempty, {steps.takesPlaceOf}));
   if isempty(inside) || isempty(demo.moves), return; end
-  for n = setdiff(1:numel(demo.ids), demo.placed)
+  still = setdiff(1:numel(demo.ids), demo.placed);
+  away = demo.start(still, 1:2) - inside(1).position(1:2);
+  [~, order] = sort(hypot(away(:, 1), away(:, 2)));
+  for n = still(order)
     height = 2 * demo.start(n, 3);  % it stands on the table
     % The first picture and the color in the middle, usually that of its floor, come first: later something
     % else may cover it, or no longer.

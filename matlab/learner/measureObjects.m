@@ -8,6 +8,7 @@ function appearances = measureObjects(demo, needed)
   at_start = noBlocks();  % those measured so far
   pictures = containers.Map('KeyType', 'double', 'ValueType', 'any');  % cache
   [~, order] = sort(demo.start(:, 3));
+  order = order(~ismember(order, carriedAlong(demo)));
   for n = order'
     found = measureObject(demo, n, at_start, pictures);
     if ~isempty(found)
@@ -41,18 +42,23 @@ function block = measureObject(demo, n, lower, pictures)
       [color, sides, form] = measureTop(pictures(row(1)), demo.eye, row(2:7)', height);
       if isempty(sides), continue; end
       block = newBlock(color, [sides, height], start(1:3), start(6) * pi / 180, form);
-      if bottom == 0 || any(arrayfun(@(it) standsOn(block, it), lower)), return; end
+      is_on = any(arrayfun(@(it) standsOn(block, it), lower));
+      middle = row(2:4)' + [0, 0, height / 2];
+      if bottom == 0 || (is_on && ~isSideAt(pictures(row(1)), demo.eye, middle)), return; end
     end
   end
-  block = measureBall(demo, start, frames, pictures);
+  block = measureBall(demo, n, frames, pictures);
   if isempty(block), block = measureTopWithKnob(demo, n, frames, pictures); end
   if isempty(block), block = measureParts(demo, n); end
+  if isempty(block), block = measureFlatTop(demo, n, lower); end
 end
 
-function block = measureBall(demo, start, frames, pictures)
+function block = measureBall(demo, n, frames, pictures)
 % Measures an object that may be a ball on the table, like measureObject.
   block = noBlocks();
+  start = demo.start(n, :);
   radius = start(3);
+  if ~mayBeBall(demo, n), return; end
   for row = frames'
     if isempty(pictures(row(1))), continue; end
     color = ballColor(pictures(row(1)), demo.eye, row(2:4)', radius);

@@ -25,9 +25,9 @@ function sides = sidesAround(picture, eye, color, pose, height)
   sides = [];
   c = constants();
   top = pose(1:3) + [0, 0, height / 2];
-  number = labelRegions(colorMask(picture, color));
   [~, pixel] = colorAt(picture, eye, top);
-  if any(pixel < 1 | pixel > [size(picture, 2), size(picture, 1)]), return; end
+  if ~isColorNear(picture, color, pixel), return; end
+  number = labelRegions(colorMask(picture, color));
   for region = find(accumarray(number(number > 0), 1) >= c.perception.min_rim_pixels)'
     if number(pixel(2), pixel(1)) == region, continue; end
     [row, column] = find(number == region);

@@ -10,6 +10,7 @@ function step = newStep(block, name)
 %   takesPlaceOf  name of the object that began at the place of this step; empty if there is none
 %   start     its center at the start of the demonstration, 1x3 [units]; [] if unknown
 %   startSize  as size, of an object that began on another face; [] for others
+%   aside     where it was put before it came back, see asideOf; [] for others
 %   tolerance  of its position [units]
 % Its color is [] if the demonstrator specified that color does not matter.
   step = block;
@@ -22,5 +23,6 @@ function step = newStep(block, name)
   step.takesPlaceOf = '';
   step.start = [];
   step.startSize = [];
+  step.aside = [];
   step.tolerance = constants().blocks.position_tolerance;
 end

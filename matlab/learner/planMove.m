@@ -6,9 +6,15 @@ function [actions, place, is_temporary, reason] = planMove(state, k, move, eye, 
 %   is_temporary  whether that is a temporary place
 %   actions       1xN cell; {} and a reason if there are none
   block = state.known(move.block);
+  steps = state.steps;
+  for step = steps(~cellfun(@isempty, {steps.aside}))
+    if ~isSameKind(block, step), continue; end
+    is_temporary = isempty(move.goal);
+    [actions, place, reason] = planReturning(withDepth(block, state.surface), step, ~is_temporary, state, arms, sensor);
+    return
+  end
   others = withHeldParts(state.known([1:move.block - 1, move.block + 1:end]));
   others = [others, assumedSupport(block), containerWalls(state.container)];
-  steps = state.steps;
   container = asBlocks(state.container);
   sites = {[asBlocks(steps), container]};
   is_temporary = false;
@@ -19,7 +25,8 @@ function [actions, place, is_temporary, reason] = planMove(state, k, move, eye, 
       goal.position(3) = state.container.position(3) + (state.container.size(3) + goal.size(3)) / 2;
     end
     sites{2} = [asBlocks(steps(state.done)), container];
-    [actions, reason] = planPickAndPlace(arms, block, goal, others, sensor, state.failures);
+    [actions, reason] = planPickAndPlace(arms, withDepth(block, state.surface), withDepth(goal, state.surface), others, ...
+                                         sensor, state.failures);
     place = block;
     place.position = move.goal.position;
     place.yaw = move.goal.yaw;

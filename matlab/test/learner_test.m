@@ -27,6 +27,7 @@ try
   check_parts();
   check_presses();
   check_uses();
+  check_drives();
 catch err
   fprintf('%s\n', err.message);
   exit(1);

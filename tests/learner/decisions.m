@@ -33,6 +33,11 @@ function decideOn(folder, aux)
   printf('goal %s\n', goal{:});
   printPage(keyframes, goal);
   for step = steps
+    if ~isempty(step.aside)
+      [row, column] = find(step.aside.changed);
+      show('aside', [step.aside.place.position, step.aside.place.yaw, step.aside.height, numel(row), sum(row - 1), ...
+                     sum(column - 1)]);
+    end
     show(['step ', step.name, ' ', step.form], [step.color, step.size, step.position, step.yaw, step.on - 1, ...
                                               step.hasKnob, step.beginsThere, step.after - 1]);
     show(strtrim(['begin ', step.takesPlaceOf]), [step.start, step.startSize]);
@@ -41,7 +46,10 @@ function decideOn(folder, aux)
   presses = inferDevices(demo, steps, appearances);
   for press = presses
     [row, column] = find(press.changed);
-    show(describePress(press), [press.after - 1, numel(row), sum(row - 1), sum(column - 1), press.pose, press.begin]);
+    turns = [];
+    for it = press.turns, turns = [turns, it.place, it.number, it.isLoosening]; end
+    show(describePress(press), [press.after - 1, numel(row), sum(row - 1), sum(column - 1), press.pose, press.begin, ...
+                                press.height, turns]);
   end
   state = initialTaskState(steps, container, presses, demo.eye);
   sensor.rgbVision = double(imread(fullfile(folder, 'look.png'))) / 255;

@@ -25,9 +25,11 @@ from act.robot_arms import arms_of
 from check.task_state import TaskState
 from explain.demonstration import has_texts, read_demonstration
 from explain.devices import infer_devices
+from explain.drives import Drive
 from explain.explanation import explain
 from explain.sentences import page_of
 from explain.task_model import infer_task
+from explain.uses import Use
 from explain.watching import watch_demonstration
 from plan.task_planning import choose_actions
 
@@ -46,6 +48,7 @@ CASES = {
                ("plank", ["--seed", "4"]), ("drive", ["--seed", "1", "--level", "fixtures"]),
                ("drive", ["--seed", "3", "--level", "fixtures"], 'brightness="0.8" color="#fff0d8"'), ("scissors", []),
                ("scissors", ["--seed", "2", "--level", "fixtures"]),
+               ("cover", ["--seed", "1", "--level", "fixtures"]),
                ("tower", ["--seed", "2", "--level", "distractors"], 'brightness="0.75"'),
                ("um", ["--seed", "3", "--level", "mixed"], 'brightness="0.8" color="#ffd8b0"'),
                ("lid", ["--seed", "1", "--level", "piles"], 'brightness="0.8"'),
@@ -139,6 +142,10 @@ def decisions(case, aux):
     lines += [f"goal {it}" for it in explanation.goal]
     lines += page_of(explanation)
     for step in steps:
+        if step.aside:
+            row, column = np.nonzero(step.aside.changed)
+            lines.append(fact("aside", *step.aside.place.position, step.aside.place.yaw, step.aside.height, len(row),
+                              row.sum(), column.sum()))
         lines += [fact("step", step.name, step.form, *step.color, *step.size, *step.position, step.yaw,
                        *step.on, step.has_knob, step.begins_there, *step.after),
                   fact("begin", step.takes_place_of, *step.start if step.start is not None else [],
@@ -146,7 +153,9 @@ def decisions(case, aux):
         lines += [fact("part", *it.color, *it.size, *it.position, it.yaw) for it in step.parts]
     for press in presses:
         row, column = np.nonzero(press.changed)
-        way = [*press.pose, *press.begin] if press.tool else []
+        way = [*press.pose, *press.begin] if isinstance(press, Use) else []
+        if isinstance(press, Drive):
+            way = [press.height, *(number for it in press.turns for number in (*it.place, it.number, it.is_loosening))]
         lines.append(fact(str(press), *press.after, len(row), row.sum(), column.sum(), *way))
     picture = np.asarray(Image.open(f"{case}/look.png").convert("RGB"))
     arms = arms_of(SimpleNamespace(**aux | {

@@ -29,7 +29,8 @@ def measure_flat_top(demo, n, others):
     for row in moves[np.argsort(-moves[:, 3], kind="stable")[:C.num_highest_frames]] if earlier else []:
         later = read_picture(demo, row[0])
         if later is not None:
-            views = (read_picture(demo, earlier[-1]), moves[0, 1:]), (later, row[1:])
+            # Where it is held high, closer to the eye, its sides have more pixels.
+            views = (later, row[1:]), (read_picture(demo, earlier[-1]), moves[0, 1:])
             tops += parts_between(*views, demo.eye, can_be_round=True)
     groups = [[it for it in tops if is_same_top(it, one)] for one in tops]
     if not groups:

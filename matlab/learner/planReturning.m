@@ -1,0 +1,35 @@
+function [actions, place, reason] = planReturning(block, step, is_back, state, arms, sensor)
+% Plans to put a block that comes back aside, or back: a 1xN cell of actions; {} and a reason if no arm can. It passes over all
+% as high as in the demonstration, and turns as there.
+%   step   of the block, whose aside is in this scene
+%   place  the block where it will be
+  actions = {};
+  places = {asBlocks(step), step.aside.place};
+  away = cellfun(@(it) norm(block.position - it.position), places);
+  here = places{1 + (away(2) < away(1))};
+  there = places{2 - is_back};
+  block.yaw = directed(block, here.yaw);
+  place = block;
+  place.position = there.position;
+  place.yaw = there.yaw;
+  % Only what is as high as the fingers is in their way.
+  lowest = min(block.position(3), place.position(3)) + block.size(3) / 2 - constants().clearance.hand_above_top;
+  is_other = arrayfun(@(it) it.position(3) + it.size(3) / 2 > lowest && ~isSameKind(it, step), state.known);
+  others = state.known(is_other);
+  height = step.aside.height + block.size(3) / 2;
+  reason = 'no arm reaches both its place and its goal';
+  for arm = nearestFirst(arms(arrayfun(@(arm) canHold(arm, block.size(2)), arms)), block.position(1))
+    tool_height = height - gripDepth(arm, block.size(3));
+    q = sensor.arms(arm.index).joints(:)';
+    place_yaws = graspYaws(place, others);
+    for grasp_yaw = graspYaws(block, others)
+      if hasFailed(newGrasp(block.position, arm, grasp_yaw), state.failures), continue; end
+      for place_yaw = place_yaws
+        turn = place_yaw - grasp_yaw - (place.yaw - block.yaw);
+        if abs(sin(turn / 2)) > 0.01, continue; end
+        actions = planArmPickAndPlace(arm, block, grasp_yaw, place, place_yaw, tool_height, tool_height, others, q);
+        if ~isempty(actions), return; end
+      end
+    end
+  end
+end

@@ -53,7 +53,8 @@ struct RobotInfo {
   bool operator==(const RobotInfo&) const = default;
 };
 
-/// What a recording corrects: it is the same as another one up to a moment, at which a user took over.
+/// What a recording corrects: it is the same as another one up to a moment, at which a user took
+/// over.
 struct Correction {
   std::string recording;  ///< name of the other recording's directory
   double seconds = 0;     ///< from the start of both demonstrations to that moment

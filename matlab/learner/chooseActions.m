@@ -57,12 +57,12 @@ function [actions, state] = planOneOf(open, state, free, eye, arms, sensor)
   insisted = state.insistsOn;
   state.insistsOn = [];
   k = open(1 + mod(state.numBlocked, numel(open)));
-  if any(ismember(insisted, open)), k = insisted; end
+  if any(ismember(insisted, open)) || waitsForSupport(state, insisted), k = insisted; end
   is_last_resort = isequal(k, insisted) || state.numBlocked >= numel(open);
   [actions, state, reason] = planStep(state, k, free, is_last_resort, eye, arms, sensor);
   if ~isempty(actions)
     state.numBlocked = 0;
-    if is_last_resort, state.insistsOn = k; end
+    if is_last_resort && any(open == k), state.insistsOn = k; end
     return
   end
   if state.numBlocked == 0, state.firstFailure = [describeStep(state.steps(k)), ': ', reason]; end

@@ -37,6 +37,16 @@ end
 
 function moves = movesFor(state, k, free, is_last_resort, eye, arms, sensor)
 % Returns the moves that may come next for step k, the best first: a 1xN struct array, see newMove.
+  if waitsForSupport(state, k)
+    % What it stands on was taken down, because it left no room for fingers at its block: that goes elsewhere.
+    moves = noMoves();
+    for i = free
+      block = state.known(i);
+      is_covered = hasObjectsOn(block, state.known(free));
+      if isSameKind(block, state.steps(k)) && ~is_covered, moves(end + 1) = newMove(i); end
+    end
+    return
+  end
   moves = [uncoveringMoves(state, free, eye), proposeMoves(state, k, free)];
   opening = max([arms.opening]) - constants().arms.opening_margin;
   moves = [moves, turningMoves(state.steps(k), state.known, free, opening)];

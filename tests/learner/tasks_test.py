@@ -1,6 +1,6 @@
 """The learner does tasks beyond those of `smile experiment`: equal colors that touch at several heights,
 half heights and several sizes, what the demonstration did not move, what began on something, what must make room
-first, discs, a ball, a lid, a plank that must be turned, a switch and drives of several colors, a pair of scissors,
+first, what is built and in the way of the next grasp, discs, a ball, a lid, a plank that must be turned, a switch and drives of several colors, a pair of scissors,
 and a cover that screws hold.
 What it claims at the end is right.
 
@@ -32,6 +32,7 @@ CASES = [("pyramid", PYTHON, ["--seed", "1"]), ("bricks", OCTAVE, ["--seed", "1"
          ("cover", PYTHON, ["--seed", "1", "--level", "fixtures"]),
          ("plank", OCTAVE, ["--seed", "2"]), ("drive", OCTAVE, ["--seed", "41", "--level", "fixtures"]),
          ("scissors", OCTAVE, ["--seed", "31", "--level", "fixtures"]),
+         ("bridge", PYTHON, ["--seed", "1067"]), ("bridge", OCTAVE, ["--seed", "1067"]),
          ("pedestal", OCTAVE, [])]
 
 

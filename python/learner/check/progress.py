@@ -19,6 +19,11 @@ def open_steps(state):
     return sorted(steps, key=lambda k: rank[k])
 
 
+def waits_for_support(state, k):
+    """Returns true if step k, or None, stands on one that is not done."""
+    return k is not None and not all(state.done[lower] for lower in state.steps[k].on)
+
+
 def assess_progress(state):
     """Compares the known blocks with the steps: updates state.done and state.placement_errors.
     Returns the blocks that are in the place of a step, a list."""

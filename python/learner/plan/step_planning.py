@@ -2,11 +2,15 @@
 
 from check.failures import num_failures
 from check.notes import action_note, name_of
+from check.progress import waits_for_support
 from constants import ARMS, TASK_PLANNING as C
 from plan.clearing import clearing_moves, uncovering_moves
 from plan.making_room import room_moves
+from plan.moves import Move
+from plan.obstruction import has_objects_on
 from plan.move_planning import plan_move
 from plan.proposals import propose_moves, turning_moves
+from things.kinds import is_same_kind
 
 
 def plan_step(state, k, free, is_last_resort, eye, arms, sensor):
@@ -23,7 +27,7 @@ def plan_step(state, k, free, is_last_resort, eye, arms, sensor):
         return [], f"blocks were put aside {C.max_temporary_placements} times already"
     step = state.steps[k]
     reason = "no matching block is visible"
-    for move in moves_for(state, step, free, is_last_resort, eye, arms, sensor):
+    for move in moves_for(state, k, free, is_last_resort, eye, arms, sensor):
         if num_failures(state, move.block) >= C.max_failed_grasps:
             reason = f"{C.max_failed_grasps} grasps of a block failed"
             continue
@@ -34,8 +38,12 @@ def plan_step(state, k, free, is_last_resort, eye, arms, sensor):
     return [], reason
 
 
-def moves_for(state, step, free, is_last_resort, eye, arms, sensor):
-    """Returns the moves that may come next for a step, the best first: a list of Moves."""
+def moves_for(state, k, free, is_last_resort, eye, arms, sensor):
+    """Returns the moves that may come next for step k, the best first: a list of Moves."""
+    step = state.steps[k]
+    if waits_for_support(state, k):
+        # What it stands on was taken down, because it left no room for fingers at its block: that goes elsewhere.
+        return [Move(it) for it in free if is_same_kind(it, step) and not has_objects_on(it, free)]
     moves = uncovering_moves(state, free, eye) + propose_moves(state, step, free)
     moves += turning_moves(step, free, max(arm.opening for arm in arms) - ARMS.opening_margin)
     moves += clearing_moves(state, moves, free)

@@ -13,6 +13,7 @@
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/wording.h"
+#include "datasets/dataset_formats.h"
 #include "motion/limit_check.h"
 #include "motion/trajectory_files.h"
 #include "motion/trajectory_shape.h"
@@ -55,10 +56,6 @@ struct DatasetOptions {
   }
 };
 
-/// Formats of datasets (docs/datasets.md).
-constexpr std::array<std::string_view, 6> kDatasetFormats{
-    "lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr", "mcap", "csv"};
-
 /// Trajectory with the limits of its robot.
 struct Motion {
   motion::JointTrajectory trajectory;
@@ -87,7 +84,7 @@ const Format& FormatOf(const ExportOptions& options) {
     if (options.format == format.name) return format;
     names.emplace_back(format.name);
   }
-  names.insert(names.end(), kDatasetFormats.begin(), kDatasetFormats.end());
+  names.insert(names.end(), datasets::kDatasetFormats.begin(), datasets::kDatasetFormats.end());
   throw std::invalid_argument("--to is " + Quoted(options.format) + ", expected " + OneOf(names));
 }
 
@@ -202,7 +199,8 @@ int ExportMotion(const ExportOptions& options) {
 
 int Export(const ExportOptions& options, const DatasetOptions& dataset) {
   const std::vector<std::string> arguments = dataset.arguments();
-  if (std::ranges::find(kDatasetFormats, options.format) != kDatasetFormats.end()) {
+  if (std::ranges::find(datasets::kDatasetFormats, options.format) !=
+      datasets::kDatasetFormats.end()) {
     RequireOutsideOfRecordings(options.out);
     std::vector<std::string> words{"export"};
     words.insert(words.end(), options.runs.begin(), options.runs.end());
@@ -258,7 +256,8 @@ void AddExport(CLI::App* program, ExitAnswer answer) {
     formats += (formats.empty() ? "" : "; ") + std::string(format.name) + ": " + format.meaning;
   }
   formats += "; datasets:";
-  for (const std::string_view format : kDatasetFormats) formats += " " + std::string(format);
+  for (const std::string_view format : datasets::kDatasetFormats)
+    formats += " " + std::string(format);
   command->add_option("--to", options->format, formats)->required();
   command->add_option("--out", options->out, "file to write, or directory of the dataset")
       ->required()

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace smile::camera::internal {
 namespace {
 
 bool AreSame(const Piece& a, const Piece& b) {
-  return std::memcmp(&a.instance, &b.instance, sizeof(Instance)) == 0 &&
-         a.casts_shadow == b.casts_shadow && a.unit_mesh == b.unit_mesh;
+  return a.instance == b.instance && a.casts_shadow == b.casts_shadow && a.unit_mesh == b.unit_mesh;
 }
 
 PixelRectangle Whole(const CameraIntrinsics& intrinsics) {

@@ -17,6 +17,8 @@ struct Instance {
   float color[3] = {};    ///< red, green, blue as shown on a screen
   std::uint32_t object_id = 0;
   std::uint32_t glows = 0;  ///< 1: shows its color whatever light there is
+
+  bool operator==(const Instance&) const = default;
 };
 static_assert(sizeof(Instance) == 68);
 

@@ -4,7 +4,6 @@
 #include "camera/internal_shadow_map.h"
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <stdexcept>
 
@@ -56,7 +55,10 @@ std::vector<Piece> Casters(const std::vector<Piece>& pieces) {
 
 /// Returns true if two pieces cast the same shadow.
 bool HaveSameShape(const Piece& a, const Piece& b) {
-  return std::memcmp(a.instance.rows, b.instance.rows, sizeof(a.instance.rows)) == 0 &&
+  const auto are_same = [](const auto& one, const auto& other) {
+    return std::ranges::equal(one, other);
+  };
+  return std::ranges::equal(a.instance.rows, b.instance.rows, are_same) &&
          a.unit_mesh == b.unit_mesh;
 }
 

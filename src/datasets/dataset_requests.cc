@@ -11,6 +11,7 @@
 #include "base/file_state.h"
 #include "base/files.h"
 #include "base/wording.h"
+#include "datasets/dataset_formats.h"
 #include "experiment/json_file.h"
 #include "layout/layout_level.h"
 #include "library/brain_choices.h"
@@ -32,9 +33,6 @@ constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 52;
 constexpr std::uint64_t kMinPixels = 16, kMaxPixels = 1920;
 constexpr std::size_t kMaxCameras = 8;
 
-/// As `smile export --to` knows them; see docs/datasets.md.
-constexpr std::array<std::string_view, 6> kFormats{"lerobot-v3.0", "lerobot-v2.1", "robomimic",
-                                                   "zarr",         "mcap",         "csv"};
 /// Cameras of a robot, and views for people.
 constexpr std::array<std::string_view, 8> kCameras{"eye",   "head", "close", "nice",
                                                    "front", "left", "right", "top"};
@@ -157,7 +155,7 @@ Json DatasetRequests::Describe() const {
   return {{"jobs", jobs_.List()},
           {"folder", library_->root().string()},
           {"levels", ListOf(layout::kLayoutLevelWords)},
-          {"formats", ListOf(kFormats)},
+          {"formats", ListOf(kDatasetFormats)},
           {"cameras", ListOf(kCameras)},
           {"rates", ListOf(kRates)},
           {"max_count", kMaxCount},
@@ -241,7 +239,7 @@ std::vector<std::string> DatasetRequests::ExportArguments(const page::Request& r
                                      "export",
                                      run.string(),
                                      "--to",
-                                     fields.Word("format", kFormats),
+                                     fields.Word("format", kDatasetFormats),
                                      "--fps",
                                      std::to_string(rate),
                                      "--out",

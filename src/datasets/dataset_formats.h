@@ -1,0 +1,12 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace smile::datasets {
+
+/// Formats of datasets that the Python package writes; see docs/datasets.md.
+inline constexpr std::array<std::string_view, 6> kDatasetFormats{
+    "lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr", "mcap", "csv"};
+
+}  // namespace smile::datasets

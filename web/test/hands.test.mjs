@@ -98,9 +98,9 @@ test("a recording is corrected from the moment at which it went wrong", async (t
   await witness.until(() => witness.state.recording === null, "the end of the recording");
 
   await page.getByRole("slider", { name: "Moment" }).fill("0");
-  await person.press("Correct from here");
+  await person.press("Correct");
   await page.getByText("when it resumes, you act").waitFor();
-  await page.getByText(/^Corrects .* from 0.0 s$/).first().waitFor();
+  await page.getByText(/^Corrects .* from 0.0\ss$/).first().waitFor();
   const { id } = witness.state.recording;
   assert.equal(held("left"), null, "back before it went wrong");
   await page.keyboard.press(" ");
@@ -113,7 +113,7 @@ test("a recording is corrected from the moment at which it went wrong", async (t
 
   await person.showPanel("Library");
   const cards = page.getByRole("list").locator(".recording");
-  await cards.nth(1).getByText(/^Corrects .* from 0.0 s$/).waitFor();
+  await cards.nth(1).getByText(/^Corrects .* from 0.0\ss$/).waitFor();
 });
 
 test("buttons and keys move things the way they say, as one sees it", async (t) => {

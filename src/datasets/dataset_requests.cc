@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
 #include <optional>
 #include <string_view>
 #include <thread>
@@ -12,6 +13,7 @@
 #include "base/files.h"
 #include "base/wording.h"
 #include "datasets/dataset_formats.h"
+#include "datasets/variations.h"
 #include "experiment/json_file.h"
 #include "layout/layout_level.h"
 #include "library/brain_choices.h"
@@ -73,8 +75,8 @@ library::BrainChoice ImitatorNamed(const std::vector<fs::path>& folders, const s
 Json KeptOf(const Json& wanted) {
   Json kept = Json::object();
   for (const char* key :
-       {"recording", "name", "scene", "brain", "count", "level", "seed", "jobs"}) {
-    kept[key] = wanted[key];
+       {"recording", "name", "scene", "brain", "count", "level", "seed", "jobs", "variations"}) {
+    if (wanted.contains(key)) kept[key] = wanted[key];
   }
   return kept;
 }
@@ -130,7 +132,27 @@ void DatasetRequests::AddTo(page::RequestTable* table, const InBackground& in_ba
     jobs_.Stop(static_cast<int>(page::RequestFields(request).Whole("job", 1'000'000'000)));
     return Json::object();
   }};
+  AddTidying(table);
   table->deferred.emplace_back([this] { return TakeChanges(); });
+}
+
+void DatasetRequests::AddTidying(page::RequestTable* table) {
+  // Handlers share a thread, so no job begins to use a set while it moves.
+  const auto unused = [this](const page::Request& request) {
+    const std::string set = page::RequestFields(request).Text("set");
+    if (!jobs_.IsUsing(set)) return set;
+    throw page::RequestError(Quoted(set) + " is being made or exported; wait until that is done");
+  };
+  table->requests["rename_set"] = {[this, unused](const page::Request& request) {
+    sets_.Rename(unused(request), page::RequestFields(request).Text("name"));
+    return Json::object();
+  }};
+  table->requests["bin_set"] = {[this, unused](const page::Request& request) -> Json {
+    return {{"set", sets_.Bin(unused(request))}};
+  }};
+  table->requests["unbin_set"] = {[this](const page::Request& request) -> Json {
+    return {{"set", sets_.Unbin(page::RequestFields(request).Text("set"))}};
+  }};
 }
 
 void DatasetRequests::AddReading(page::RequestTable* table, const InBackground& in_background) {
@@ -155,6 +177,7 @@ Json DatasetRequests::Describe() const {
   return {{"jobs", jobs_.List()},
           {"folder", library_->root().string()},
           {"levels", ListOf(layout::kLayoutLevelWords)},
+          {"variations", DescribeVariations()},
           {"formats", ListOf(kDatasetFormats)},
           {"cameras", ListOf(kCameras)},
           {"rates", ListOf(kRates)},
@@ -176,6 +199,10 @@ std::vector<std::string> DatasetRequests::GenerateArguments(const page::Request&
   std::vector<std::string> arguments{options_.program.string(), "generate",
                                      library_->DirectoryOf(fields.Text("recording")).string()};
   for (const auto& [name, value] : options) arguments.insert(arguments.end(), {name, value});
+  if (fields.Has("variations")) {
+    std::ranges::move(VariationArguments(fields.Object("variations")),
+                      std::back_inserter(arguments));
+  }
   arguments.insert(arguments.end(), options_.robot_arguments.begin(),
                    options_.robot_arguments.end());
   return arguments;
@@ -218,6 +245,7 @@ Json DatasetRequests::Start(const Json& wanted) {
   WriteFile(sets_.RequestFileOf(name), ToText(KeptOf(wanted)) + "\n");
   const int job = jobs_.Add({.what = "generate",
                              .name = name,
+                             .set = name,
                              .programs = {std::move(program)},
                              .progress = [this, name, count](const std::string&) {
                                return sets_.ProgressOf(name, count);
@@ -261,6 +289,7 @@ Json DatasetRequests::Export(const page::Request& request) {
   const int job = jobs_.Add(
       {.what = "export",
        .name = name,
+       .set = page::RequestFields(request).OptionalText("set").value_or(""),
        .programs = {{.arguments = ExportArguments(request, to), .log = to.string() + ".log"},
                     {.arguments = doctor, .log = to.string() + ".doctor.log", .is_check = true}},
        .progress = &ExportProgress});

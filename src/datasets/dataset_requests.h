@@ -36,12 +36,12 @@ class DatasetRequests {
   /// @param library  must outlive this.
   DatasetRequests(DatasetOptions options, const library::Library* library);
 
-  /// Adds `jobs`, `generate`, `continue_set`, `export`, `stop_job`, `sets` and `open_set`. This
-  /// must outlive the table.
+  /// Adds the requests about jobs and generated sets. This must outlive the table.
   void AddTo(page::RequestTable* table, const InBackground& in_background);
 
  private:
   void AddReading(page::RequestTable* table, const InBackground& in_background);
+  void AddTidying(page::RequestTable* table);
   Json Describe() const;
   Json Generate(const page::Request& request);
   Json Continue(const page::Request& request);

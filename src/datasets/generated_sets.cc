@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <optional>
 #include <system_error>
 #include <tuple>
@@ -9,6 +10,7 @@
 
 #include "base/diagnostic.h"
 #include "base/file_state.h"
+#include "base/files.h"
 #include "base/wording.h"
 #include "experiment/json_file.h"
 #include "library/library.h"
@@ -74,6 +76,26 @@ Json Described(const std::string& set, const EndedAttempt& ended) {
   return attempt;
 }
 
+/// Returns the sets in a folder, newest first, as recordings; by the time at which the generation
+/// began.
+std::vector<fs::path> SetsIn(const fs::path& root) {
+  std::vector<fs::path> folders = FoldersIn(root);
+  std::erase_if(folders, [](const fs::path& folder) {
+    return !StateOf(folder / "generation.json").is_file ||
+           !recording::IsRecordingName(folder.filename().string());
+  });
+  std::ranges::sort(folders, [](const fs::path& a, const fs::path& b) {
+    const auto key = [](const fs::path& folder) {
+      return StateOf(folder / "generation.json").changed;
+    };
+    return std::tuple(key(b), a) < std::tuple(key(a), b);
+  });
+  return folders;
+}
+
+/// Returns the file with the request that made the set in a folder.
+fs::path RequestFileBeside(const fs::path& folder) { return folder.string() + ".json"; }
+
 /// Returns the episodes, attempts and causes of a summary.
 Json CountsOf(const experiment::GenerationSummary& summary) {
   const Json json = experiment::ToJson(summary);
@@ -115,7 +137,45 @@ fs::path GeneratedSets::FolderOf(const std::string& name) const {
 }
 
 fs::path GeneratedSets::RequestFileOf(const std::string& name) const {
-  return FolderFor(name).string() + ".json";
+  return RequestFileBeside(FolderFor(name));
+}
+
+void GeneratedSets::Move(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  // The folder is the set, and moves at once; what stands beside it follows.
+  fs::rename(from, to, error);
+  if (error) throw page::RequestError(from.string() + " cannot be moved: " + error.message());
+  for (const char* end : {".json", ".log"}) {
+    const fs::path beside = from.string() + end;
+    if (StateOf(beside).is_file) fs::rename(beside, to.string() + end);
+  }
+}
+
+void GeneratedSets::Rename(const std::string& name, const std::string& new_name) {
+  const fs::path from = FolderOf(name), to = FolderFor(new_name);
+  if (StateOf(to) != FileState()) {
+    throw page::RequestError("there is a set " + Quoted(new_name) +
+                             " already; choose another name");
+  }
+  Move(from, to);
+}
+
+std::string GeneratedSets::Bin(const std::string& name) {
+  const fs::path from = FolderOf(name);
+  MakeDirectories(bin());
+  const fs::path to = recording::NewDirectory(bin(), name);
+  Move(from, to);
+  return to.filename().string();
+}
+
+std::string GeneratedSets::Unbin(const std::string& name) {
+  const fs::path from = bin() / FolderFor(name).filename();
+  if (!StateOf(from / "generation.json").is_file) {
+    throw page::RequestError("there is no generated set " + Quoted(name) + " in the bin");
+  }
+  const fs::path to = recording::NewDirectory(root_, name);
+  Move(from, to);
+  return to.filename().string();
 }
 
 std::vector<EndedAttempt> GeneratedSets::Read(const fs::path& folder) {
@@ -141,28 +201,21 @@ std::vector<EndedAttempt> GeneratedSets::Read(const fs::path& folder) {
 }
 
 Json GeneratedSets::List() {
-  std::vector<fs::path> folders = FoldersIn(root_);
-  std::erase_if(folders, [](const fs::path& folder) {
-    return !StateOf(folder / "generation.json").is_file ||
-           !recording::IsRecordingName(folder.filename().string());
-  });
-  // Newest first, as recordings; by the time at which the generation began.
-  std::ranges::sort(folders, [](const fs::path& a, const fs::path& b) {
-    const auto key = [](const fs::path& folder) {
-      return StateOf(folder / "generation.json").changed;
-    };
-    return std::tuple(key(b), a) < std::tuple(key(a), b);
-  });
+  std::vector<fs::path> folders = SetsIn(root_);
+  std::ranges::move(SetsIn(bin()), std::back_inserter(folders));
   if (folders.size() > kMaxSets) folders.resize(kMaxSets);
   Json list = Json::array();
-  for (const fs::path& folder : folders) list.push_back(Describe(folder.filename().string()));
+  for (const fs::path& folder : folders) list.push_back(DescribeFolder(folder));
   return list;
 }
 
-Json GeneratedSets::Describe(const std::string& name) {
-  const fs::path folder = FolderOf(name);
+Json GeneratedSets::Describe(const std::string& name) { return DescribeFolder(FolderOf(name)); }
+
+Json GeneratedSets::DescribeFolder(const fs::path& folder) {
+  const std::string name = folder.filename().string();
   const std::vector<EndedAttempt> attempts = Read(folder);
-  const Json request = JsonIfAny(RequestFileOf(name)), made = JsonIfAny(folder / "summary.json");
+  const Json request = JsonIfAny(RequestFileBeside(folder)),
+             made = JsonIfAny(folder / "summary.json");
   const Json wanted = request.contains("count") ? request["count"] : made.value("wanted", Json());
   const auto summary = experiment::SummaryOf(attempts, 0);
   Json set{{"name", name}};
@@ -175,7 +228,10 @@ Json GeneratedSets::Describe(const std::string& name) {
   // A summary is written last; of fewer episodes than wanted now, it is of an earlier command.
   set["is_complete"] = made.contains("wanted") && made["wanted"] == wanted;
   set["can_continue"] = !request.empty();
-  set["picture"] = PictureOf(name, attempts);
+  // Recordings in the bin have no ids, hence no pictures.
+  const bool is_binned = folder.parent_path() == bin();
+  set["binned"] = is_binned;
+  set["picture"] = is_binned ? Json() : PictureOf(name, attempts);
   return set;
 }
 

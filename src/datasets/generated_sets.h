@@ -33,10 +33,20 @@ class GeneratedSets {
   /// Returns the file with the request that made a set, if a page did.
   std::filesystem::path RequestFileOf(const std::string& name) const;
 
-  /// Returns the sets, newest first, as Describe() does.
+  /// Gives a set, which nothing may be using, another name.
+  /// @throws page::RequestError if that is taken.
+  void Rename(const std::string& name, const std::string& new_name);
+  /// Moves a set, which nothing may be using, into the folder `.bin` beside it; nothing is deleted.
+  /// @returns its name there: the same, with a number if that is taken.
+  std::string Bin(const std::string& name);
+  /// Moves a set out of the bin.
+  /// @returns its new name: the same, with a number if that is taken.
+  std::string Unbin(const std::string& name);
+
+  /// Returns the sets, newest first, as Describe() does, then those in the bin.
   Json List();
   /// Returns `{"name","scene","level","brain","wanted","episodes","attempts","yield","interval",
-  /// "causes","is_complete","can_continue","picture"}`.
+  /// "causes","is_complete","can_continue","binned","picture"}`.
   Json Describe(const std::string& name);
   /// Returns the attempts, by seed: `[{"recording","seed","episode","try","outcome","cause",
   /// "score","seconds","scene","level"}]`.
@@ -51,6 +61,10 @@ class GeneratedSets {
   };
   using Attempts = std::map<std::filesystem::path, Known>;
 
+  std::filesystem::path bin() const { return root_ / ".bin"; }
+  Json DescribeFolder(const std::filesystem::path& folder);
+  /// Moves a set with the files beside it.
+  void Move(const std::filesystem::path& from, const std::filesystem::path& to);
   /// Reads the attempts that have come since, and forgets those that are gone.
   std::vector<experiment::EndedAttempt> Read(const std::filesystem::path& folder);
 

@@ -125,6 +125,12 @@ bool JobQueue::IsBusy(const std::string& what, const std::string& name) const {
   return HasOpen(what, name);
 }
 
+bool JobQueue::IsUsing(const std::string& set) const {
+  const std::lock_guard lock(mutex_);
+  return std::ranges::any_of(
+      tasks_, [&](const Task& task) { return task.is_open() && task.job.set == set; });
+}
+
 Json JobQueue::List() const {
   const std::lock_guard lock(mutex_);
   Json list = Json::array();

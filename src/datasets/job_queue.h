@@ -29,6 +29,7 @@ struct JobProgram {
 struct Job {
   std::string what;  ///< `generate` or `export`
   std::string name;  ///< of the folder that it makes
+  std::string set;   ///< generated set that it makes or reads; empty: none
   std::vector<JobProgram> programs;
   /// Returns how far it is: more members of the description. Called in the thread of the queue,
   /// with the last line that the program printed; also once at the end.
@@ -57,6 +58,8 @@ class JobQueue {
   void Stop(int number);
   /// Returns true if a job of this kind and name waits or runs.
   bool IsBusy(const std::string& what, const std::string& name) const;
+  /// Returns true if a job that waits or runs makes or reads this generated set.
+  bool IsUsing(const std::string& set) const;
   /// Returns the jobs, oldest first: `[{"job","do","name","status","words",…}]`; see
   /// docs/studio-protocol.md.
   Json List() const;

@@ -25,6 +25,7 @@ JsonShape GeneratedSetShape() {
                       {"causes", CausesShape(), true, "number of failures for each cause"},
                       {"is_complete", FlagShape()},
                       {"can_continue", FlagShape(), true, "by `continue_set`"},
+                      {"binned", FlagShape()},
                       {"picture", TextShape().OrNull(), true, "recording of an attempt"}})
       .Called("GeneratedSet");
 }
@@ -42,6 +43,13 @@ JsonShape SetAttemptShape() {
               {"scene", TextShape()},
               {"level", TextShape()}})
       .Called("SetAttempt");
+}
+
+JsonShape VariationShape() {
+  const JsonShape degree = ObjectShape(
+      {{"name", TextShape()}, {"ranges", TextShape(), true, "as `smile generate` takes them"}});
+  return ObjectShape({{"kind", TextShape()}, {"degrees", JsonShape::List(degree)}})
+      .Called("Variation");
 }
 
 JsonShape JobShape() {

@@ -9,5 +9,6 @@ namespace smile::page {
 JsonShape GeneratedSetShape();
 JsonShape SetAttemptShape();
 JsonShape JobShape();
+JsonShape VariationShape();
 
 }  // namespace smile::page

@@ -167,6 +167,7 @@ std::vector<RequestForm> LibraryRequests() {
 std::vector<JsonMember> ChoiceMembers() {
   return {{"folder", TextShape(), true, "of the recordings, as the program knows it"},
           {"levels", TextsShape()},
+          {"variations", JsonShape::List(VariationShape())},
           {"formats", TextsShape()},
           {"cameras", TextsShape()},
           {"rates", NumbersShape()},
@@ -190,7 +191,9 @@ RequestForm GenerateForm() {
            {"count", NumberShape(), true, "wanted episodes"},
            {"level", TextShape()},
            {"seed", NumberShape()},
-           {"jobs", NumberShape(), true, "runs at a time"}},
+           {"jobs", NumberShape(), true, "runs at a time"},
+           {"variations", JsonShape::Map(TextShape()), kOptional,
+            "what differs between attempts: a degree of each kind, as `jobs` lists them"}},
           {{"job", NumberShape()}},
           "starts `smile generate` (docs/generation.md) as soon as no other job runs; makes "
           "`generated/NAME` in the folder of the recordings"};
@@ -217,25 +220,29 @@ RequestForm ExportForm() {
 /// Requests about generated sets, datasets and the jobs that make them.
 std::vector<RequestForm> DatasetRequests() {
   const JsonMember set{"set", TextShape()};
-  return {JobsForm(),
-          GenerateForm(),
-          {"continue_set",
-           {set},
-           {{"job", NumberShape()}},
-           "continues a set that `generate` began; what is there is kept"},
-          ExportForm(),
-          {"stop_job", {{"job", NumberShape()}}, {}, "what is done is kept"},
-          {"sets",
-           {},
-           {{"sets", JsonShape::List(GeneratedSetShape())}},
-           "the newest 200 generated sets, newest first",
-           true},
-          {"open_set",
-           {set},
-           {{"set", GeneratedSetShape()}, {"attempts", JsonShape::List(SetAttemptShape())}},
-           "the first 5000 attempts, by seed; their recordings can be opened and shown, and "
-           "changed by no request",
-           true}};
+  return {
+      JobsForm(),
+      GenerateForm(),
+      {"continue_set",
+       {set},
+       {{"job", NumberShape()}},
+       "continues a set that `generate` began; what is there is kept"},
+      ExportForm(),
+      {"stop_job", {{"job", NumberShape()}}, {}, "what is done is kept"},
+      {"rename_set", {set, {"name", TextShape()}}, {}, "while no job uses it"},
+      {"bin_set", {set}, {set}, "moves it into a bin, while no job uses it; nothing is deleted"},
+      {"unbin_set", {set}, {set}, "moves it out of the bin"},
+      {"sets",
+       {},
+       {{"sets", JsonShape::List(GeneratedSetShape())}},
+       "200 generated sets at most, newest first, then those in the bin",
+       true},
+      {"open_set",
+       {set},
+       {{"set", GeneratedSetShape()}, {"attempts", JsonShape::List(SetAttemptShape())}},
+       "the first 5000 attempts, by seed; their recordings can be opened and shown, and "
+       "changed by no request",
+       true}};
 }
 
 /// Requests that show a recording in place of the live world.

@@ -57,6 +57,7 @@ std::vector<NamedShape> NamedShapes() {
           {LibraryEntryShape()},
           {GeneratedSetShape()},
           {SetAttemptShape(), "Attempt at an episode of a generated set."},
+          {VariationShape(), "What can differ between the attempts of a set."},
           {JobShape(), "Long work that programs do, one after another."},
           {AllowedShape(), "True, or the reason why not."},
           {DiagnosticShape()},

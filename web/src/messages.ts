@@ -151,6 +151,7 @@ export interface GeneratedSet {
   is_complete: boolean;
   /** by `continue_set` */
   can_continue: boolean;
+  binned: boolean;
   /** recording of an attempt */
   picture: string | null;
 }
@@ -171,6 +172,12 @@ export interface SetAttempt {
   seconds: number | null;
   scene: string;
   level: string;
+}
+
+/** What can differ between the attempts of a set. */
+export interface Variation {
+  kind: string;
+  degrees: { name: string; ranges: string }[];
 }
 
 /** Long work that programs do, one after another. */
@@ -381,11 +388,14 @@ export interface Requests {
   try_edit: { fields: { recording: string; edits: unknown[] }; answer: { report: unknown } };
   edit: { fields: { recording: string; edits: unknown[]; name: string }; answer: { recording: string; report: unknown } };
   cancel: { fields: { request: number }; answer: object };
-  jobs: { fields: object; answer: { jobs: Job[]; folder: string; levels: string[]; formats: string[]; cameras: string[]; rates: number[]; max_count: number; max_jobs: number } };
-  generate: { fields: { recording: string; name: string; scene: string; brain: string; count: number; level: string; seed: number; jobs: number }; answer: { job: number } };
+  jobs: { fields: object; answer: { jobs: Job[]; folder: string; levels: string[]; variations: Variation[]; formats: string[]; cameras: string[]; rates: number[]; max_count: number; max_jobs: number } };
+  generate: { fields: { recording: string; name: string; scene: string; brain: string; count: number; level: string; seed: number; jobs: number; variations?: Record<string, string> }; answer: { job: number } };
   continue_set: { fields: { set: string }; answer: { job: number } };
   export: { fields: { recording?: string; set?: string; name: string; format: string; cameras: string[]; width: number; height: number; rate: number; include_failed?: boolean; drop_constant?: boolean }; answer: { job: number } };
   stop_job: { fields: { job: number }; answer: object };
+  rename_set: { fields: { set: string; name: string }; answer: object };
+  bin_set: { fields: { set: string }; answer: { set: string } };
+  unbin_set: { fields: { set: string }; answer: { set: string } };
   sets: { fields: object; answer: { sets: GeneratedSet[] } };
   open_set: { fields: { set: string }; answer: { set: GeneratedSet; attempts: SetAttempt[] } };
   show: { fields: { recording: string; seconds?: number }; answer: { length: number } };

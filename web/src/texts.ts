@@ -402,6 +402,21 @@ export const texts = {
     count: "Episodes",
     seed: "First seed",
     jobs: "Runs at a time",
+    variations: (kinds: string[]) => (kinds.length === 0 ? "Variations: none" : `Variations: ${kinds.join(", ").toLowerCase()}`),
+    variationsAbout:
+      "Each attempt draws these from its seed, as it does its layout. A policy that is to cope with them needs them in its data.",
+    kindOf: (kind: string) =>
+      ({
+        noise: "Sensor noise",
+        looks: "Light and colors",
+        pattern: "Pattern of the table",
+        cameras: "Place of the camera",
+        speed: "Speed of the robot",
+        order: "Order of independent steps",
+        disturbances: "Disturbances",
+      })[kind] ?? kind,
+    notVaried: "not varied",
+    degreeOf: (name: string, ranges: string) => `${name}: ${ranges.replaceAll(",", ", ").replaceAll("..", " to ")}`,
     stop: "Stop",
     stopWhy: ({ do: what }: Job) =>
       what === "generate" ? "What is done is kept; the set can be continued" : "Nothing is kept of the dataset",

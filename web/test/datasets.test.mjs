@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -63,6 +63,9 @@ test("a set is generated, looked at by its causes, and its failure opened", asyn
   await dialog.getByRole("textbox", { name: "Name" }).fill("towers");
   await dialog.getByRole("spinbutton", { name: "Episodes" }).fill("1");
   await dialog.getByRole("spinbutton", { name: "First seed" }).fill("3");
+  await dialog.getByText("Variations: none").click();
+  await dialog.getByRole("combobox", { name: "Sensor noise" }).selectOption("mild");
+  await dialog.getByText("Variations: sensor noise").waitFor();
   await person.press("Generate", dialog);
   await dialog.getByText("0 of 1 episode").waitFor();
   await dialog.getByText("1 × never_taken").waitFor({ timeout: 60_000 });
@@ -73,6 +76,7 @@ test("a set is generated, looked at by its causes, and its failure opened", asyn
   await card("towers").getByText("1 of 1 episode").waitFor();
   await card("towers").getByText("2 attempts · yield 50 %").waitFor();
   assert.ok(existsSync(join(studio.recordings, "generated/towers/summary.json")));
+  assert.match(readFileSync(join(studio.recordings, "generated/towers/manifest.jsonl"), "utf8"), /"noise":\{"joints":0\.00/);
 
   await person.press("Open", card("towers"));
   const grid = page.getByRole("dialog", { name: "Attempts of “towers”" });
@@ -94,6 +98,13 @@ test("a set is generated, looked at by its causes, and its failure opened", asyn
   await person.press("Play", person.timeline);
   await person.press("Back to the table");
   assert.ok(replay(join(studio.recordings, "generated/towers/failures/seed-0003/imitation")).identical);
+
+  await choose("towers", "Move to the bin");
+  await card("towers").waitFor({ state: "detached" });
+  await person.press("Show the bin");
+  await person.press("Restore", card("towers"));
+  await person.press("Show the bin");
+  await card("towers").getByText("1 of 1 episode").waitFor();
 });
 
 test("a generation is stopped and continued", async (t) => {

@@ -192,6 +192,67 @@ TEST_F(DatasetRequestsTest, AStoppedSetContinuesByTheSameCommand) {
   EXPECT_EQ(calls.substr(0, middle), calls.substr(middle));
 }
 
+TEST_F(DatasetRequestsTest, WhatVariesBetweenAttemptsIsChosenByName) {
+  LetItEnd();
+  Json wanted = Wanted();
+  const Json jobs = Ask("jobs");
+  for (const Json& kind : jobs["variations"]) {
+    wanted["variations"][kind["kind"]] = kind["degrees"][0]["name"];
+  }
+  ASSERT_EQ(Ask("generate", wanted)["job"], 1);
+  UntilStatus(0, "done");
+  EXPECT_NE(Calls().find(" --noise joints=0..0.003,image=0..0.01 --looks brightness=0.9..1.1,"),
+            std::string::npos)
+      << Calls();
+  // A set continues with the same.
+  fs::remove(root_ / "generated/many/summary.json");
+  ASSERT_EQ(Ask("continue_set", {{"set", "many"}})["job"], 2);
+  UntilStatus(1, "done");
+  const std::string calls = Calls();
+  EXPECT_EQ(calls.substr(0, calls.size() / 2), calls.substr(calls.size() / 2));
+
+  wanted["name"] = "others";
+  for (const Json& wrong : {Json{{"noise", "--help"}}, Json{{"--out", "mild"}}, Json{{"noise", 1}},
+                            Json{{"", ""}}, Json::array(), Json("mild")}) {
+    wanted["variations"] = wrong;
+    EXPECT_FALSE(Ask("generate", wanted)["ok"]) << wrong;
+  }
+}
+
+TEST_F(DatasetRequestsTest, SetsAreRenamedAndBinnedAndRestored) {
+  Prepare(8, experiment::Outcome::kSuccess);
+  ASSERT_EQ(Ask("generate", Wanted())["job"], 1);
+  UntilStatus(0, "running");
+  const char* busy = "\"many\" is being made or exported; wait until that is done";
+  EXPECT_EQ(Ask("bin_set", {{"set", "many"}})["error"], busy);
+  EXPECT_EQ(Ask("rename_set", {{"set", "many"}, {"name", "towers"}})["error"], busy);
+  LetItEnd();
+  UntilStatus(0, "done");
+
+  EXPECT_TRUE(Ask("rename_set", {{"set", "many"}, {"name", "towers"}})["ok"]);
+  const Json renamed = Ask("sets")["sets"][0];
+  EXPECT_EQ(renamed["name"], "towers");
+  EXPECT_EQ(renamed["picture"], "towers:seed-0008");
+  EXPECT_EQ(renamed["can_continue"], true) << "the request moves, too";
+  for (const char* name : {"towers", "../x", ".bin", "a/b"}) {
+    EXPECT_FALSE(Ask("rename_set", {{"set", "towers"}, {"name", name}})["ok"]) << name;
+    if (std::string(name) == "towers") continue;
+    EXPECT_FALSE(Ask("bin_set", {{"set", name}})["ok"]) << name;
+    EXPECT_FALSE(Ask("unbin_set", {{"set", name}})["ok"]) << name;
+  }
+
+  // Two sets of one name meet in the bin.
+  ASSERT_EQ(Ask("bin_set", {{"set", "towers"}})["set"], "towers");
+  EXPECT_EQ(Ask("sets")["sets"][0]["binned"], true);
+  EXPECT_FALSE(Ask("open_set", {{"set", "towers"}})["ok"]);
+  Json again = Wanted();
+  again["name"] = "towers";
+  UntilStatus(static_cast<std::size_t>(int{Ask("generate", again)["job"]} - 1), "done");
+  EXPECT_EQ(Ask("bin_set", {{"set", "towers"}})["set"], "towers-2");
+  EXPECT_EQ(Ask("unbin_set", {{"set", "towers-2"}})["set"], "towers-2");
+  EXPECT_EQ(Ask("open_set", {{"set", "towers-2"}})["attempts"].size(), 1u);
+}
+
 TEST_F(DatasetRequestsTest, JobsWaitForEachOther) {
   ASSERT_EQ(Ask("generate", Wanted())["job"], 1);
   Json other = Wanted();
@@ -250,7 +311,8 @@ TEST_F(DatasetRequestsTest, NothingLeavesTheFolderAndLimitsHold) {
 }
 
 TEST_F(DatasetRequestsTest, WatchersOnlyLook) {
-  for (const char* what : {"generate", "continue_set", "export", "stop_job"}) {
+  for (const char* what :
+       {"generate", "continue_set", "export", "stop_job", "rename_set", "bin_set", "unbin_set"}) {
     EXPECT_FALSE(Ask(what, Wanted(), /*is_controller=*/false)["ok"]) << what;
   }
   EXPECT_TRUE(Ask("jobs", Json::object(), /*is_controller=*/false)["ok"]);

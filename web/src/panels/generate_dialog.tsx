@@ -42,6 +42,7 @@ function useForm(recording: string) {
     level: useSignal("scattered"),
     seed: useSignal(1),
     jobs: useSignal(1),
+    variations: useSignal<Record<string, string>>({}),
   };
   useEffect(() => {
     void Promise.all([refreshJobs(), refreshSets()]).then(() => {
@@ -118,7 +119,35 @@ function Fields({ form }: { form: Form }) {
         {number(words.seed, form.seed, 0, MAX_SEED)}
         {number(words.jobs, form.jobs, 1, choices.value?.max_jobs ?? 1)}
       </div>
+      <Variations chosen={form.variations} />
     </>
+  );
+}
+
+/** What differs between the attempts, beside the layout: a degree of each kind, or none. */
+function Variations({ chosen }: { chosen: Signal<Record<string, string>> }) {
+  const choose = (kind: string, degree: string) => {
+    const { [kind]: _, ...others } = chosen.value;
+    chosen.value = degree === "" ? others : { ...others, [kind]: degree };
+  };
+  return (
+    <details class="variations">
+      <summary>{words.variations(Object.keys(chosen.value).map(words.kindOf))}</summary>
+      <p class="hint">{words.variationsAbout}</p>
+      {(choices.value?.variations ?? []).map(({ kind, degrees }) => (
+        <label class="field" key={kind}>
+          <span class="field-label">{words.kindOf(kind)}</span>
+          <select value={chosen.value[kind] ?? ""} onChange={(event) => choose(kind, event.currentTarget.value)}>
+            <option value="">{words.notVaried}</option>
+            {degrees.map(({ name, ranges }) => (
+              <option key={name} value={name}>
+                {words.degreeOf(name, ranges)}
+              </option>
+            ))}
+          </select>
+        </label>
+      ))}
+    </details>
   );
 }
 
@@ -197,6 +226,7 @@ export function GenerateDialog({ recording }: { recording: string }) {
         level: form.level.value,
         seed: form.seed.value,
         jobs: form.jobs.value,
+        variations: form.variations.value,
       }),
     );
   const allowed = when(hasBrain === true ? may("generate") : hasBrain);

@@ -6,7 +6,7 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Empty, isFound, Picture, SearchField } from "../ui/card";
 import { MenuButton, type MenuEntry } from "../ui/menu";
-import { refreshSets } from "./datasets";
+import { refreshSets, sets } from "./datasets";
 import { analyzed, exported, generated, isTimelineOpen, renamed, sheet, showPanel, toImitate } from "./page";
 import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf } from "./recordings";
 import { JobList, SetsList } from "./sets_list";
@@ -155,7 +155,7 @@ export function LibraryPanel() {
   const all = recordings.value;
   const here = (all ?? []).filter((recording) => recording.binned === isBin.value);
   const found = here.filter(({ id, title = "", notes = "", scene = "" }) => isFound(search.value, id, title, notes, scene));
-  const numBinned = (all ?? []).filter((recording) => recording.binned).length;
+  const numBinned = [...(all ?? []), ...(sets.value ?? [])].filter(({ binned }) => binned).length;
   return (
     <>
       <div class="row">
@@ -179,7 +179,8 @@ export function LibraryPanel() {
         </Button>
       </div>
       <JobList />
-      {isBin.value ? <h3 class="bin-title">{words.bin}</h3> : <SetsList search={search.value} />}
+      {isBin.value && <h3 class="bin-title">{words.bin}</h3>}
+      <SetsList search={search.value} isBin={isBin.value} />
       {all === null ? (
         <Empty icon="library" text={words.loading} />
       ) : here.length === 0 ? (

@@ -1,7 +1,7 @@
 import { useEffect } from "preact/hooks";
 import { may } from "../allowed";
 import type { Allowed, GeneratedSet, Job } from "../protocol";
-import { ask, isConnected, jobs } from "../studio";
+import { ask, isConnected, jobs, notify, state } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { isFound, Picture } from "../ui/card";
@@ -85,7 +85,29 @@ function entriesOf(set: GeneratedSet): MenuEntry[] {
       ...unless(may("export")),
       onChoose: () => (exported.value = { set: name }),
     },
+    {
+      label: texts.library.toBin,
+      icon: "trash",
+      isDanger: true,
+      ...unless(jobOfSet(name) !== undefined ? words.isBeingMade : may("bin_set")),
+      onChoose: () => void bin(name),
+    },
   ];
+}
+
+async function bin(name: string): Promise<void> {
+  const shown = state.value?.playback?.recording ?? "";
+  if (shown.startsWith(`${name}:`) && (await ask("live")) === null) return;
+  if ((await ask("bin_set", { set: name })) === null) return;
+  notify(texts.library.binned(name));
+  await refreshSets();
+}
+
+async function takeBack(name: string): Promise<void> {
+  const reply = await ask("unbin_set", { set: name });
+  if (reply === null) return;
+  notify(texts.library.isBack(reply.set));
+  await refreshSets();
 }
 
 function SetCard({ set }: { set: GeneratedSet }) {
@@ -105,21 +127,32 @@ function SetCard({ set }: { set: GeneratedSet }) {
         <small>{words.yield(set.attempts, set.yield, null)}</small>
         <small>{[set.scene, set.level, set.brain].filter((text) => text).join(" · ")}</small>
         <div class="row tight">
-          <Button label={words.open} title={words.openWhy} onClick={() => (openedSet.value = name)} />
-          <MenuButton label={texts.library.actions(name)} entries={entriesOf(set)} />
+          {set.binned ? (
+            <Button
+              label={texts.library.takeBack}
+              disabled={may("unbin_set") !== true}
+              onClick={() => void takeBack(name)}
+            />
+          ) : (
+            <>
+              <Button label={words.open} title={words.openWhy} onClick={() => (openedSet.value = name)} />
+              <MenuButton label={texts.library.actions(name)} entries={entriesOf(set)} />
+            </>
+          )}
         </div>
       </div>
     </li>
   );
 }
 
-/** The generated sets that a search finds. */
-export function SetsList({ search }: { search: string }) {
+/** The generated sets, in the bin or outside, that a search finds. */
+export function SetsList({ search, isBin }: { search: string; isBin: boolean }) {
   useEffect(() => {
     if (isConnected.value) void refreshSets();
   }, [isConnected.value]);
-  const found = (sets.value ?? []).filter(({ name, scene, level, brain }) =>
-    isFound(search, name, scene ?? "", level ?? "", brain ?? ""),
+  const found = (sets.value ?? []).filter(
+    ({ name, scene, level, brain, binned }) =>
+      binned === isBin && isFound(search, name, scene ?? "", level ?? "", brain ?? ""),
   );
   if (found.length === 0) return null;
   return (

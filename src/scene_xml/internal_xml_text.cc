@@ -16,39 +16,6 @@
 namespace smile::scene_xml {
 namespace {
 
-std::string Escaped(std::string_view text) {
-  std::string escaped;
-  for (char letter : text) {
-    switch (letter) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      // Parsers normalize these to blanks inside attributes.
-      case '\t':
-        escaped += "&#9;";
-        break;
-      case '\n':
-        escaped += "&#10;";
-        break;
-      case '\r':
-        escaped += "&#13;";
-        break;
-      default:
-        escaped += letter;
-    }
-  }
-  return escaped;
-}
-
 // Numbers of digits to try for angles: conversion leaves an error in the last digits of an angle
 // that was round in the file.
 constexpr int kAngleDigits[] = {9, 12, 13, 14, 15, 17};
@@ -113,9 +80,7 @@ std::string MatrixText(const Matrix3& R) {
 }  // namespace
 
 XmlText::XmlText(double meters_per_unit, std::vector<MeshFile> mesh_files)
-    : meters_per_unit_(meters_per_unit),
-      mesh_files_(std::move(mesh_files)),
-      text_("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n") {}
+    : meters_per_unit_(meters_per_unit), mesh_files_(std::move(mesh_files)) {}
 
 std::string XmlText::FileOf(const scene::Custom& custom) const {
   for (const MeshFile& file : mesh_files_) {
@@ -125,48 +90,6 @@ std::string XmlText::FileOf(const scene::Custom& custom) const {
   return custom.file;
 }
 
-void XmlText::Open(std::string_view name) {
-  EndTag();
-  Indent();
-  text_ += "<" + std::string(name);
-  open_.emplace_back(name);
-  is_tag_open_ = true;
-}
-
-void XmlText::Close() {
-  const std::string name = std::move(open_.back());
-  open_.pop_back();
-  if (is_tag_open_) {
-    text_ += "/>\n";
-  } else {
-    Indent();
-    text_ += "</" + name + ">\n";
-  }
-  is_tag_open_ = false;
-}
-
-void XmlText::Comment(std::string_view text) {
-  EndTag();
-  Indent();
-  text_ += "<!-- ";
-  for (char letter : text) {
-    // Two hyphens must not stand together inside an XML comment.
-    if (letter == '-' && text_.back() == '-') text_ += ' ';
-    text_ += static_cast<unsigned char>(letter) < 0x20 ? '?' : letter;
-  }
-  text_ += " -->\n";
-}
-
-void XmlText::Attribute(std::string_view name, std::string_view value) {
-  text_ += " " + std::string(name) + "=\"" + Escaped(value) + "\"";
-}
-
-void XmlText::Boolean(std::string_view name, bool value) {
-  Attribute(name, value ? "true" : "false");
-}
-
-void XmlText::Count(std::string_view name, int value) { Attribute(name, std::to_string(value)); }
-void XmlText::Number(std::string_view name, double value) { Attribute(name, NumberText(value)); }
 void XmlText::Length(std::string_view name, double meters) { Attribute(name, Units(meters)); }
 void XmlText::Angle(std::string_view name, double angle) { Attribute(name, AngleText(angle)); }
 
@@ -193,14 +116,6 @@ void XmlText::Pose(const RigidTransform& X_PE) {
     // Longer and hard to read, but always exact.
     Attribute("rotationMatrix", MatrixText(X_PE.rotation()));
   }
-}
-
-void XmlText::Indent() { text_.append(2 * open_.size(), ' '); }
-
-void XmlText::EndTag() {
-  // The tag stays open until it is known whether the element has content.
-  if (is_tag_open_) text_ += ">\n";
-  is_tag_open_ = false;
 }
 
 std::string XmlText::Units(double meters) const { return UnitsText(meters, meters_per_unit_); }

@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/export_world.h"
 #include "app/open_recording.h"
 #include "app/options.h"
 #include "app/python_datasets.h"
@@ -85,6 +86,7 @@ const Format& FormatOf(const ExportOptions& options) {
     names.emplace_back(format.name);
   }
   names.insert(names.end(), datasets::kDatasetFormats.begin(), datasets::kDatasetFormats.end());
+  names.emplace_back("mjcf");
   throw std::invalid_argument("--to is " + Quoted(options.format) + ", expected " + OneOf(names));
 }
 
@@ -160,12 +162,16 @@ void RequireReadable(const motion::JointTrajectory& trajectory, const std::strin
   }
 }
 
+/// Demands that there is only one thing to export.
+void RequireOne(const ExportOptions& options, const char* what) {
+  if (options.runs.size() == 1) return;
+  throw std::invalid_argument(options.format + " is of one " + what + ", found " +
+                              std::to_string(options.runs.size()));
+}
+
 int ExportMotion(const ExportOptions& options) {
   const Format& format = FormatOf(options);
-  if (options.runs.size() > 1) {
-    throw std::invalid_argument(options.format + " is of one recording, found " +
-                                std::to_string(options.runs.size()));
-  }
+  RequireOne(options, "recording");
   const std::string& demo = options.runs.front();
   RequireOutsideOfRecordings(options.out);
   const recording::Recording recording = OpenAndReport(demo);
@@ -197,7 +203,7 @@ int ExportMotion(const ExportOptions& options) {
   return kDone;
 }
 
-int Export(const ExportOptions& options, const DatasetOptions& dataset) {
+int Export(const ExportOptions& options, const DatasetOptions& dataset, const WorldExport& world) {
   const std::vector<std::string> arguments = dataset.arguments();
   if (std::ranges::find(datasets::kDatasetFormats, options.format) !=
       datasets::kDatasetFormats.end()) {
@@ -211,6 +217,10 @@ int Export(const ExportOptions& options, const DatasetOptions& dataset) {
   if (!arguments.empty()) {
     throw std::invalid_argument(arguments.front() + " is for datasets, and --to is " +
                                 Quoted(options.format));
+  }
+  if (IsWorldFormat(options.format)) {
+    RequireOne(options, "scene");
+    return ExportWorld(options.runs.front(), options.format, options.out, world);
   }
   return ExportMotion(options);
 }
@@ -242,14 +252,16 @@ void AddDatasetOptions(CLI::App* command, DatasetOptions* options) {
 void AddExport(CLI::App* program, ExitAnswer answer) {
   auto options = std::make_shared<ExportOptions>();
   auto dataset = std::make_shared<DatasetOptions>();
-  CLI::App* command =
-      program->add_subcommand("export",
-                              "Export the robot's motion of a recording to a file, or runs as a "
-                              "dataset for learners (docs/datasets.md)");
+  auto world = std::make_shared<WorldExport>();
+  CLI::App* command = program->add_subcommand(
+      "export",
+      "Export the robot's motion of a recording to a file, runs as a dataset for "
+      "learners (docs/datasets.md), or a scene for another simulator "
+      "(docs/other-simulators.md)");
   command
       ->add_option("DEMO", options->runs,
                    "directory of a recording; for a dataset several, also of imitations, and "
-                   "generations")
+                   "generations; for another simulator a scene file")
       ->required();
   std::string formats;
   for (const Format& format : kFormats) {
@@ -258,6 +270,7 @@ void AddExport(CLI::App* program, ExitAnswer answer) {
   formats += "; datasets:";
   for (const std::string_view format : datasets::kDatasetFormats)
     formats += " " + std::string(format);
+  formats += std::string("; ") + kWorldFormatsHelp;
   command->add_option("--to", options->format, formats)->required();
   command->add_option("--out", options->out, "file to write, or directory of the dataset")
       ->required()
@@ -281,7 +294,8 @@ void AddExport(CLI::App* program, ExitAnswer answer) {
   command->add_flag("--allow-breaches", options->allow_breaches,
                     "write the file even if the motion exceeds the limits of the robot");
   AddDatasetOptions(command, dataset.get());
-  command->callback([=] { *answer = Export(*options, *dataset); });
+  AddWorldExportOptions(command, world.get());
+  command->callback([=] { *answer = Export(*options, *dataset, *world); });
 }
 
 }  // namespace smile::app

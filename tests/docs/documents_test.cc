@@ -187,12 +187,12 @@ INSTANTIATE_TEST_SUITE_P(
                       "docs/brain-protocol.md", "docs/commands.md", "docs/demonstrators.md",
                       "docs/analysis.md", "docs/corrections.md", "docs/editing.md",
                       "docs/experiments.md", "docs/generation.md", "docs/glossary.md",
-                      "docs/importing.md", "docs/learner.md", "docs/motion.md", "docs/python.md",
-                      "docs/performance.md", "docs/recording-format.md", "docs/results.md",
-                      "docs/robot.md", "docs/robots.md", "docs/scene-format.md", "docs/scenes.md",
-                      "docs/studio.md", "docs/studio-protocol.md",
-                      "docs/tutorials/first-demonstration.md", "docs/tutorials/robot-program.md",
-                      "docs/tutorials/evaluate-two-learners.md",
+                      "docs/importing.md", "docs/learner.md", "docs/motion.md",
+                      "docs/other-simulators.md", "docs/python.md", "docs/performance.md",
+                      "docs/recording-format.md", "docs/results.md", "docs/robot.md",
+                      "docs/robots.md", "docs/scene-format.md", "docs/scenes.md", "docs/studio.md",
+                      "docs/studio-protocol.md", "docs/tutorials/first-demonstration.md",
+                      "docs/tutorials/robot-program.md", "docs/tutorials/evaluate-two-learners.md",
                       "docs/tutorials/scene-with-a-mechanism.md"));
 
 }  // namespace

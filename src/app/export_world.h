@@ -1,0 +1,30 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "app/options.h"
+
+namespace smile::app {
+
+/// Export of a scene to another simulator.
+struct WorldExport {
+  RobotOptions robot;
+  PathOptions path;
+  double after = 0;  ///< simulated time before what is exported [s]
+};
+
+/// Adds the options of such an export, in a group of their own.
+void AddWorldExportOptions(CLI::App* command, WorldExport* options);
+
+/// True for a format of another simulator.
+bool IsWorldFormat(const std::string& format);
+/// Description of these formats, for `--help`.
+inline constexpr const char* kWorldFormatsHelp = "other simulators, of a scene file: mjcf";
+
+/// Writes a scene for another simulator, and says what is left out.
+/// @returns the exit code.
+int ExportWorld(const std::string& scene, const std::string& format, const std::string& out,
+                const WorldExport& options);
+
+}  // namespace smile::app

@@ -1,0 +1,25 @@
+#include "interchange/joint_forest.h"
+
+#include <gtest/gtest.h>
+
+namespace smile::interchange {
+namespace {
+
+TEST(JointForest, AChainBetweenFixedEndsIsCutInItsMiddle) {
+  ExportedWorld world;
+  for (const double mass : {0.0, 0.0, 1.0, 1.0, 1.0}) {
+    world.bodies.push_back({});
+    world.bodies.back().spec.mass.mass = mass;
+  }
+  for (const auto& [a, b] : {std::pair{0, 2}, {2, 3}, {3, 4}, {4, 1}}) {
+    world.joints.push_back({.a = a, .b = b});
+  }
+  const JointForest forest = ForestOf(world);
+  EXPECT_EQ(forest.order, (std::vector<int>{0, 1, 2, 4, 3}));
+  EXPECT_EQ(forest.nodes[4].parent, 1);
+  EXPECT_EQ(forest.nodes[3].parent, 2);
+  EXPECT_EQ(forest.closing, std::vector<int>{2}) << "that between the second and the third link";
+}
+
+}  // namespace
+}  // namespace smile::interchange

@@ -508,9 +508,9 @@ export const texts = {
     overPaused: (hands: HandName[]) =>
       `Time is paused. When it resumes, ${hands.map((hand) => texts.hands.sentences[hand]).join(" and ")} ${hands.length > 1 ? "act" : "acts"} as recorded.`,
     overLeft: (actions: number) => (actions === 1 ? "1 recorded action to come" : `${actions} recorded actions to come`),
-    overSkipped: (command: string, reason: string) => `Skipped: ${command} (${reason})`,
+    overConflict: (hand: HandName | null, reason: string) =>
+      hand === null ? reason : `${texts.hands.names[hand]} hand: ${reason}`,
     tracks: "What each hand held",
-    clip: (what: string, begin: number, end: number) => `${what}, ${begin.toFixed(1)} to ${end.toFixed(1)} s`,
     trim: "Trim",
     trimWhy: "Removes the beginning or end of the selected segment",
     shift: "Shift",
@@ -546,6 +546,21 @@ export const texts = {
     nameOf: (recording: string) => `${recording}, shortened`,
   },
 
+  tracks: {
+    clip: (what: string, begin: number, end: number) => `${what}, ${begin.toFixed(1)} to ${end.toFixed(1)} s`,
+    parts: {
+      whole: (clip: string) => clip,
+      begin: (clip: string) => `Begin of ${clip}`,
+      end: (clip: string) => `End of ${clip}`,
+    },
+    how: {
+      whole: "Drag it, or use the arrow keys, to shift it in time",
+      begin: "Drag it, or use the arrow keys: what the hand does then takes more or less time",
+      end: "Drag it, or use the arrow keys: what the hand does then takes more or less time",
+    },
+    conflict: (seconds: number, reason: string) => `At ${seconds.toFixed(1)} s: ${reason}`,
+    discard: "Discard",
+  },
   edit: {
     titles: {
       drop: (segment: string) => `Delete “${segment}”`,

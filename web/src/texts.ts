@@ -546,6 +546,20 @@ export const texts = {
     nameOf: (recording: string) => `${recording}, shortened`,
   },
 
+  measure: {
+    title: "Measure",
+    why: "Measures distances and angles between points that you click (M)",
+    hint: "Click two points; a third one adds an angle. The view turns as usual.",
+    distance: (name: string, units: number, millimeters: number, along: number[]) =>
+      `${name}: ${units.toFixed(2)} units (${millimeters.toFixed(0)} mm); along x, y, z: ${along.map((one) => one.toFixed(2).replace("-", "−")).join(", ")}`,
+    angle: (degrees: number) => `Angle at B: ${degrees.toFixed(1)}°`,
+    noAngle: "Two of the points are the same, so there is no angle.",
+    addOrigin: "Add the origin of an object",
+    addOriginOf: (object: string) => `Add the origin of ${object}`,
+    addOriginWhy: "The object that is selected in the list",
+    clear: "Begin again",
+    end: "Stop measuring",
+  },
   tracks: {
     clip: (what: string, begin: number, end: number) => `${what}, ${begin.toFixed(1)} to ${end.toFixed(1)} s`,
     parts: {

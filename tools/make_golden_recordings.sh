@@ -81,7 +81,8 @@ if [[ ! -e $golden/jaws ]]; then
   XDG_DATA_HOME=$scratch/data record jaws tower "$scripts/jaws.jsonl" --robot five
 fi
 
-# Recordings made of others: begun, undone and redone in the middle; continued from an earlier step; edited; imported.
+# Recordings made of others: begun, undone and redone in the middle; continued from an earlier step; edited; corrected;
+# imported.
 golden branches run scenes/tower.xml --commands "$scripts/branches.jsonl" --recordings "$scratch" --no-pictures --no-robot
 golden spawn run scenes/tower.xml --commands "$scripts/spawn.jsonl" --recordings "$scratch" --no-pictures --no-robot
 golden neighbors run scenes/tower.xml --commands "$scripts/neighbors.jsonl" --recordings "$scratch" --no-pictures --no-robot
@@ -90,6 +91,7 @@ if [[ ! -e $golden/continued ]]; then
   golden continued checkout "$scratch/continued" --at 1 --commands "$scripts/continued.jsonl"
 fi
 golden edited edit "$golden/box" --drop 3-4 --max-pause 0.5 --speed 1.5 --no-pictures --out "$scratch/edited"
+golden corrected correct "$golden/tern" --at 0.6 --commands "$scripts/corrected.jsonl" --out "$scratch/corrected"
 if [[ ! -e $golden/imported ]]; then
   # As the 2015 program left it: only the numbered texts and folders.
   mkdir "$scratch/classic_view"

@@ -17,7 +17,7 @@ picture() {  # SUBJECT NAME
 for file in scenes/*.xml; do
   name=$(basename "$file" .xml)
   case $name in
-    tower_robot | small_tower | desk | *_arm) continue ;;
+    tower_robot | small_tower | desk | bolt_held | *_arm) continue ;;
     strings | scissors | scissors_robot | everything)  # strings sink before they are seen
       "$program" run "$file" --seconds 3 --no-robot --record "$scratch/$name-settled" >"$scratch/$name.txt"
       picture "$scratch/$name-settled" "$name"

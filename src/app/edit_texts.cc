@@ -110,6 +110,16 @@ editing::Edit ParseShift(const std::string& text) {
   return shift;
 }
 
+editing::Edit ParseStretch(const std::string& text) {
+  EditText in(text, "the number of a segment, or a range, and a factor, like 3:1.5 or 3-4:0.5");
+  editing::Stretch stretch{.first = in.Number<int>()};
+  stretch.last = in.Take('-') ? in.Number<int>() : stretch.first;
+  in.Expect(':');
+  stretch.factor = in.Number<double>();
+  in.ExpectEnd();
+  return stretch;
+}
+
 /// All options for edits, in the order of the help text.
 constexpr EditOption kEditOptions[] = {
     {"--drop", "N[-M]", "remove segments N to M", &ParseDrop},
@@ -121,6 +131,9 @@ constexpr EditOption kEditOptions[] = {
     {"--speed", "F", "increase the speed of all segments by the factor F", &ParseSpeed},
     {"--shift", "N[-M]:SECONDS",
      "shift what the hand of segment N does in segments N to M; other hands stay", &ParseShift},
+    {"--stretch", "N[-M]:FACTOR",
+     "let what the hand of segment N does in segments N to M take FACTOR times as long",
+     &ParseStretch},
 };
 
 }  // namespace

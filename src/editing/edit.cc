@@ -37,6 +37,12 @@ void CheckNumber(const char* what, int found, int low, int high) {
                               std::to_string(low) + " to " + std::to_string(high));
 }
 
+void CheckFactor(double factor) {
+  if (factor >= kMinFactor && factor <= 1 / kMinFactor) return;
+  throw std::invalid_argument("factor is " + NumberText(factor) + ", expected " +
+                              NumberText(kMinFactor) + " to " + NumberText(1 / kMinFactor));
+}
+
 /// Returns the segment with this recorded number; throws std::invalid_argument if it never existed
 /// or was dropped.
 SegmentPlace Find(int number, recording::Demonstration* demonstration) {
@@ -202,10 +208,7 @@ void SpeedUp(double factor, double meters_per_unit, recording::SegmentCommand* c
 }
 
 void Perform(const Speed& speed, recording::Demonstration* demonstration) {
-  if (!(speed.factor >= kMinFactor && speed.factor <= 1 / kMinFactor)) {
-    throw std::invalid_argument("factor is " + NumberText(speed.factor) + ", expected " +
-                                NumberText(kMinFactor) + " to " + NumberText(1 / kMinFactor));
-  }
+  CheckFactor(speed.factor);
   for (recording::EditableSegment& segment : demonstration->segments) {
     // Times shrink by the same factor as speeds grow, so motions cover the same paths.
     Warp(Scaled(1 / speed.factor), &segment);
@@ -218,6 +221,12 @@ void Perform(const Speed& speed, recording::Demonstration* demonstration) {
 void Perform(const Shift& shift, recording::Demonstration* demonstration) {
   CheckNumber("last segment", shift.last, shift.first, demonstration->num_recorded - 1);
   PerformShift(shift, *Find(shift.first, demonstration), demonstration);
+}
+
+void Perform(const Stretch& stretch, recording::Demonstration* demonstration) {
+  CheckNumber("last segment", stretch.last, stretch.first, demonstration->num_recorded - 1);
+  CheckFactor(stretch.factor);
+  PerformStretch(stretch, *Find(stretch.first, demonstration), demonstration);
 }
 
 }  // namespace

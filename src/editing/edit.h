@@ -64,11 +64,20 @@ struct Shift {
   bool operator==(const Shift&) const = default;
 };
 
-using Edit = std::variant<Drop, Move, Trim, MaxPause, Retime, Speed, Shift>;
+/// Stretches in time what one hand does in segments, while all else stays as it is: at most up to
+/// the next command of that hand. The result has no pauses.
+struct Stretch {
+  int first = 0, last = 0;  ///< begins with an action of the hand
+  double factor = 1;        ///< of its duration
+
+  bool operator==(const Stretch&) const = default;
+};
+
+using Edit = std::variant<Drop, Move, Trim, MaxPause, Retime, Speed, Shift, Stretch>;
 
 /// Longest duration of an edited demonstration, unless it was longer before [s].
 inline constexpr double kMaxSeconds = 86400;
-/// Least factor of Speed; the greatest is its inverse.
+/// Least factor of Speed and Stretch; the greatest is its inverse.
 inline constexpr double kMinFactor = 0.01;
 
 /// Returns the demonstration after an edit.

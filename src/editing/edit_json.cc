@@ -96,6 +96,12 @@ Edit ReadShift(EditFields* in) {
   return shift;
 }
 
+Edit ReadStretch(EditFields* in) {
+  Stretch stretch{.first = in->Integer("first"), .factor = in->Number("factor")};
+  stretch.last = in->Has("last") ? in->Integer("last") : stretch.first;
+  return stretch;
+}
+
 // One table holds names and readers, so the list in the message cannot differ from what is
 // understood.
 struct EditKind {
@@ -103,13 +109,14 @@ struct EditKind {
   Edit (*read)(EditFields*);
 };
 /// All edits, by the value of `do`.
-constexpr std::array<EditKind, 7> kEditKinds{{{"drop", &ReadDrop},
+constexpr std::array<EditKind, 8> kEditKinds{{{"drop", &ReadDrop},
                                               {"move", &ReadMove},
                                               {"trim", &ReadTrim},
                                               {"max_pause", &ReadMaxPause},
                                               {"retime", &ReadRetime},
                                               {"speed", &ReadSpeed},
-                                              {"shift", &ReadShift}}};
+                                              {"shift", &ReadShift},
+                                              {"stretch", &ReadStretch}}};
 
 Edit ParseEdit(const Json& json) {
   if (!json.is_object() || !json.contains("do") || !json["do"].is_string()) {
@@ -184,6 +191,7 @@ Json ToJson(const EditReport& report) {
           {"seconds_before", sim::SecondsOf(report.ticks_before)},
           {"seconds_after", sim::SecondsOf(report.ticks_after)},
           {"left_out", skipped},
+          {"conflicts", recording::ToJson(report.conflicts)},
           {"displaced", displaced},
           {"gone", report.gone},
           {"there_again", report.there_again},

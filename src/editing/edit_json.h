@@ -15,7 +15,8 @@ inline constexpr std::size_t kMaxEdits = 1000;
 ///     [{"do":"drop","first":1,"last":2}, {"do":"move","segment":5,"place":2},
 ///      {"do":"trim","segment":3,"from":0.5,"to":2}, {"do":"max_pause","seconds":0.5},
 ///      {"do":"retime","segment":3,"seconds":1.5}, {"do":"speed","factor":1.5},
-///      {"do":"shift","first":3,"last":4,"seconds":-0.5}]
+///      {"do":"shift","first":3,"last":4,"seconds":-0.5},
+///      {"do":"stretch","first":3,"last":4,"factor":1.2}]
 ///
 /// @throws std::invalid_argument saying which, what was found and what was expected.
 std::vector<Edit> ParseEdits(const Json& json);

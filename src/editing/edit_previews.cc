@@ -162,6 +162,7 @@ EditReport EditPreviews::Save(const EditRequest& request, const fs::path& direct
   }
   classic::Redraw(recording, directory, {.has_symbols = recording.info.has_symbols}, draw,
                   progress);
+  recording::WriteConflicts(directory, kept->report.conflicts);
   const std::lock_guard lock(mutex_);
   // Unless another thread has made a newer preview.
   if (kept_ == kept) kept_.reset();

@@ -19,15 +19,30 @@ struct Part {
   std::vector<TrackCommand*> before, shifted, after;
 };
 
-Part PartOf(sim::HandName hand, const Shift& shift, std::vector<TrackCommand>* commands) {
+/// Range of segments, the last one included.
+struct SegmentRange {
+  int first = 0, last = 0;
+};
+
+/// Returns the hand that acts at the begin of a segment.
+/// @throws std::invalid_argument if none does.
+sim::HandName HandActingIn(const recording::EditableSegment& segment) {
+  const auto hand =
+      segment.commands.empty() ? std::nullopt : sim::HandOf(segment.commands.front().command);
+  if (hand) return *hand;
+  throw std::invalid_argument("segment " + std::to_string(segment.number) +
+                              " is not the action of a hand");
+}
+
+Part PartOf(sim::HandName hand, const SegmentRange& range, std::vector<TrackCommand>* commands) {
   Part part;
   for (TrackCommand& one : *commands) {
     if (sim::HandOf(one.command.command) != hand) continue;
-    const bool is_in_range = one.segment >= shift.first && one.segment <= shift.last;
+    const bool is_in_range = one.segment >= range.first && one.segment <= range.last;
     const bool is_action = sim::IsAction(one.command.command);
     if (!part.after.empty() || (!part.shifted.empty() && is_action && !is_in_range)) {
       part.after.push_back(&one);
-    } else if (!part.shifted.empty() || (is_action && one.segment == shift.first)) {
+    } else if (!part.shifted.empty() || (is_action && one.segment == range.first)) {
       // Motions in later segments of other hands still belong to the action.
       part.shifted.push_back(&one);
     } else {
@@ -37,29 +52,35 @@ Part PartOf(sim::HandName hand, const Shift& shift, std::vector<TrackCommand>* c
   return part;
 }
 
+double OffsetOf(const TrackCommand* one) { return static_cast<double>(one->command.offset); }
+
+/// Returns the offset of the hand's next command after the part [ticks].
+double OffsetAfter(const Part& part) {
+  return part.after.empty() ? kMaxSeconds * sim::kTicksPerSecond : OffsetOf(part.after.front());
+}
+
 /// Returns how far the part can be shifted [ticks].
 std::pair<double, double> RoomOf(const Part& part) {
-  const auto offset = [](const TrackCommand* one) {
-    return static_cast<double>(one->command.offset);
-  };
-  const double earliest = part.before.empty() ? 0 : offset(part.before.back());
-  const double latest =
-      part.after.empty() ? kMaxSeconds * sim::kTicksPerSecond : offset(part.after.front());
-  return {earliest - offset(part.shifted.front()), latest - offset(part.shifted.back())};
+  const double earliest = part.before.empty() ? 0 : OffsetOf(part.before.back());
+  return {earliest - OffsetOf(part.shifted.front()),
+          OffsetAfter(part) - OffsetOf(part.shifted.back())};
+}
+
+/// Cuts the commands into segments again, after those of the part have moved.
+void CutAgain(const Part& part, std::vector<TrackCommand>* commands,
+              recording::Demonstration* demonstration) {
+  const std::uint64_t end =
+      std::max(demonstration->duration(), part.shifted.back()->command.offset);
+  demonstration->segments = CutAtActions(std::move(*commands), end);
 }
 
 }  // namespace
 
 void PerformShift(const Shift& shift, const recording::EditableSegment& segment,
                   recording::Demonstration* demonstration) {
-  const auto hand =
-      segment.commands.empty() ? std::nullopt : sim::HandOf(segment.commands.front().command);
-  if (!hand) {
-    throw std::invalid_argument("segment " + std::to_string(shift.first) +
-                                " is not the action of a hand");
-  }
+  const sim::HandName hand = HandActingIn(segment);
   std::vector<TrackCommand> commands = CommandsOf(*demonstration);
-  const Part part = PartOf(*hand, shift, &commands);
+  const Part part = PartOf(hand, {shift.first, shift.last}, &commands);
   const auto [least, most] = RoomOf(part);
   const double ticks = std::round(shift.seconds * sim::kTicksPerSecond);
   if (!(ticks >= least && ticks <= most)) {
@@ -68,16 +89,33 @@ void PerformShift(const Shift& shift, const recording::EditableSegment& segment,
     const double high = std::floor(100 * most / sim::kTicksPerSecond) / 100;
     throw std::invalid_argument("it is shifted by " + NumberText(shift.seconds) + " s, expected " +
                                 NumberText(low) + " to " + NumberText(high) +
-                                " s: between what the " + std::string(ToString(*hand)) +
+                                " s: between what the " + std::string(ToString(hand)) +
                                 " hand does before and after");
   }
   for (TrackCommand* one : part.shifted) {
-    one->command.offset =
-        static_cast<std::uint64_t>(static_cast<double>(one->command.offset) + ticks);
+    one->command.offset = static_cast<std::uint64_t>(OffsetOf(one) + ticks);
   }
-  const std::uint64_t end =
-      std::max(demonstration->duration(), part.shifted.back()->command.offset);
-  demonstration->segments = CutAtActions(std::move(commands), end);
+  CutAgain(part, &commands, demonstration);
+}
+
+void PerformStretch(const Stretch& stretch, const recording::EditableSegment& segment,
+                    recording::Demonstration* demonstration) {
+  const sim::HandName hand = HandActingIn(segment);
+  std::vector<TrackCommand> commands = CommandsOf(*demonstration);
+  const Part part = PartOf(hand, {stretch.first, stretch.last}, &commands);
+  const double begin = OffsetOf(part.shifted.front());
+  const double length = OffsetOf(part.shifted.back()) - begin;
+  if (begin + std::round(length * stretch.factor) > OffsetAfter(part)) {
+    const double most = std::floor(100 * (OffsetAfter(part) - begin) / length) / 100;
+    throw std::invalid_argument(
+        "it takes " + NumberText(stretch.factor) + " times as long, expected at most " +
+        NumberText(most) + ": up to what the " + std::string(ToString(hand)) + " hand does after");
+  }
+  for (TrackCommand* one : part.shifted) {
+    const double since = std::round((OffsetOf(one) - begin) * stretch.factor);
+    one->command.offset = static_cast<std::uint64_t>(begin + since);
+  }
+  CutAgain(part, &commands, demonstration);
 }
 
 }  // namespace smile::editing

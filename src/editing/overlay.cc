@@ -57,6 +57,9 @@ recording::Demonstration Overlaid(const recording::Demonstration& first, const O
   both.segments =
       CutAtActions(std::move(commands),
                    std::max(first.duration(), overlay.begin + overlay.demonstration.duration()));
+  for (const auto& [line, pose] : overlay.demonstration.grasped) {
+    both.grasped[num_lines + line] = pose;
+  }
   both.num_recorded = static_cast<int>(both.segments.size());
   for (int i = 0; i < both.num_recorded; ++i) both.segments[static_cast<std::size_t>(i)].number = i;
   return both;

@@ -3,45 +3,32 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include "sim/action_summary.h"
 
 namespace smile::editing {
-namespace {
-
-/// Returns `left hand: grasp`.
-std::string WordsOf(const sim::Command& command) {
-  const auto hand = sim::HandOf(command);
-  const std::string whose = hand ? std::string(ToString(*hand)) + " hand: " : "";
-  return whose + std::visit([](const auto& one) { return one.kName.name; }, command);
-}
-
-}  // namespace
-
 PlayedTracks::PlayedTracks(const recording::Demonstration& demonstration, const KeptTracks& kept)
     : hands_(kept.hands),
       begin_(demonstration.start.tick +
              std::min(demonstration.duration(), static_cast<std::uint64_t>(std::llround(
-                                                    kept.seconds * sim::kTicksPerSecond)))) {
+                                                    kept.seconds * sim::kTicksPerSecond)))),
+      conflicts_(demonstration) {
   for (recording::LoggedCommand& logged : demonstration.Schedule()) {
     // The past before the start has been run when the user begins.
     if (logged.line <= demonstration.start.line) continue;
     const auto hand = sim::HandOf(logged.command);
-    commands_.push_back({.tick = logged.tick,
-                         .command = std::move(logged.command),
-                         .is_kept = !hand || hands_.contains(*hand)});
+    commands_.push_back({.logged = std::move(logged), .is_kept = !hand || hands_.contains(*hand)});
   }
 }
 
 bool PlayedTracks::MustApplyNext() const {
   const TrackCommand& command = commands_[next_];
   // What the user has undone of the other hands does not come again.
-  return command.is_kept || (command.tick < begin_ && next_ == num_seen_);
+  return command.is_kept || (command.logged.tick < begin_ && next_ == num_seen_);
 }
 
 void PlayedTracks::ApplyDue(sim::Simulation* simulation) {
-  while (next_ < commands_.size() && commands_[next_].tick <= simulation->tick()) {
+  while (next_ < commands_.size() && commands_[next_].logged.tick <= simulation->tick()) {
     if (MustApplyNext()) ApplyNext(simulation);
     num_seen_ = std::max(num_seen_, ++next_);
     next_of_[simulation->history().current().id] = next_;
@@ -49,12 +36,11 @@ void PlayedTracks::ApplyDue(sim::Simulation* simulation) {
 }
 
 void PlayedTracks::ApplyNext(sim::Simulation* simulation) {
-  const TrackCommand& next = commands_[next_];
-  if (auto refusal = simulation->Apply(next.command)) {
-    // A grasp that is refused makes the moves after it impossible, too: the first one tells why.
-    const bool is_told = !skipped_.empty() && skipped_.back().reason == *refusal;
-    if (!is_told) skipped_.push_back({next_, *std::move(refusal)});
-  } else if (sim::IsAction(next.command) && next.is_kept && next.tick >= begin_) {
+  const auto& [logged, is_kept] = commands_[next_];
+  conflicts_.Before(logged, *simulation);
+  const auto refusal = simulation->Apply(logged.command);
+  conflicts_.After(logged, refusal);
+  if (!refusal && sim::IsAction(logged.command) && is_kept && logged.tick >= begin_) {
     played_.insert(simulation->history().current().id);
   }
 }
@@ -65,20 +51,18 @@ void PlayedTracks::Follow(const sim::Simulation& simulation) {
   for (const sim::Action& action : simulation.history().done()) {
     if (const std::size_t* next = next_of_.Find(action.id)) next_ = *next;
   }
-  std::erase_if(skipped_, [this](const Skipped& skipped) { return skipped.command >= next_; });
+  if (next_ < commands_.size()) conflicts_.ForgetFrom(commands_[next_].logged.line);
 }
 
 Json PlayedTracks::Describe() const {
-  Json hands = Json::array(), skipped = Json::array();
+  Json hands = Json::array();
   for (const sim::HandName hand : hands_) hands.push_back(ToString(hand));
-  for (const Skipped& one : skipped_) {
-    skipped.push_back(
-        {{"command", WordsOf(commands_[one.command].command)}, {"reason", one.reason}});
-  }
   const auto num_left = std::count_if(
       commands_.begin() + static_cast<std::ptrdiff_t>(next_), commands_.end(),
-      [](const TrackCommand& one) { return one.is_kept && sim::IsAction(one.command); });
-  return {{"hands", std::move(hands)}, {"actions_left", num_left}, {"skipped", std::move(skipped)}};
+      [](const TrackCommand& one) { return one.is_kept && sim::IsAction(one.logged.command); });
+  return {{"hands", std::move(hands)},
+          {"actions_left", num_left},
+          {"conflicts", recording::ToJson(conflicts())}};
 }
 
 }  // namespace smile::editing

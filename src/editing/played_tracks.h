@@ -2,10 +2,10 @@
 
 #include <cstdint>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "base/json.h"
+#include "editing/track_conflicts.h"
 #include "recording/demonstration.h"
 #include "sim/per_action.h"
 #include "sim/simulation.h"
@@ -35,18 +35,15 @@ class PlayedTracks {
 
   /// Returns true for an action of these tracks, false for one of the user.
   bool HasPlayed(sim::ActionId action) const { return played_.contains(action); }
+  /// Returns what the tracks did not find as it was recorded, by time.
+  std::vector<recording::Conflict> conflicts() const { return conflicts_.conflicts(); }
   /// `over` of a state message, see docs/studio-protocol.md.
   Json Describe() const;
 
  private:
   struct TrackCommand {
-    std::uint64_t tick = 0;
-    sim::Command command;
+    recording::LoggedCommand logged;
     bool is_kept = false;  ///< also after the user has begun
-  };
-  struct Skipped {
-    std::size_t command;  ///< index
-    std::string reason;
   };
 
   /// Returns true if the next command is to be applied.
@@ -60,7 +57,7 @@ class PlayedTracks {
   std::size_t num_seen_ = 0;             ///< greatest `next_` so far
   sim::PerAction<std::size_t> next_of_;  ///< `next_` at the end of actions
   std::set<sim::ActionId> played_;
-  std::vector<Skipped> skipped_;
+  TrackConflicts conflicts_;
 };
 
 }  // namespace smile::editing

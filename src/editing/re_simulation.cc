@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "base/diagnostic.h"
+#include "editing/track_conflicts.h"
 #include "recorder/recorder.h"
 #include "replay/log_player.h"
 
@@ -129,14 +130,20 @@ void RunToStart(const recording::Recording& recording, replay::LogPlayer* player
 }
 
 std::vector<SkippedCommand> RunFor(std::uint64_t ticks, replay::LogPlayer* player,
-                                   sim::Simulation* simulation,
-                                   const recording::Progress& progress) {
+                                   sim::Simulation* simulation, const recording::Progress& progress,
+                                   const CommandObserver& observer) {
   std::vector<SkippedCommand> skipped;
   for (std::uint64_t tick = 0;; ++tick) {
     // Commands of a tick come before the tick, as in a live simulation; at the end one more round
     // applies those of the last tick.
-    while (auto refused = player->ApplyDue(simulation)) {
-      skipped.push_back({refused->command.line, std::move(refused->refusal)});
+    while (player->IsDue(*simulation)) {
+      const recording::LoggedCommand& next = *player->next();
+      if (observer.before) observer.before(next);
+      auto refused = player->ApplyNext(simulation);
+      if (observer.after) {
+        observer.after(next, refused ? std::optional(refused->refusal) : std::nullopt);
+      }
+      if (refused) skipped.push_back({next.line, std::move(refused->refusal)});
     }
     if (tick == ticks) return skipped;
     simulation->Tick();
@@ -157,13 +164,22 @@ EditReport ReSimulate(const recording::Recording& recording, const recording::De
     simulation.AddListener(&*recorder);
   }
   EditReport report{.ticks_before = edited.recorded_duration(), .ticks_after = edited.duration()};
-  report.skipped = RunFor(report.ticks_after, &player, &simulation, progress);
+  TrackConflicts conflicts(edited);
+  const CommandObserver observer{
+      .before = [&](const auto& command) { conflicts.Before(command, simulation); },
+      .after = [&](const auto& command,
+                   const auto& refusal) { conflicts.After(command, refusal); }};
+  report.skipped = RunFor(report.ticks_after, &player, &simulation, progress, observer);
+  report.conflicts = conflicts.conflicts();
   for (SkippedCommand& command : report.skipped) {
     const std::size_t num_lines = recording.log.lines().size();
     command.is_of_overlay = command.line > num_lines;
     if (command.is_of_overlay) command.line -= num_lines;
   }
-  if (recorder) recorder->Flush();
+  if (recorder) {
+    recorder->Flush();
+    recording::WriteConflicts(output->directory, report.conflicts);
+  }
   const model::Model& model = *recording.model;
   // Both ends are compared in terms of the recording's model.
   const recording::TraceTick before = EndOf(recording, edited, progress);

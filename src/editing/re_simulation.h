@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "math/angles.h"
+#include "recording/conflicts.h"
 #include "recording/demonstration.h"
 #include "recording/progress.h"
 #include "replay/log_player.h"
@@ -47,6 +49,9 @@ struct EditReport {
   std::vector<ChangedState> controls;     ///< states as recorded
   std::vector<ChangedState> host_points;  ///< states are stages of tightness
   std::vector<std::string> joints;        ///< of the robot, which end elsewhere; see kSameAngle
+  /// Refused commands, and hands that did not find what they found when they were recorded; by
+  /// time.
+  std::vector<recording::Conflict> conflicts;
 
   bool ends_the_same() const {
     return displaced.empty() && gone.empty() && there_again.empty() && controls.empty() &&
@@ -71,15 +76,25 @@ struct EditOutput {
 void RunToStart(const recording::Recording& recording, replay::LogPlayer* player,
                 sim::Simulation* simulation);
 
+/// Called before and after each command is applied, or refused; empty ones are not.
+struct CommandObserver {
+  std::function<void(const recording::LoggedCommand& command)> before;
+  std::function<void(const recording::LoggedCommand& command,
+                     const std::optional<sim::Refusal>& refusal)>
+      after;
+};
+
 /// Runs for a number of ticks and executes the commands that are due, those of the last tick
 /// included.
 /// @param progress  returning false ends it early.
 /// @returns the commands that were refused.
 std::vector<SkippedCommand> RunFor(std::uint64_t ticks, replay::LogPlayer* player,
                                    sim::Simulation* simulation,
-                                   const recording::Progress& progress = {});
+                                   const recording::Progress& progress = {},
+                                   const CommandObserver& observer = {});
 
-/// Simulates an edited demonstration; commands that are refused are skipped.
+/// Simulates an edited demonstration; commands that are refused are skipped. A recording that is
+/// made contains the conflicts.
 /// @param recording  source of the demonstration. Title, notes and display options are kept.
 /// @param output  makes a recording; nullopt only reports.
 /// @param progress  returning false ends the simulation early.

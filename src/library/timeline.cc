@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "recording/conflicts.h"
 #include "recording/recording_history.h"
 #include "recording/time_range.h"
 
@@ -31,7 +32,10 @@ Json TimelineOf(const recording::Recording& recording) {
                      {"end", seconds(step.end.tick)},
                      {"on_way", step.is_on_path}});
   }
-  return {{"segments", segments}, {"steps", steps}, {"seconds", end}};
+  return {{"segments", segments},
+          {"steps", steps},
+          {"seconds", end},
+          {"conflicts", ToJson(recording::ReadConflicts(recording.directory))}};
 }
 
 }  // namespace smile::library

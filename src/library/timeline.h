@@ -9,7 +9,8 @@ namespace smile::library {
 /// All times are from its start [s]:
 ///
 ///     {"segments":[{"number","deed","begin","end"}],
-///      "steps":[{"step","parent","deed","begin","end","on_way"}],"seconds"}
+///      "steps":[{"step","parent","deed","begin","end","on_way"}],"seconds",
+///      "conflicts":[{"hand","seconds","reason"}]}
 Json TimelineOf(const recording::Recording& recording);
 
 }  // namespace smile::library

@@ -143,6 +143,13 @@ JsonShape SegmentShape() {
       .Called("Segment");
 }
 
+JsonShape ConflictShape() {
+  return ObjectShape({{"hand", HandNameShape().OrNull(), true, "null: of no hand"},
+                      {"seconds", NumberShape()},
+                      {"reason", TextShape()}})
+      .Called("Conflict");
+}
+
 // Segments are what the recording shows; steps are all branches of its history, including undone
 // ones, where `on_way` marks those that the recording shows.
 JsonShape TimelineShape() {
@@ -158,7 +165,8 @@ JsonShape TimelineShape() {
                                       {"on_way", FlagShape()}});
   return ObjectShape({{"segments", JsonShape::List(segment)},
                       {"steps", JsonShape::List(step)},
-                      {"seconds", NumberShape()}})
+                      {"seconds", NumberShape()},
+                      {"conflicts", JsonShape::List(ConflictShape())}})
       .Called("Timeline");
 }
 

@@ -34,6 +34,7 @@ JsonShape HandShape();
 JsonShape ToolUseShape();
 JsonShape ActionSummaryShape();
 JsonShape SegmentShape();
+JsonShape ConflictShape();
 JsonShape TimelineShape();
 /// Shape of true, or of the reason why not.
 JsonShape AllowedShape();

@@ -62,11 +62,11 @@ JsonShape BrainNowShape() {
 JsonShape StateUpdateShape() {
   // Members that are null while they do not apply: there is always at most one of `recording` and
   // `playback`, as a recording in progress cannot be hidden.
-  const JsonShape skipped = ObjectShape({{"command", TextShape()}, {"reason", TextShape()}});
   const JsonShape over =
       ObjectShape({{"hands", JsonShape::List(HandNameShape())},
                    {"actions_left", NumberShape(), true, "that will be done again"},
-                   {"skipped", JsonShape::List(skipped), true, "commands that were refused now"}});
+                   {"conflicts", JsonShape::List(ConflictShape()), true,
+                    "commands that were refused now, or that found something else than before"}});
   const JsonShape corrects = ObjectShape(
       {{"title", TextShape(), true, "of the other recording"}, {"seconds", NumberShape()}});
   const JsonShape recording = ObjectShape({{"id", TextShape()},

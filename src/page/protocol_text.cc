@@ -53,6 +53,7 @@ std::vector<NamedShape> NamedShapes() {
           {ActionSummaryShape(),
            "An action; `on` and `into` name the object beneath a put or dropped object."},
           {SegmentShape()},
+          {ConflictShape()},
           {TimelineShape(), "All times are from the start [s]."},
           {LibraryEntryShape()},
           {GeneratedSetShape()},

@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "recorder/internal_replay_along.h"
 #include "recorder/recorder.h"
+#include "recording/conflicts.h"
 #include "recording/segment_files.h"
 #include "recording/time_range.h"
 #include "recording/trace_reader.h"
@@ -62,6 +63,8 @@ std::unique_ptr<Recorder> Recorder::Continue(const std::filesystem::path& direct
   // The classic view is removed before log and trace change: it is rebuilt in any case, and an
   // interruption must not leave an outdated one.
   recording::RemoveClassicView(directory);
+  const std::uint64_t since_start = from.tick - std::min(from.tick, recording.info.start.tick);
+  recording::RemoveConflictsAfter(directory, sim::SecondsOf(since_start));
   // Removes what opening has dropped: an unfinished line, or a return that was not carried out.
   recorder->log_->Cut(BytesOfLines(log_path, num_lines));
   recorder->num_lines_ = num_lines;

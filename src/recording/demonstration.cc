@@ -33,15 +33,28 @@ bool IsWhereItWas(const TraceTick& then, const TraceTick& now) {
 /// Facts of a trace that an editor needs.
 struct Watched {
   TraceTick end;
+  std::map<std::size_t, TracePose> grasped;  ///< see Demonstration
   /// For each tick of the trace: the tick since which everything has been at rest, both relative to
   /// the start.
   std::vector<std::uint64_t> at_rest_since;
 };
 
+/// Notes where the objects are that hands take at this tick, and goes on to later commands.
+void NoteGrasps(const Recording& recording, const TraceTick& now,
+                std::vector<LoggedCommand>::const_iterator* next, Watched* watched) {
+  for (; *next != recording.commands.end() && (*next)->tick <= now.tick; ++*next) {
+    const auto* grasp = std::get_if<sim::Grasp>(&(*next)->command);
+    if (grasp == nullptr || (*next)->tick != now.tick) continue;
+    const auto object = recording.model->FindObject(grasp->object);
+    if (object) watched->grasped[(*next)->line] = now.objects[*object];
+  }
+}
+
 Watched Watch(const Recording& recording) {
   TraceReader trace(recording);
   Watched watched;
   TraceTick anchor;
+  auto next = recording.commands.begin();
   while (const std::optional<TraceTick> now = trace.Next()) {
     const std::uint64_t tick = watched.at_rest_since.size();
     // The anchor is the first moment of the present rest. Comparing to it, and not to the previous
@@ -50,6 +63,7 @@ Watched Watch(const Recording& recording) {
     if (!rests) anchor = *now;
     watched.at_rest_since.push_back(rests ? watched.at_rest_since.back() : tick);
     watched.end = *now;
+    NoteGrasps(recording, *now, &next, &watched);
   }
   return watched;
 }
@@ -141,6 +155,7 @@ Demonstration DemonstrationOf(const Recording& recording) {
   CheckAgainstTrace(recording, watched);
   Demonstration demonstration{.start = recording.info.start,
                               .recorded_end = watched.end,
+                              .grasped = watched.grasped,
                               .meters_per_unit = recording.scene().meters_per_unit};
   for (const LoggedCommand& logged : recording.commands) {
     if (logged.line <= demonstration.start.line) demonstration.past.push_back(logged);

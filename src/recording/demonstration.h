@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "recording/recording.h"
@@ -47,6 +48,8 @@ struct Demonstration {
   std::vector<EditableSegment> segments;
   int num_recorded = 0;  ///< numbers of segments go from 0 to one less, also when some are dropped
   TraceTick recorded_end;  ///< the last moment of the trace
+  /// Where objects were when hands took them, by the line of the grasp.
+  std::map<std::size_t, TracePose> grasped;
   double meters_per_unit = 0;
 
   std::uint64_t duration() const;  ///< [ticks]

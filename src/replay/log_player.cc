@@ -34,7 +34,7 @@ std::optional<LogPlayer::Failure> LogPlayer::RunToStart(sim::Simulation* simulat
 }
 
 std::optional<LogPlayer::Failure> LogPlayer::ApplyDue(sim::Simulation* simulation) {
-  while (next() != nullptr && next()->tick <= simulation->tick()) {
+  while (IsDue(*simulation)) {
     if (auto failure = ApplyNext(simulation)) return failure;
   }
   return std::nullopt;

@@ -34,13 +34,18 @@ class LogPlayer {
   /// Applies the commands that are due at the present tick.
   [[nodiscard]] std::optional<Failure> ApplyDue(sim::Simulation* simulation);
 
+  /// Returns true if the next command is due at the present tick.
+  bool IsDue(const sim::Simulation& simulation) const {
+    return next() != nullptr && next()->tick <= simulation.tick();
+  }
+  /// Applies the next command; there must be one.
+  [[nodiscard]] std::optional<Failure> ApplyNext(sim::Simulation* simulation);
   /// Returns the next command; nullptr after the last one.
   const recording::LoggedCommand* next() const {
     return next_ < commands_.size() ? &commands_[next_] : nullptr;
   }
 
  private:
-  std::optional<Failure> ApplyNext(sim::Simulation* simulation);
   /// Returns false if it was stopped.
   static bool RunToTick(std::uint64_t tick, sim::Simulation* simulation,
                         const TickCallback& on_tick);

@@ -74,8 +74,17 @@ std::optional<sim::Refusal> LiveWorld::Apply(const sim::Command& command) {
              .before = simulation_.history().current().id,
              .start_tick = simulation_.tick()};
   }
-  if (!is_recording()) tracks_.reset();
+  if (tracks_ && !is_recording()) EndTracks();
   return refusal;
+}
+
+void LiveWorld::EndTracks() {
+  std::error_code error;
+  // A recording that ended because its directory was removed has no place for them.
+  if (std::filesystem::exists(recording_directory(), error)) {
+    recording::WriteConflicts(recording_directory(), tracks_->conflicts());
+  }
+  tracks_.reset();
 }
 
 std::optional<sim::Refusal> LiveWorld::ApplyToOwn(const sim::Command& command) {

@@ -79,6 +79,8 @@ class LiveWorld : private sim::Listener {
 
   /// Undoes or redoes what the user did last, with what the played tracks did since.
   std::optional<sim::Refusal> ApplyToOwn(const sim::Command& command);
+  /// Keeps what the played tracks did not find as it was, with the recording that has ended.
+  void EndTracks();
   void RunToBegin(const recording::Progress& progress);
   /// Continues with a recording whose past has been repeated.
   void TakeUp(const recording::Recording& recording, const std::string& title);

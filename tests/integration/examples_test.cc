@@ -363,6 +363,8 @@ TEST_F(ProgramTest, EveryExampleHasItsClaimAndItsGoldenHash) {
   std::size_t num_examples = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
     if (entry.path().extension() != ".jsonl") continue;
+    // Of one hand each: two_hands_test.cc has the claims of both together.
+    if (entry.path().parent_path().filename() == "two_hands") continue;
     ++num_examples;
     const std::string script =
         entry.path().lexically_relative(root).replace_extension().generic_string();

@@ -18,4 +18,5 @@ export const guideColors = {
   hover: "#5b68f0",
   marker: "#d6336c",
   tool: "#17854a",
+  measure: "#b02a8f",
 };

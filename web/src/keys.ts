@@ -47,6 +47,7 @@ export const keys: Key[] = [
   { keys: ["l", "Shift+l"], what: "move.right", does: "move the held object to the right; with Shift farther", repeats: true },
   { keys: ["u", "Shift+u"], what: "move.away", does: "move the held object away; with Shift farther", repeats: true },
   { keys: ["o", "Shift+o"], what: "move.nearer", does: "move the held object nearer; with Shift farther", repeats: true },
+  { keys: ["m"], what: "measure", does: "measure distances and angles, or stop measuring" },
   { keys: ["g"], what: "guides", does: "show or hide the resting place of the held object" },
 ];
 

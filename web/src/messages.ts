@@ -108,10 +108,18 @@ export interface Segment {
 }
 
 /** All times are from the start [s]. */
+export interface Conflict {
+  /** null: of no hand */
+  hand: HandName | null;
+  seconds: number;
+  reason: string;
+}
+
 export interface Timeline {
   segments: ({ number: number; deed: ActionSummary | null; begin: number; end: number })[];
   steps: ({ step: number; parent: number | null; deed: ActionSummary | null; begin: number; end: number; on_way: boolean })[];
   seconds: number;
+  conflicts: Conflict[];
 }
 
 export interface LibraryEntry {
@@ -253,7 +261,7 @@ export interface StateMessage {
   /** what each held tool would do if it were used now; missing if it would be refused */
   uses: Record<string, ToolUse>;
   still: boolean;
-  recording: { id: string; title: string; seconds: number; segments: Segment[]; over: { hands: HandName[]; actions_left: number; skipped: { command: string; reason: string }[] } | null; corrects: { title: string; seconds: number } | null } | null;
+  recording: { id: string; title: string; seconds: number; segments: Segment[]; over: { hands: HandName[]; actions_left: number; conflicts: Conflict[] } | null; corrects: { title: string; seconds: number } | null } | null;
   playback: { recording: string; seconds: number; length: number; rate: number } | null;
   /** the recording of which a moment is being restored */
   restoring: string | null;

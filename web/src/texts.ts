@@ -523,9 +523,9 @@ export const texts = {
     overPaused: (hands: HandName[]) =>
       `Time is paused. When it resumes, ${hands.map((hand) => texts.hands.sentences[hand]).join(" and ")} ${hands.length > 1 ? "act" : "acts"} as recorded.`,
     overLeft: (actions: number) => (actions === 1 ? "1 recorded action to come" : `${actions} recorded actions to come`),
-    overSkipped: (command: string, reason: string) => `Skipped: ${command} (${reason})`,
+    overConflict: (hand: HandName | null, reason: string) =>
+      hand === null ? reason : `${texts.hands.names[hand]} hand: ${reason}`,
     tracks: "What each hand held",
-    clip: (what: string, begin: number, end: number) => `${what}, ${begin.toFixed(1)} to ${end.toFixed(1)} s`,
     trim: "Trim",
     trimWhy: "Removes the beginning or end of the selected segment",
     shift: "Shift",
@@ -561,6 +561,35 @@ export const texts = {
     nameOf: (recording: string) => `${recording}, shortened`,
   },
 
+  measure: {
+    title: "Measure",
+    why: "Measures distances and angles between points that you click (M)",
+    hint: "Click two points; a third one adds an angle. The view turns as usual.",
+    distance: (name: string, units: number, millimeters: number, along: number[]) =>
+      `${name}: ${units.toFixed(2)} units (${millimeters.toFixed(0)} mm); along x, y, z: ${along.map((one) => one.toFixed(2).replace("-", "−")).join(", ")}`,
+    angle: (degrees: number) => `Angle at B: ${degrees.toFixed(1)}°`,
+    noAngle: "Two of the points are the same, so there is no angle.",
+    addOrigin: "Add the origin of an object",
+    addOriginOf: (object: string) => `Add the origin of ${object}`,
+    addOriginWhy: "The object that is selected in the list",
+    clear: "Begin again",
+    end: "Stop measuring",
+  },
+  tracks: {
+    clip: (what: string, begin: number, end: number) => `${what}, ${begin.toFixed(1)} to ${end.toFixed(1)} s`,
+    parts: {
+      whole: (clip: string) => clip,
+      begin: (clip: string) => `Begin of ${clip}`,
+      end: (clip: string) => `End of ${clip}`,
+    },
+    how: {
+      whole: "Drag it, or use the arrow keys, to shift it in time",
+      begin: "Drag it, or use the arrow keys: what the hand does then takes more or less time",
+      end: "Drag it, or use the arrow keys: what the hand does then takes more or less time",
+    },
+    conflict: (seconds: number, reason: string) => `At ${seconds.toFixed(1)} s: ${reason}`,
+    discard: "Discard",
+  },
   edit: {
     titles: {
       drop: (segment: string) => `Delete “${segment}”`,

@@ -86,6 +86,65 @@ test("one hand is recorded while the other one acts as it was recorded", async (
   assert.notEqual((await begins())[0], before[0], "the clip is elsewhere");
 });
 
+test("clips are shifted and stretched with mouse and keys, and show where hands conflict", async (t) => {
+  const { page, studio, witness, person } = await browser.workplace(t, { studio: BARE });
+  await person.press("Record");
+  await page.keyboard.press("e");
+  await person.grasp("RedBlock", "left");
+  await person.dragTo("RedBlock", [null, null, 2]);
+  await page.keyboard.press("Backspace");
+  await page.keyboard.press("e");
+  await witness.until(() => witness.state.still, "the block lies");
+  await person.grasp("RedBlock", "right");
+  await person.dragTo("RedBlock", [null, null, 3]);
+  await page.keyboard.press("Backspace");
+  await witness.until(() => witness.state.still, "it lies again");
+  await person.press("Finish");
+  await witness.until(() => witness.state.recording === null, "the end of the recording");
+
+  const tracks = page.getByRole("list", { name: "What each hand held" });
+  const whole = tracks.getByRole("slider", { name: "Right: RedBlock", exact: true });
+  const end = tracks.getByRole("slider", { name: "End of Right: RedBlock" });
+  const effect = page.getByRole("region", { name: "Result" });
+  const beginOf = async (slider) => Number(await slider.getAttribute("aria-valuenow"));
+  await whole.waitFor();
+  const begin = await beginOf(whole);
+
+  // By keys: a little later, it still ends the same.
+  await whole.focus();
+  await page.keyboard.press("ArrowRight");
+  await effect.getByText("The final state is unchanged.").waitFor();
+  assert.ok(Math.abs((await beginOf(whole)) - begin - 0.1) < 0.02, "a tenth of a second later");
+  await end.focus();
+  const before = await beginOf(end);
+  await page.keyboard.press("ArrowRight");
+  assert.ok(Math.abs((await beginOf(end)) - before - 0.1) < 0.02, "it takes a little longer");
+  await person.press("Discard", effect);
+  await effect.waitFor({ state: "detached" });
+  assert.equal(await beginOf(whole), begin);
+
+  // By mouse, to where the other hand still holds it.
+  const box = await whole.boundingBox();
+  const left = await tracks.getByRole("slider", { name: "Left: RedBlock", exact: true }).boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 - (box.x - left.x - left.width / 2), box.y + 4, { steps: 5 });
+  await page.mouse.up();
+  await effect.getByText(/One command can no longer be carried out/).first().waitFor();
+  const reason = /^At \d+\.\d s: takes RedBlock from the left hand, which holds it now$/;
+  const mark = tracks.getByRole("img", { name: reason });
+  await mark.waitFor();
+  await mark.focus();
+  await page.locator(".conflict-reason").filter({ hasText: reason }).waitFor({ state: "visible" });
+  await person.press("Save as a new recording", effect);
+  await page.locator(".timeline-name", { hasText: "edited" }).waitFor();
+  await tracks.getByRole("img", { name: reason }).waitFor();
+  const { recording } = witness.state.playback;
+  assert.equal(replay(join(studio.recordings, recording)).identical, true);
+  const kept = JSON.parse(readFileSync(join(studio.recordings, recording, "conflicts.json"), "utf8"));
+  assert.equal(kept.conflicts[0].hand, "right");
+});
+
 test("a recording is corrected from the moment at which it went wrong", async (t) => {
   const { page, studio, witness, person } = await browser.workplace(t, { studio: BARE });
   const held = (hand) => witness.state.hands[hand].object;

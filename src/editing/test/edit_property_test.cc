@@ -43,7 +43,7 @@ class EditProperty : public recorder::RecordingFixture,
   Edit AnyEdit(const recording::Demonstration& demonstration) {
     const auto segment = static_cast<int>(random_() % (demonstration.num_recorded + 1));
     const double seconds = std::uniform_real_distribution(-0.1, 1.0)(random_);
-    switch (random_() % 7) {
+    switch (random_() % 8) {
       case 0:
         return Drop{segment, segment + static_cast<int>(random_() % 2)};
       case 1:
@@ -56,6 +56,8 @@ class EditProperty : public recorder::RecordingFixture,
         return Retime{segment, seconds};
       case 5:
         return Shift{segment, segment + static_cast<int>(random_() % 2), seconds - 0.5};
+      case 6:
+        return Stretch{segment, segment + static_cast<int>(random_() % 2), 0.2 + 2 * seconds};
       default:
         return Speed{0.6 + seconds};
     }

@@ -32,6 +32,23 @@ class EditTest : public recorder::RecordingFixture {
     return made;
   }
 
+  /// Segments of 60, 40, 20 and 30 ticks: the left hand takes a, moves it, moves it again after the
+  /// right hand has taken b, and releases it.
+  static recording::Demonstration OfTwoHands() {
+    constexpr HandName kLeft = HandName::kLeft, kRight = HandName::kRight;
+    recording::Demonstration made{.num_recorded = 4, .meters_per_unit = 0.1};
+    made.segments = {
+        {.number = 0, .duration = 60},
+        {.number = 1,
+         .commands = {{1, 0, sim::Grasp{kLeft, "a"}}, {2, 20, sim::MoveTo{.hand = kLeft}}},
+         .duration = 40},
+        {.number = 2,
+         .commands = {{3, 0, sim::Grasp{kRight, "b"}}, {4, 10, sim::MoveTo{.hand = kLeft}}},
+         .duration = 20},
+        {.number = 3, .commands = {{5, 0, sim::Release{kLeft}}}, .duration = 30}};
+    return made;
+  }
+
   static std::vector<int> Numbers(const recording::Demonstration& demonstration) {
     std::vector<int> numbers;
     for (const recording::EditableSegment& segment : demonstration.segments)
@@ -277,17 +294,7 @@ TEST_F(EditTest, NamesTheLineThatIsBehindTheEnd) {
 }
 
 TEST_F(EditTest, ShiftMovesWhatOneHandDoesWhileOthersStay) {
-  constexpr HandName kLeft = HandName::kLeft, kRight = HandName::kRight;
-  recording::Demonstration made{.num_recorded = 4, .meters_per_unit = 0.1};
-  made.segments = {
-      {.number = 0, .duration = 60},
-      {.number = 1,
-       .commands = {{1, 0, sim::Grasp{kLeft, "a"}}, {2, 20, sim::MoveTo{.hand = kLeft}}},
-       .duration = 40},
-      {.number = 2,
-       .commands = {{3, 0, sim::Grasp{kRight, "b"}}, {4, 10, sim::MoveTo{.hand = kLeft}}},
-       .duration = 20},
-      {.number = 3, .commands = {{5, 0, sim::Release{kLeft}}}, .duration = 30}};
+  const recording::Demonstration made = OfTwoHands();
   const auto later = Edited(made, Shift{1, 3, 0.5});
   EXPECT_EQ(later.duration(), 150u);
   EXPECT_EQ(Numbers(later), (std::vector<int>{0, 1, 2, 3}));
@@ -298,6 +305,26 @@ TEST_F(EditTest, ShiftMovesWhatOneHandDoesWhileOthersStay) {
             "it is shifted by 0.5 s, expected -1 to 0.16 s: between what the left hand does before "
             "and after");
   EXPECT_EQ(Complaint(Shift{0, 0, 0.5}, made), "segment 0 is not the action of a hand");
+}
+
+TEST_F(EditTest, StretchSpreadsWhatOneHandDoesWhileOthersStay) {
+  const recording::Demonstration made = OfTwoHands();
+  const auto longer = Edited(made, Stretch{1, 3, 1.5});
+  EXPECT_EQ(longer.duration(), 150u);
+  EXPECT_EQ(Numbers(longer), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(Offsets(longer.segments[1]), (std::vector<std::uint64_t>{0, 30}));
+  EXPECT_EQ(longer.segments[1].duration, 40u) << "the right hand acts when it did";
+  EXPECT_EQ(Offsets(longer.segments[2]), (std::vector<std::uint64_t>{0, 35}));
+  EXPECT_EQ(longer.segments[2].duration, 50u);
+  // Short enough, it is over before the right hand begins.
+  EXPECT_EQ(Numbers(Edited(made, Stretch{1, 3, 0.5})), (std::vector<int>{0, 1, 3, 2}));
+  EXPECT_EQ(Edited(made, Stretch{1, 3, 3}).duration(), 240u);
+  EXPECT_EQ(
+      Complaint(Stretch{1, 1, 1.5}, made),
+      "it takes 1.5 times as long, expected at most 1.2: up to what the left hand does after");
+  EXPECT_EQ(Complaint(Stretch{0, 1, 1.5}, made), "segment 0 is not the action of a hand");
+  EXPECT_EQ(Complaint(Stretch{1, 3, 0}, made), "factor is 0, expected 0.01 to 100");
+  EXPECT_EQ(Complaint(Stretch{2, 1, 1}, made), "last segment is 1, expected 2 to 3");
 }
 
 TEST_F(EditTest, AnotherDemonstrationActsAtTheSameTime) {
@@ -333,6 +360,35 @@ TEST_F(EditTest, AnotherDemonstrationActsAtTheSameTime) {
   ASSERT_FALSE(refused.skipped.empty());
   EXPECT_EQ(refused.skipped[0].line, 2u);
   EXPECT_TRUE(refused.skipped[0].is_of_overlay);
+}
+
+TEST_F(EditTest, ReportsConflictsOfHandsAndKeepsThemWithTheRecording) {
+  const recording::Recording take = recording::OpenRecording(Record(
+      R"({"hand":"left","do":"grasp","object":"a"}
+{"hand":"left","do":"move_to","position":[0,-2,3]}
+{"do":"wait","seconds":1}
+{"hand":"left","do":"release"}
+{"do":"wait","seconds":1}
+{"hand":"right","do":"grasp","object":"a"}
+{"hand":"right","do":"move_to","position":[2,-2,3]}
+{"do":"wait","seconds":1})"));
+  // Later by a little, it is taken where it was; earlier, it is taken from the other hand, or not
+  // where it was.
+  EXPECT_TRUE(ReSimulated(take, {Shift{3, 3, 0.5}}).conflicts.empty());
+  std::filesystem::remove_all(root_ / "edited");
+  const auto early = ReSimulated(take, {Shift{3, 3, -1.25}}).conflicts;
+  ASSERT_EQ(early.size(), 2u);
+  EXPECT_EQ(early[0].hand, HandName::kRight);
+  EXPECT_NEAR(early[0].seconds, 0.75, 0.02);
+  EXPECT_EQ(early[0].reason, "takes a from the left hand, which holds it now");
+  EXPECT_EQ(early[1].hand, HandName::kLeft);
+  EXPECT_EQ(early[1].reason, "the left hand holds nothing");
+  EXPECT_EQ(recording::ReadConflicts(root_ / "edited"), early);
+  std::filesystem::remove_all(root_ / "edited");
+  const auto falling = ReSimulated(take, {Shift{3, 3, -0.95}}).conflicts;
+  ASSERT_EQ(falling.size(), 1u);
+  EXPECT_NE(falling[0].reason.find(" degrees from where it was taken"), std::string::npos)
+      << falling[0].reason;
 }
 
 }  // namespace

@@ -177,7 +177,7 @@ TEST_F(LibraryRequestsTest, NamesInvalidEdits) {
   const Json sound = {{"do", "drop"}, {"first", 0}};
   EXPECT_EQ(error_of({sound, {{"do", "dorp"}}}),
             "edits[1]: there is no edit \"dorp\", expected drop, move, trim, max_pause, retime, "
-            "speed or shift; did you mean \"drop\"?");
+            "speed, shift or stretch; did you mean \"drop\"?");
   EXPECT_EQ(error_of({{{"do", "drop"}, {"first", 0.5}}}),
             "edits[0]: \"first\" is 0.5, expected a whole number");
   EXPECT_EQ(error_of({{{"do", "trim"}, {"segment", 1}, {"from", "a"}}}),

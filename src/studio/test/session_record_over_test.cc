@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <random>
 
+#include "recording/conflicts.h"
 #include "recording/recording_history.h"
 #include "replay/replay.h"
 #include "session_fixture.h"
@@ -53,7 +54,7 @@ TEST_F(RecordOver, OneHandIsRecordedWhileTheOtherOneActsAgain) {
   Command(R"({"do":"grasp","hand":"right","object":"b"})");
   TickSeconds(2);
   EXPECT_EQ(State()["recording"]["over"],
-            Json::parse(R"({"hands":["left"],"actions_left":0,"skipped":[]})"));
+            Json::parse(R"({"hands":["left"],"actions_left":0,"conflicts":[]})"));
   Command(R"({"do":"finish"})");
   const recording::Recording kept = recording::OpenRecording(root_ / "recordings" / id);
   EXPECT_EQ(kept.info.title, "both (over)");
@@ -80,7 +81,7 @@ TEST_F(RecordOver, WhateverIsUndoneWhileAHandActsAgainTheRecordingReplays) {
   }
   TickSeconds(4);
   EXPECT_EQ(State()["recording"]["over"],
-            Json::parse(R"({"hands":["left"],"actions_left":0,"skipped":[]})"));
+            Json::parse(R"({"hands":["left"],"actions_left":0,"conflicts":[]})"));
   Command(R"({"do":"finish"})");
   const std::vector<std::string> done = DoneIn(recording::OpenRecording(root_ / "recordings" / id));
   EXPECT_EQ(std::ranges::count(done, "left hand takes a"), 1);
@@ -97,10 +98,25 @@ TEST_F(RecordOver, WhatIsNoLongerPossibleInARecordingOverAnotherIsSkippedAndTold
   Command(R"({"do":"destroy","hand":"right"})");
   Do(R"({"do":"resume"})");
   TickSeconds(1);
-  const Json skipped = State()["recording"]["over"]["skipped"];
-  ASSERT_FALSE(skipped.empty());
-  EXPECT_EQ(skipped[0]["command"], "left hand: grasp");
-  EXPECT_EQ(skipped[0]["reason"], "'a' no longer exists: it was destroyed");
+  const Json conflicts = State()["recording"]["over"]["conflicts"];
+  ASSERT_EQ(conflicts.size(), 1u) << "the moves after it follow from it: " << conflicts;
+  EXPECT_EQ(conflicts[0]["hand"], "left");
+  EXPECT_EQ(conflicts[0]["reason"], "'a' no longer exists: it was destroyed");
+}
+
+TEST_F(RecordOver, WhatTheHandsDoNotFindAsItWasIsKeptWithTheRecording) {
+  Begin();
+  const std::string id = RecordOverTheLeftHand();
+  Command(R"({"do":"grasp","hand":"right","object":"a"})");
+  Do(R"({"do":"resume"})");
+  TickSeconds(4);
+  Command(R"({"do":"finish"})");
+  const auto conflicts = recording::ReadConflicts(root_ / "recordings" / id);
+  ASSERT_EQ(conflicts.size(), 1u);
+  EXPECT_EQ(conflicts[0].hand, sim::HandName::kLeft);
+  EXPECT_EQ(conflicts[0].reason, "takes a from the right hand, which holds it now");
+  EXPECT_EQ(DoneIn(recording::OpenRecording(root_ / "recordings" / id)).size(), 5u)
+      << "the start, both grasps, the release between them, and the last one";
 }
 
 }  // namespace

@@ -52,9 +52,9 @@ export function Over() {
   return (
     <>
       <span class="timeline-moment">{words.overLeft(over.actions_left)}</span>
-      {over.skipped.slice(0, 1).map(({ command, reason }) => (
-        <span key={command} class="timeline-skipped" role="alert">
-          {words.overSkipped(command, reason)}
+      {over.conflicts.slice(0, 1).map(({ hand, reason }) => (
+        <span key={reason} class="timeline-skipped" role="alert">
+          {words.overConflict(hand, reason)}
         </span>
       ))}
     </>

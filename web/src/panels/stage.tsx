@@ -4,7 +4,9 @@ import { useSignalEffect } from "@preact/signals";
 import { heldObject } from "../studio";
 import { texts } from "../texts";
 import { mountWorld } from "../world/world";
+import { measured, switchMeasuring } from "../world/measured";
 import { canDraw } from "../world/signals";
+import { Measure } from "./measure";
 import { chosenObject, detail, world } from "./page";
 
 const VIEWS = ["front", "robot", "top", "left", "right"] as const;
@@ -25,6 +27,14 @@ function ViewPresets() {
         onClick={() => object !== null && world.value?.focus(object)}
       >
         {texts.views.focus}
+      </button>
+      <button
+        type="button"
+        title={texts.measure.why}
+        aria-pressed={measured.value !== null}
+        onClick={switchMeasuring}
+      >
+        {texts.measure.title}
       </button>
     </div>
   );
@@ -47,6 +57,7 @@ export function Stage({ children }: { children: ComponentChildren }) {
       <div class="world" ref={host} role="group" aria-label={texts.views.world} />
       {!canDraw.value && <p class="stage-note">{texts.views.cannotDraw}</p>}
       <ViewPresets />
+      <Measure />
       {children}
     </main>
   );

@@ -8,12 +8,13 @@ import { Button } from "../ui/buttons";
 import { Picture } from "../ui/card";
 import { isSmall } from "../ui/media";
 import { Menu } from "../ui/menu";
+import { endOfClip } from "./clips";
 import { EditDialog, type EditKind } from "./edit_dialog";
 import { isRecording, liveSegments, mayControl, recordingId } from "./derived_signals";
 import { isTimelineOpen, renamed, sheet } from "./page";
 import { Over, RecordOverButton } from "./record_over";
 import { attemptOf, chosenSegment, opened, pictureOfSegment, titleOf } from "./recordings";
-import { endOfClip, Tracks } from "./tracks";
+import { Tracks } from "./tracks";
 
 const { timeline: words } = texts;
 const RATES = [0.25, 0.5, 1, 2, 4];
@@ -266,7 +267,7 @@ function OpenedTimeline({ id, timeline }: { id: string; timeline: Timeline }) {
   return (
     <>
       <Scrubber id={id} timeline={timeline} />
-      <Tracks segments={timeline.segments} seconds={timeline.seconds} />
+      <Tracks id={id} timeline={timeline} />
       <ol class="segments" aria-label={words.segments}>
         {timeline.segments.map(({ number, deed, begin, end }) => (
           <SegmentCard

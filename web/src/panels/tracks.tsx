@@ -1,65 +1,212 @@
-import { HANDS, type ActionSummary, type HandName, type Timeline } from "../protocol";
+import { useEffect } from "preact/hooks";
+import { useSignal, type Signal } from "@preact/signals";
+import { HANDS, type Conflict, type HandName, type Timeline } from "../protocol";
+import { may } from "../allowed";
 import { handColors } from "../colors";
 import { texts } from "../texts";
+import { Button } from "../ui/buttons";
+import { editedClip, editsOf, roomOf, tracksOf, withMore, type Clip, type ClipEdit, type ClipPart } from "./clips";
+import { Effect, useTrial, type Trial } from "./effect";
+import { titleOf } from "./recordings";
+import { useSaving, Waiting } from "./simulated";
 
-/** What a hand held, and from when to when [s]. */
-export interface Clip {
-  what: string;
-  begin: number;
-  end: number;
+const { tracks: words } = texts;
+
+/** What an arrow key moves a clip, or one end of it; the second one with Shift [s]. */
+const KEY_STEPS = [0.1, 1];
+
+/** A clip of a track, where it is drawn now. */
+interface DrawnClip {
+  clip: Clip;
+  /** As the recording has it. */
+  recorded: Clip;
+  name: string;
 }
 
-type Segment = Timeline["segments"][number];
+/** The change of clips by mouse and keys. */
+interface ClipMoves {
+  isAllowed: boolean;
+  seconds: number;
+  /** The edits that move this part of a clip later [s]. */
+  editsFor: (clip: Clip, part: ClipPart, later: number) => ClipEdit[];
+  /** Shows edits while a clip is dragged. */
+  preview: (edits: ClipEdit[]) => void;
+  commit: (edits: ClipEdit[]) => void;
+}
 
-const ENDS: ActionSummary["do"][] = ["put", "drop", "release", "destroy"];
-
-/** The hands that did something, each with what it held, in order. */
-export function tracksOf(segments: Segment[], end: number): Map<HandName, Clip[]> {
-  const tracks = new Map<HandName, Clip[]>();
-  for (const hand of HANDS) {
-    const clips: Clip[] = [];
-    const its = segments.filter(({ deed }) => deed?.hand === hand);
-    for (const { deed, begin } of its) {
-      const last = clips[clips.length - 1];
-      const isHolding = last !== undefined && last.end === end;
-      if (deed?.do === "take") clips.push({ what: deed.what, begin, end });
-      else if (isHolding && deed !== null && ENDS.includes(deed.do)) last.end = begin;
+/** The clip itself, or one of its ends: dragged, or moved by arrow keys. */
+function ClipHandle(props: { drawn: DrawnClip; part: ClipPart; moves: ClipMoves }) {
+  const { drawn, part, moves } = props;
+  const { clip, name } = drawn;
+  const grabbed = useSignal<{ x: number; clip: Clip; secondsPerPixel: number } | null>(null);
+  const editsAt = (x: number) => {
+    const { clip: from, x: at, secondsPerPixel } = grabbed.value!;
+    return moves.editsFor(from, part, (x - at) * secondsPerPixel);
+  };
+  const grab = (event: PointerEvent & { currentTarget: HTMLElement }) => {
+    if (!moves.isAllowed || event.button !== 0) return;
+    event.currentTarget.setPointerCapture(event.pointerId);
+    const track = event.currentTarget.closest("ol")!.getBoundingClientRect();
+    grabbed.value = { x: event.clientX, clip, secondsPerPixel: moves.seconds / Math.max(track.width, 1) };
+  };
+  const leave = (edits: ClipEdit[]) => {
+    grabbed.value = null;
+    moves.preview([]);
+    moves.commit(edits);
+  };
+  const onKey = (event: KeyboardEvent) => {
+    if (event.key === "Escape" && grabbed.value !== null) leave([]);
+    else if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
+    else if (moves.isAllowed) {
+      const step = KEY_STEPS[event.shiftKey ? 1 : 0]!;
+      moves.commit(moves.editsFor(clip, part, event.key === "ArrowLeft" ? -step : step));
     }
-    if (its.length > 0) tracks.set(hand, clips);
-  }
-  return tracks;
-}
-
-/** The number of the segment in which a hand leaves what it took in this one; the same for other actions. */
-export function endOfClip(segments: Segment[], number: number): number {
-  const taken = segments.find((one) => one.number === number)?.deed;
-  if (taken?.do !== "take") return number;
-  const later = segments.filter((one) => one.number > number && one.deed?.hand === taken.hand);
-  return later.find(({ deed }) => deed !== null && ENDS.includes(deed.do))?.number ?? number;
-}
-
-/** One row for each hand, one above another: who held what, and what happened at the same time. */
-export function Tracks({ segments, seconds }: { segments: Segment[]; seconds: number }) {
-  const tracks = tracksOf(segments, seconds);
-  const percent = (time: number) => `${(100 * time) / Math.max(seconds, 1e-9)}%`;
+    event.preventDefault();
+    event.stopPropagation();
+  };
   return (
-    <ul class="tracks" aria-label={texts.timeline.tracks}>
-      {[...tracks].map(([hand, clips]) => (
-        <li key={hand} class="track" style={{ "--hand": handColors[hand] }}>
-          <ol>
-            {clips.map(({ what, begin, end }) => (
-              <li
-                key={begin}
-                class="clip"
-                title={texts.timeline.clip(what, begin, end)}
-                style={{ left: percent(begin), width: percent(end - begin) }}
-              >
-                {texts.hands.names[hand]}: {what}
-              </li>
-            ))}
-          </ol>
-        </li>
-      ))}
-    </ul>
+    <div
+      class={`clip-${part}`}
+      role="slider"
+      tabIndex={0}
+      aria-label={words.parts[part](name)}
+      aria-valuemin={0}
+      aria-valuemax={moves.seconds}
+      aria-valuenow={part === "end" ? clip.end : clip.begin}
+      aria-valuetext={words.clip(clip.what, clip.begin, clip.end)}
+      aria-disabled={!moves.isAllowed}
+      title={`${words.clip(clip.what, clip.begin, clip.end)}${moves.isAllowed ? `. ${words.how[part]}` : ""}`}
+      onPointerDown={grab}
+      onPointerMove={(event) => grabbed.value && moves.preview(editsAt(event.clientX))}
+      onPointerUp={(event) => grabbed.value && leave(editsAt(event.clientX))}
+      onPointerCancel={() => grabbed.value && leave([])}
+      onKeyDown={onKey}
+    >
+      {part === "whole" && name}
+    </div>
+  );
+}
+
+/** Where a hand does not find what it found when it was recorded; the reason shows on hover and focus. */
+function ConflictMark({ conflict, left, isRight }: { conflict: Conflict; left: string; isRight: boolean }) {
+  const reason = words.conflict(conflict.seconds, conflict.reason);
+  return (
+    <li class="conflict" style={{ left }}>
+      <span role="img" tabIndex={0} aria-label={reason}>
+        !
+      </span>
+      <span class={`conflict-reason ${isRight ? "right" : ""}`} aria-hidden="true">
+        {reason}
+      </span>
+    </li>
+  );
+}
+
+function Track(props: { hand: HandName; clips: DrawnClip[]; conflicts: Conflict[]; moves: ClipMoves }) {
+  const { moves } = props;
+  const percent = (time: number) => `${(100 * time) / Math.max(moves.seconds, 1e-9)}%`;
+  const isConflicting = ({ begin, end }: Clip) =>
+    props.conflicts.some(({ seconds }) => seconds >= begin - 1e-6 && seconds <= end + 1e-6);
+  return (
+    <li class="track" style={{ "--hand": handColors[props.hand] }}>
+      <ol>
+        {props.clips.map((drawn) => {
+          const { first, begin, end, isOpen } = drawn.clip;
+          const isEdited = begin !== drawn.recorded.begin || end !== drawn.recorded.end;
+          return (
+            <li
+              key={first}
+              class={`clip ${isEdited ? "edited" : ""} ${isConflicting(drawn.clip) ? "conflicting" : ""}`}
+              style={{ left: percent(begin), width: percent(end - begin) }}
+            >
+              <ClipHandle drawn={drawn} part="whole" moves={moves} />
+              <ClipHandle drawn={drawn} part="begin" moves={moves} />
+              {!isOpen && <ClipHandle drawn={drawn} part="end" moves={moves} />}
+            </li>
+          );
+        })}
+        {props.conflicts.map((conflict) => (
+          <ConflictMark
+            key={`${conflict.seconds} ${conflict.reason}`}
+            conflict={conflict}
+            left={percent(conflict.seconds)}
+            isRight={conflict.seconds > moves.seconds / 2}
+          />
+        ))}
+      </ol>
+    </li>
+  );
+}
+
+/** The effect of shifted clips, and what becomes of them. */
+function ClipEffect(props: { recording: string; edits: Signal<ClipEdit[]>; trial: Trial }) {
+  const { recording, edits, trial } = props;
+  const { isSaving, save, cancel } = useSaving(() => (edits.value = []));
+  const drop = () => {
+    cancel();
+    edits.value = [];
+  };
+  return (
+    <section class="clip-effect" aria-label={texts.edit.effect}>
+      <div role="status">
+        <Effect trial={trial} />
+        {isSaving.value && <Waiting what="edit" label={texts.edit.saving} />}
+      </div>
+      <Button label={words.discard} onClick={drop} />
+      <Button
+        label={texts.edit.save}
+        kind="accent"
+        isBusy={isSaving.value}
+        disabled={trial.state !== "simulated"}
+        onClick={() => void save(recording, edits.value, texts.edit.nameOf(titleOf(recording)))}
+      />
+    </section>
+  );
+}
+
+/** One row for each hand, one above another: who held what, and what happened at the same time. Clips can be moved. */
+export function Tracks({ id, timeline }: { id: string; timeline: Timeline }) {
+  const { segments, seconds } = timeline;
+  const edits = useSignal<ClipEdit[]>([]);
+  const dragged = useSignal<ClipEdit[]>([]);
+  useEffect(() => {
+    edits.value = dragged.value = [];
+  }, [id, timeline]);
+  const all = withMore(edits.value, dragged.value);
+  const trial = useTrial(id, all, [id, JSON.stringify(all)]).value;
+  const tracks = tracksOf(segments, seconds);
+  const clipsOf = (hand: HandName) => tracks.get(hand) ?? [];
+  const movesOf = (hand: HandName): ClipMoves => ({
+    isAllowed: may("edit") === true,
+    seconds,
+    editsFor: (clip, part, later) => {
+      const now = clipsOf(hand).map((one) => editedClip(one, edits.value));
+      return editsOf(clip, part, later, roomOf(clip, hand, segments, now));
+    },
+    preview: (next) => (dragged.value = next),
+    commit: (next) => (edits.value = withMore(edits.value, next)),
+  });
+  const tried = trial.state === "simulated" ? trial.report.conflicts : [];
+  const conflicts = all.length === 0 ? timeline.conflicts : tried;
+  const hands = HANDS.filter((hand) => tracks.has(hand) || conflicts.some((one) => one.hand === hand));
+  return (
+    <>
+      <ul class="tracks" aria-label={texts.timeline.tracks}>
+        {hands.map((hand) => (
+          <Track
+            key={hand}
+            hand={hand}
+            clips={clipsOf(hand).map((recorded) => ({
+              recorded,
+              clip: editedClip(recorded, all),
+              name: `${texts.hands.names[hand]}: ${recorded.what}`,
+            }))}
+            conflicts={conflicts.filter((one) => one.hand === hand)}
+            moves={movesOf(hand)}
+          />
+        ))}
+      </ul>
+      {all.length > 0 && <ClipEffect recording={id} edits={edits} trial={trial} />}
+    </>
   );
 }

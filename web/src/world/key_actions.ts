@@ -1,6 +1,7 @@
 import type { KeyActions } from "../keys";
 import { heldObject } from "../studio";
 import type { Hands } from "./hands";
+import { switchMeasuring } from "./measured";
 import type { Pointers } from "./pointers";
 import { contextMenu, guides, hovered, type Preset } from "./signals";
 import type { ViewCamera } from "./view_camera";
@@ -50,6 +51,7 @@ export function actionsOf(
     "move.right": (_, isBig) => hands.nudge(1, 0, 0, isBig),
     "move.away": (_, isBig) => hands.nudge(0, 1, 0, isBig),
     "move.nearer": (_, isBig) => hands.nudge(0, -1, 0, isBig),
+    measure: switchMeasuring,
     guides: () => (guides.value = !guides.value),
   };
   for (const preset of PRESETS) actions[`view.${preset}`] = () => camera.show(preset);

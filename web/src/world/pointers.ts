@@ -1,4 +1,5 @@
 import type { Drag, Hands } from "./hands";
+import { addMeasured, measured } from "./measured";
 import type { Picked, Picker, PointerAt } from "./pick";
 import { contextMenu } from "./signals";
 import type { ViewCamera } from "./view_camera";
@@ -82,7 +83,8 @@ export class Pointers {
     if (isTouch) this.fingers.set(event.pointerId, at);
     if (this.fingers.size === 2) this.stop();
     if (this.fingers.size > 1 || this.gesture !== null) return;
-    const drag = event.button === LEFT ? this.hands.press(at, this.pick(at)) : null;
+    const isHand = event.button === LEFT && measured.value === null;
+    const drag = isHand ? this.hands.press(at, this.pick(at)) : null;
     const isSideways = event.shiftKey && drag === null;
     this.gesture = {
       from: at,
@@ -136,8 +138,15 @@ export class Pointers {
     this.stop();
     if (gesture.hasMoved || this.wasMenuOpen) return;
     const at = placeOf(event);
-    if (event.button === LEFT) this.hands.click(at, this.pick(at));
+    if (event.button === LEFT) this.click(at);
     if (event.button === RIGHT) this.hands.menu(at, this.pick(at));
+  }
+
+  /** Who measures takes nothing. */
+  private click(at: PointerAt): void {
+    const picked = this.pick(at);
+    if (measured.value === null) this.hands.click(at, picked);
+    else if (picked !== null) addMeasured(picked.point.toArray());
   }
 
   private cancel(event: PointerEvent): void {

@@ -9,6 +9,8 @@ import { Hands } from "./hands";
 import { actionsOf } from "./key_actions";
 import { Markers } from "./markers";
 import { Marks } from "./marks";
+import { MeasureLines } from "./measure_lines";
+import { measured } from "./measured";
 import { Models } from "./models";
 import { DropShadow } from "./drop_shadow";
 import { Picker, type PointerAt } from "./pick";
@@ -30,6 +32,8 @@ export interface World {
   setLowDetail(mode: "auto" | "low" | "high"): void;
   /** Of the current hand. */
   turnPlane(deltaDegrees: number): void;
+  /** The origin of an object, as it is drawn [units]; null where it is not. */
+  placeOf(objectId: string): [x: number, y: number, z: number] | null;
   /** What lies to the right in the picture: a horizontal direction of length 1. */
   readonly right: readonly [x: number, y: number];
   dispose(): void;
@@ -39,7 +43,7 @@ export interface World {
 export function mountWorld(host: HTMLElement): World {
   canDraw.value = document.createElement("canvas").getContext("webgl2") !== null;
   if (canDraw.value) return new DrawnWorld(host);
-  return { showPreset() {}, focus() {}, setLowDetail() {}, turnPlane() {}, right: [1, 0], dispose() {} };
+  return { showPreset() {}, focus() {}, setLowDetail() {}, turnPlane() {}, placeOf: () => null, right: [1, 0], dispose() {} };
 }
 
 class DrawnWorld implements World {
@@ -54,6 +58,7 @@ class DrawnWorld implements World {
   private readonly rings = new Rings();
   private readonly marks = new Marks();
   private readonly markers = new Markers();
+  private readonly measureLines = new MeasureLines();
   private readonly hands: Hands;
   private readonly dragGuides: DragGuides;
   private readonly toolHint: ToolHint;
@@ -89,7 +94,8 @@ class DrawnWorld implements World {
     this.dragGuides = new DragGuides(this.models, this.picker, this.rings, this.hands, this.dropShadow, () => this.redraw());
     this.toolHint = new ToolHint(host, this.models, this.picker);
     this.pointers = new Pointers(host, this.picker, this.hands, this.camera, (at) => this.hover(at));
-    for (const { root } of [this.models, this.dragGuides, this.marks, this.markers, this.toolHint]) this.stage.scene.add(root);
+    const parts = [this.models, this.dragGuides, this.marks, this.markers, this.measureLines, this.toolHint];
+    for (const { root } of parts) this.stage.scene.add(root);
     this.styleTag();
     this.listen();
     this.resized();
@@ -116,6 +122,10 @@ class DrawnWorld implements World {
 
   turnPlane(deltaDegrees: number): void {
     this.hands.turnPlane(deltaDegrees);
+  }
+
+  placeOf(objectId: string): [x: number, y: number, z: number] | null {
+    return this.models.groupOf(objectId)?.position.toArray() ?? null;
   }
 
   get right(): [x: number, y: number] {
@@ -147,6 +157,10 @@ class DrawnWorld implements World {
       effect(() => this.takeState()),
       effect(() => void [currentHand.value, hovered.value, guides.value, isController.value, this.redraw()]),
       effect(() => this.writeTag()),
+      effect(() => {
+        this.measureLines.show(measured.value ?? []);
+        this.redraw();
+      }),
       listenToKeys(
         actionsOf(this.hands, this.camera, this.pointers, (object) => this.focus(object)),
       ),
@@ -163,6 +177,7 @@ class DrawnWorld implements World {
     this.models.load(message);
     hovered.value = null;
     contextMenu.value = null;
+    if (measured.peek() !== null) measured.value = [];
     if (!this.isStarted) this.camera.show(message.robotFrame === null ? "robot" : "front", true);
     this.isStarted = true;
   }
@@ -209,7 +224,7 @@ class DrawnWorld implements World {
 
   private resized(): void {
     const { width, height } = this.stage;
-    for (const part of [this.marks, this.dragGuides]) part.setSize(width, height);
+    for (const part of [this.marks, this.dragGuides, this.measureLines]) part.setSize(width, height);
     this.redraw();
   }
 
@@ -233,6 +248,7 @@ class DrawnWorld implements World {
     this.models.root.updateMatrixWorld();
     this.lookUnderMouse();
     this.marks.update(this.models, this.stage.camera);
+    this.measureLines.update(this.stage.camera);
     this.dragGuides.update(this.stage.camera, this.hasMoved);
     this.toolHint.update(this.stage.camera);
     this.hasMoved = false;

@@ -10,6 +10,10 @@
 
 #include "analysis/internal_trials.h"
 #include "base/diagnostic.h"
+#include "base/hash_text.h"
+#include "base/state_hash.h"
+#include "scene_xml/scene_writer.h"
+#include "sim/command_json.h"
 
 namespace smile::analysis {
 namespace {
@@ -123,9 +127,22 @@ std::string NumbersOf(const std::vector<std::size_t>& subtasks) {
   return numbers;
 }
 
+std::string ContentOf(const recording::Recording& recording) {
+  StateHash hash;
+  hash.Add(scene_xml::WriteScene(recording.start_scene()));
+  hash.Add(recording.info.start.tick);
+  for (const recording::LoggedCommand& one : recording.commands) {
+    hash.Add(one.tick);
+    hash.Add(ToText(sim::ToJson(one.command, recording.start_scene().meters_per_unit)));
+  }
+  return HashText(hash.value());
+}
+
 Analysis Analyze(const recording::Recording& recording, const AnalysisOptions& options) {
   Trials trials(recording, options);
   Analysis analysis;
+  analysis.demonstration = ContentOf(recording);
+  analysis.goals = trials.goals();
   RequireThatItStands(recording, &trials);
   FindNecessarySubtasks(&trials, &analysis);
   for (std::size_t distance = 1; distance < analysis.subtasks.size(); ++distance) {

@@ -22,7 +22,18 @@ Trials::Trials(const recording::Recording& recording, const AnalysisOptions& opt
       options_(options),
       demonstration_(DemonstrationOf(recording)),
       subtasks_(SubtasksOf(recording)),
-      structure_(task::StructureOf(recording)) {}
+      demonstrated_(task::StructureOf(recording)),
+      structure_(
+          task::WithoutGoals(demonstrated_, options.ignored, demonstration_.meters_per_unit)) {}
+
+std::vector<GoalFinding> Trials::goals() const {
+  std::vector<GoalFinding> findings;
+  for (task::Goal& goal : task::GoalsOf(demonstrated_, demonstration_.meters_per_unit)) {
+    const bool counts = std::ranges::find(options_.ignored, goal.id) == options_.ignored.end();
+    findings.push_back({std::move(goal), counts});
+  }
+  return findings;
+}
 
 std::vector<std::optional<std::string>> Trials::HarmsOf(const std::vector<SubtaskOrder>& orders) {
   std::vector<std::optional<std::string>> harms(orders.size());

@@ -20,6 +20,8 @@ class Trials {
   Trials(const recording::Recording& recording, const AnalysisOptions& options);
 
   const std::vector<Subtask>& subtasks() const { return subtasks_; }
+  /// Returns all goals of the demonstration.
+  std::vector<GoalFinding> goals() const;
   std::size_t num_done() const { return num_done_; }
 
   /// Simulates several arrangements at the same time.
@@ -36,7 +38,8 @@ class Trials {
   const AnalysisOptions& options_;
   recording::Demonstration demonstration_;
   std::vector<Subtask> subtasks_;
-  task::Structure structure_;
+  task::Structure demonstrated_;
+  task::Structure structure_;  ///< without the ignored goals
   std::size_t num_done_ = 0;
 };
 

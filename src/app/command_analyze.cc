@@ -20,11 +20,15 @@ namespace {
 
 struct AnalyzeOptions {
   std::string demo, out;
+  std::vector<std::string> ignored;
   int jobs = 0;
   bool json = false;
 };
 
 void Print(const analysis::Analysis& analysis) {
+  for (const analysis::GoalFinding& one : analysis.goals) {
+    if (!one.counts) std::printf("does not count: %s\n", Printable(one.goal.words).c_str());
+  }
   for (std::size_t i = 0; i < analysis.subtasks.size(); ++i) {
     const analysis::SubtaskFinding& finding = analysis.subtasks[i];
     std::printf("%zu. %s: %s\n", i + 1, Printable(finding.subtask.words).c_str(),
@@ -53,12 +57,13 @@ void AnalyzeDemo(const AnalyzeOptions& options) {
   const unsigned threads = options.jobs > 0 ? static_cast<unsigned>(options.jobs)
                                             : std::max(1u, std::thread::hardware_concurrency());
   const analysis::Analysis analysis = analysis::Analyze(
-      recording,
-      {.num_threads = threads, .progress = [&progress](std::size_t done, std::size_t at_most) {
-         progress.Show(static_cast<double>(done), static_cast<double>(at_most),
-                       "simulations at most");
-         return !IsInterrupted();
-       }});
+      recording, {.num_threads = threads,
+                  .ignored = options.ignored,
+                  .progress = [&progress](std::size_t done, std::size_t at_most) {
+                    progress.Show(static_cast<double>(done), static_cast<double>(at_most),
+                                  "simulations at most");
+                    return !IsInterrupted();
+                  }});
   progress.Wipe();
   const std::string json = ToText(ToJson(analysis), 2);
   if (!options.out.empty()) {
@@ -84,6 +89,10 @@ void AddAnalyze(CLI::App* program, ExitAnswer) {
   analyze->add_option("DEMO", options->demo, "directory of a recording; it is not changed")
       ->required();
   analyze->add_option("--out", options->out, "directory for analysis.json and report.html")
+      ->check(NotEmpty());
+  Repeatable(analyze->add_option("--ignore", options->ignored,
+                                 "goal that does not count: id of an object whose place is "
+                                 "meant, or an effect in the words of analysis.json"))
       ->check(NotEmpty());
   analyze->add_option("--jobs", options->jobs, "simulations at the same time (default: cores)")
       ->check(CLI::Range(1, 256));

@@ -43,7 +43,10 @@ class AnalysisTest : public recorder::RecordingFixture {
   }
 
   recording::Recording Recorded(const std::string& script) {
-    return recording::OpenRecording(Record(script.c_str(), false, nullptr, kBlocks));
+    // Each keeps its own directory.
+    const auto directory = root_ / ("demo" + std::to_string(num_recorded_++));
+    std::filesystem::rename(Record(script.c_str(), false, nullptr, kBlocks), directory);
+    return recording::OpenRecording(directory);
   }
   recording::Recording TowerAndErrand() {
     return Recorded(At("0.51", Carry("green", "0,-1")) + At("0.51", Carry("blue", "3,-4")) +
@@ -62,6 +65,8 @@ class AnalysisTest : public recorder::RecordingFixture {
     for (const Precedence& one : analysis.precedences) order.emplace_back(one.before, one.after);
     return order;
   }
+
+  int num_recorded_ = 0;
 };
 
 TEST_F(AnalysisTest, FindsTheSubtasksThatMatterAndTheirOrder) {
@@ -78,7 +83,28 @@ TEST_F(AnalysisTest, FindsTheSubtasksThatMatterAndTheirOrder) {
   const Json json = ToJson(analysis);
   EXPECT_EQ(json["subtasks"][2]["segments"], (Json{5, 6}));
   EXPECT_EQ(json["subtasks"][1]["without"], nullptr);
+  EXPECT_EQ(json["subtasks"][1]["objects"], Json{"blue"});
   EXPECT_EQ(json["order"][0]["after"], 3);
+}
+
+TEST_F(AnalysisTest, WhatDoesNotCountNeedNoSubtask) {
+  const recording::Recording recording =
+      Recorded(At("0.51", Carry("blue", "3,-4")) + At("1.51", Carry("red", "0,-3")) +
+               R"({"do":"wait","seconds":1})");
+  EXPECT_EQ(Necessary(Analyze(recording, {})), (std::vector{true, true}));
+  const Analysis analysis = Analyze(recording, {.ignored = {"blue"}});
+  EXPECT_EQ(Necessary(analysis), (std::vector{false, true}));
+  const Json goals = ToJson(analysis)["goals"];
+  EXPECT_EQ(goals[0],
+            (Json{{"id", "red"}, {"words", "red on green"}, {"kind", "place"}, {"counts", true}}));
+  EXPECT_EQ(goals[2]["counts"], false);
+  EXPECT_THROW((void)Analyze(recording, {.ignored = {"purple"}}), std::invalid_argument);
+}
+
+TEST_F(AnalysisTest, ContentIsThatOfTheCommands) {
+  const recording::Recording one = TowerAndErrand(), again = TowerAndErrand();
+  EXPECT_EQ(ContentOf(one), ContentOf(again));
+  EXPECT_NE(ContentOf(one), ContentOf(Recorded(At("1.51", Carry("red", "0,-3")))));
 }
 
 TEST_F(AnalysisTest, DoesNotDependOnTheNumberOfThreads) {

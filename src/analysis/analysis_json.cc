@@ -37,6 +37,14 @@ Json ToJson(const Analysis& analysis) {
   }
   Json sufficient = Json::array();
   for (const std::size_t subtask : analysis.sufficient) sufficient.push_back(NumberOf(subtask));
+  Json properties = Json::array();
+  for (const PropertyFinding& one : analysis.properties) {
+    const bool is_color = one.property == PropertyFinding::Property::kColor;
+    properties.push_back({{"property", is_color ? "color" : "place"},
+                          {"object", one.object.empty() ? Json(nullptr) : Json(one.object)},
+                          {"tried", one.tried.empty() ? Json(nullptr) : Json(one.tried)},
+                          {"harm", ToJson(one.harm)}});
+  }
   Json goals = Json::array();
   for (const GoalFinding& one : analysis.goals) {
     goals.push_back({{"id", one.goal.id},
@@ -51,6 +59,9 @@ Json ToJson(const Analysis& analysis) {
           {"subtasks", std::move(subtasks)},
           {"order", std::move(order)},
           {"sufficient", std::move(sufficient)},
+          {"properties", std::move(properties)},
+          {"why_not_moved",
+           analysis.why_not_moved.empty() ? Json(nullptr) : Json(analysis.why_not_moved)},
           {"simulations", analysis.num_simulations}};
 }
 

@@ -94,6 +94,7 @@ function [callback, image_seconds, arms] = answer_init(link, message, sequence, 
       still.arms = smile_arms('still', aux.arms);
     end
     aux.attention = with_properties(aux.attention);
+    if isfield(aux, 'planWords'), aux = with_plan(aux); end
     aux.cameraNames = lines_of(aux.cameraNames);
     assignin('base', 'aux', aux);
     script = init;
@@ -252,6 +253,22 @@ function attention = with_properties(lines)
     attention(k).object = words{1};
     attention(k).properties = words(2:end);
   end
+end
+
+function aux = with_plan(aux)
+  % What matters in the demonstration becomes one struct.
+  words = regexp(aux.planWords, '\n', 'split');
+  objects = regexp(aux.planObjects, '\n', 'split');
+  subtasks = struct('words', words, 'objects', {{}}, 'segments', [], 'isNecessary', false);
+  for k = 1:numel(words)
+    if ~isempty(objects{k}), subtasks(k).objects = regexp(objects{k}, ',', 'split'); end
+    subtasks(k).segments = aux.planSegments(k, :);
+    subtasks(k).isNecessary = aux.planNecessary(k) ~= 0;
+  end
+  aux.plan = struct('subtasks', subtasks, 'order', aux.planOrder, 'sufficient', aux.planSufficient);
+  aux.plan.goals = lines_of(aux.planGoals);
+  aux = rmfield(aux, {'planWords', 'planObjects', 'planSegments', 'planNecessary', 'planOrder', ...
+                      'planSufficient', 'planGoals'});
 end
 
 function aux = base_aux()

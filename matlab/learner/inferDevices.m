@@ -1,13 +1,16 @@
-function presses = inferDevices(demo, steps, appearances)
+function presses = inferDevices(demo, steps, appearances, needs)
 % Returns the presses of controls and the uses of tools in a demonstration, in their order: a 1xN struct array, see newPress.
 % It is an error if the pictures do not show what one of them changed.
 %   appearances  as from measureObjects
+%   needs        what the goal needs, if it is known: see needsOf
+  if nargin < 4, needs = []; end
   presses = noPresses();
   if ~isfield(demo, 'events'), return; end
   placed = {};  % names of the objects that were released so far for the last time
   num_released = 0;
   is_driving = false;
-  for event = demo.events
+  for i = 1:numel(demo.events)
+    event = demo.events(i);
     if strcmp(event.word, 'release')
       num_released = num_released + 1;
       n = demo.placed(num_released);
@@ -16,6 +19,11 @@ function presses = inferDevices(demo, steps, appearances)
     is_driving = is_driving && ~strcmp(event.word, 'grasp');
     if ~any(strcmp(event.word, {'use', 'trigger', 'press'})), continue; end
     after = find([steps.stays] | ismember({steps.name}, placed));
+    if ~isempty(needs)
+      if ~isNeeded(needs, demo.segments(i)), continue; end
+      is_before = arrayfun(@(k) steps(k).stays || mustPrecede(needs, steps(k), demo.segments(i)), after);
+      after = allBefore(after(is_before), steps);
+    end
     if strcmp(event.word, 'use') && any(strcmp(constants().uses.turning, event.fields{3}))
       drives = presses(~cellfun(@isempty, {presses.turns}));
       if ~is_driving, presses(end + 1) = driveAt(demo, event, after, drives, appearances); end

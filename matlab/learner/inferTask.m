@@ -1,9 +1,11 @@
-function [steps, container, appearances] = inferTask(demo, attention)
+function [steps, container, appearances] = inferTask(demo, attention, needs)
 % Infers from a demonstration what is to be done: a list of steps (see newStep) in the order shown, one for each
 % object that takes part, except tools that were put back. Objects that were not moved but support others come first.
 %   attention    the properties of objects that matter, if the demonstrator specified some, as in aux
 %   container    the open box that objects were put into: see measureContainer
 %   appearances  of all objects: see measureObjects
+%   needs        what the goal needs, if it is known: see needsOf
+  if nargin < 3, needs = []; end
   moved = movedObjects(demo);
   is_dragged = arrayfun(@(n) wasDragged(demo, n), moved);
   if isfield(demo, 'appearances')
@@ -11,9 +13,9 @@ function [steps, container, appearances] = inferTask(demo, attention)
   else
     appearances = measureObjects(demo, moved(~is_dragged));
   end
-  is_tool = ismember(moved, toolsOf(demo));
+  needed = neededOf(moved(~ismember(moved, toolsOf(demo))), demo, needs);
   placed = noSteps();
-  for n = moved(~is_tool)
+  for n = needed
     if any(moved(is_dragged) == n)
       placed(end + 1) = measureHandle(demo, n);
     else
@@ -21,7 +23,7 @@ function [steps, container, appearances] = inferTask(demo, attention)
     end
   end
   others = placed([]);
-  for n = setdiff(1:numel(demo.ids), moved(~is_tool))
+  for n = setdiff(1:numel(demo.ids), needed)
     if isempty(appearances(n).size), continue; end
     others(end + 1) = stepOf(demo, n, appearances(n), attention);
     others(end).stays = true;
@@ -35,7 +37,11 @@ function [steps, container, appearances] = inferTask(demo, attention)
   end
   for k = find(~[steps.stays])
     steps(k).aside = asideOf(demo, steps(k), appearances);
-    if ~isempty(steps(k).aside), steps(k).after = setdiff(1:k - 1, steps(k).on); end
+    if ~isempty(needs)
+      steps(k).after = union(steps(k).after, requiredBefore(needs, steps, k));
+    elseif ~isempty(steps(k).aside)
+      steps(k).after = setdiff(1:k - 1, steps(k).on);
+    end
   end
   container = measureContainer(demo, steps(cellfun(@isempty, {steps.aside})));
 end

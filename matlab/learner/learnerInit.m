@@ -7,10 +7,11 @@ if exist(fullfile(aux.demonstration, '0.txt'), 'file')
 else  % a recording without texts: from its pictures alone
   demo = watchDemonstration(aux.demonstration);
 end
-[steps, container, appearances] = inferTask(demo, aux.attention);
+needs = needsOf(aux, demo);
+[steps, container, appearances] = inferTask(demo, aux.attention, needs);
 [keyframes, goal] = explain(demo, appearances, container);
 aux.notes = strcat({'understood: '}, strtrim(printPage(keyframes, goal)));
-presses = inferDevices(demo, steps, appearances);
+presses = inferDevices(demo, steps, appearances, needs);
 printSteps(steps);
 printPresses(presses, steps);
 

@@ -8,9 +8,10 @@ function demo = readDemonstration(folder)
 %   demo.final   pose of each object at the end, Nx6
 %   demo.placed  numbers of the released objects, in the order of release
 %   demo.events  all lines except moves, 1xN struct: frame, word ('grasp', 'release', ...), fields, 1xM cell
+%   demo.segments  of each of these lines, the number of its text file, 1xN
 %   demo.eye     camera of the observing robot: intrinsics 3x3, pose 4x4 [units], as in aux
   demo = struct('folder', folder, 'ids', {{}}, 'moves', zeros(0, 8), 'placed', [], ...
-                'events', struct('frame', {}, 'word', {}, 'fields', {}));
+                'events', struct('frame', {}, 'word', {}, 'fields', {}), 'segments', []);
   held = struct();  % number of the object in each hand
   segment = 0;
   while exist(fullfile(folder, sprintf('%d.txt', segment)), 'file')
@@ -20,6 +21,7 @@ function demo = readDemonstration(folder)
       words = regexp(lines{i}, ',', 'split');  % frame, event, fields of the event
       if ~strcmp(words{2}, 'move')
         demo.events(end + 1) = struct('frame', str2double(words{1}), 'word', words{2}, 'fields', {words(3:end)});
+        demo.segments(end + 1) = segment;
       end
       switch words{2}
         case 'create'

@@ -356,6 +356,8 @@ def lines_of(text: str) -> list[str]:
 def aux_of(values: Values) -> Fields:
     lines = [line.split(",") for line in lines_of(values.get("attention", ""))]
     values["attention"] = {words[0]: words[1:] for words in lines}
+    if "planWords" in values:
+        values["plan"] = take_plan(values)
     values["cameraNames"] = lines_of(values.get("cameraNames", ""))
     for name in ("numLimbs", "numJoints"):
         if name in values:
@@ -363,6 +365,19 @@ def aux_of(values: Values) -> Fields:
     if "armNames" in values:
         values["arms"] = arms_of(values)
     return Fields(values)
+
+
+def take_plan(values: Values) -> Fields:
+    """Returns the plan of a demonstration; its subtasks are counted from 0."""
+    rows = zip(values.pop("planWords").split("\n"), values.pop("planObjects").split("\n"),
+               values.pop("planSegments").astype(int), np.ravel(values.pop("planNecessary")))
+    subtasks = [Fields({"words": words, "objects": objects.split(",") if objects else [],
+                        "segments": (int(first), int(last)), "isNecessary": bool(necessary)})
+                for words, objects, (first, last), necessary in rows]
+    order = values.pop("planOrder").reshape(-1, 2).astype(int) - 1
+    sufficient = np.ravel(values.pop("planSufficient")).astype(int) - 1
+    return Fields({"subtasks": subtasks, "order": order, "sufficient": sufficient,
+                   "goals": lines_of(values.pop("planGoals"))})
 
 
 def wishes_of(aux: Fields) -> Values:

@@ -6,10 +6,17 @@
 #include "analysis/analysis.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "analysis/internal_trials.h"
 #include "base/diagnostic.h"
+#include "base/hash_text.h"
+#include "base/state_hash.h"
+#include "math/color.h"
+#include "scene/solid.h"
+#include "scene_xml/scene_writer.h"
+#include "sim/command_json.h"
 
 namespace smile::analysis {
 namespace {
@@ -41,7 +48,9 @@ SubtaskOrder Exchanged(std::size_t earlier, std::size_t later, const Analysis& a
 }
 
 void RequireThatItStands(const recording::Recording& recording, Trials* trials) {
-  const auto harm = trials->HarmsOf({DemonstratedOrder(trials->subtasks().size())}).front();
+  const auto harm =
+      trials->HarmsOf(std::vector<SubtaskOrder>{DemonstratedOrder(trials->subtasks().size())})
+          .front();
   if (!harm) return;
   throw InputError({recording.directory.string(), 0, "",
                     "does not keep what it achieved for 2 s after its end (" + *harm +
@@ -95,6 +104,71 @@ void FindPrecedences(std::size_t distance, Trials* trials, Analysis* analysis) {
   }
 }
 
+/// Returns a color that no object of a scene has.
+Color OtherColor(const scene::SceneSpec& scene) {
+  for (const std::string_view name : ColorNames()) {
+    const Color color = ParseColor(name).value();
+    const bool is_taken = std::ranges::any_of(
+        scene.objects, [&](const auto& object) { return object.whole.color == color; });
+    if (!is_taken) return color;
+  }
+  return {0.3, 0.5, 0.7};  // all names are taken
+}
+
+bool HasOneColor(const scene::ObjectSpec& object) {
+  return std::ranges::all_of(scene::SolidsOf(object.whole), [&](const scene::Solid& solid) {
+    return solid.color == object.whole.color;
+  });
+}
+
+/// Repaints each movable object of one color.
+void TryColors(const recording::Recording& recording, Trials* trials, Analysis* analysis) {
+  using Property = PropertyFinding::Property;
+  const Color color = OtherColor(recording.start_scene());
+  const SubtaskOrder order = DemonstratedOrder(trials->subtasks().size());
+  std::vector<Trial> tried;
+  std::vector<std::size_t> places;
+  for (const scene::ObjectSpec& object : trials->structure().objects) {
+    const std::string& id = object.id();
+    const auto attended = trials->structure().AttendedOf(id);
+    const bool was_there =
+        std::ranges::count(recording.start_scene().objects, id, &scene::ObjectSpec::id) > 0;
+    if (std::ranges::find(attended, "color") != attended.end()) {
+      analysis->properties.push_back(
+          {Property::kColor, id, "", "the demonstrator said that it matters"});
+    } else if (!object.is_static() && was_there && HasOneColor(object)) {
+      places.push_back(analysis->properties.size());
+      analysis->properties.push_back(
+          {Property::kColor, id, ToString(color) + " instead of " + ToString(object.whole.color),
+           std::nullopt});
+      tried.push_back({.order = order, .repaint = Repaint{id, color}});
+    }
+  }
+  const std::vector<Harm> harms = trials->HarmsOf(tried);
+  for (std::size_t i = 0; i < tried.size(); ++i) analysis->properties[places[i]].harm = harms[i];
+}
+
+/// Displaces everything that is not fixed, hands included.
+void TryPlaces(const recording::Recording& recording, Trials* trials, Analysis* analysis) {
+  analysis->why_not_moved = WhyNotShifted(recording);
+  if (!analysis->why_not_moved.empty()) return;
+  constexpr int kShift = 100;  // [mm], the side of the usual block
+  constexpr std::array<std::pair<std::array<int, 2>, const char*>, 4> kShifts{
+      {{{kShift, 0}, "100 mm to the right"},
+       {{-kShift, 0}, "100 mm to the left"},
+       {{0, kShift}, "100 mm away from the viewer"},
+       {{0, -kShift}, "100 mm towards the viewer"}}};
+  std::vector<Trial> tried;
+  for (const auto& [shift, words] : kShifts) {
+    tried.push_back({.order = DemonstratedOrder(trials->subtasks().size()), .shift_mm = shift});
+  }
+  const std::vector<Harm> harms = trials->HarmsOf(tried);
+  for (std::size_t i = 0; i < tried.size(); ++i) {
+    analysis->properties.push_back(
+        {PropertyFinding::Property::kPlace, "", kShifts[i].second, harms[i]});
+  }
+}
+
 }  // namespace
 
 bool Analysis::MustPrecede(std::size_t before, std::size_t after) const {
@@ -123,9 +197,22 @@ std::string NumbersOf(const std::vector<std::size_t>& subtasks) {
   return numbers;
 }
 
+std::string ContentOf(const recording::Recording& recording) {
+  StateHash hash;
+  hash.Add(scene_xml::WriteScene(recording.start_scene()));
+  hash.Add(recording.info.start.tick);
+  for (const recording::LoggedCommand& one : recording.commands) {
+    hash.Add(one.tick);
+    hash.Add(ToText(sim::ToJson(one.command, recording.start_scene().meters_per_unit)));
+  }
+  return HashText(hash.value());
+}
+
 Analysis Analyze(const recording::Recording& recording, const AnalysisOptions& options) {
   Trials trials(recording, options);
   Analysis analysis;
+  analysis.demonstration = ContentOf(recording);
+  analysis.goals = trials.goals();
   RequireThatItStands(recording, &trials);
   FindNecessarySubtasks(&trials, &analysis);
   for (std::size_t distance = 1; distance < analysis.subtasks.size(); ++distance) {
@@ -133,7 +220,10 @@ Analysis Analyze(const recording::Recording& recording, const AnalysisOptions& o
   }
   std::ranges::sort(analysis.precedences, {},
                     [](const Precedence& one) { return std::pair(one.after, one.before); });
+  TryColors(recording, &trials, &analysis);
+  TryPlaces(recording, &trials, &analysis);
   analysis.num_simulations = trials.num_done();
+  trials.Finish();
   return analysis;
 }
 

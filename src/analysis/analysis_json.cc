@@ -6,8 +6,6 @@
 namespace smile::analysis {
 namespace {
 
-constexpr int kFormat = 1;
-
 Json ToJson(const std::optional<std::string>& text) { return text ? Json(*text) : Json(nullptr); }
 
 /// People count subtasks from 1.
@@ -26,6 +24,7 @@ Json ToJson(const Analysis& analysis) {
                         {"seconds", {sim::SecondsOf(subtask.begin), sim::SecondsOf(subtask.end)}},
                         {"words", subtask.words},
                         {"actions", subtask.actions},
+                        {"objects", subtask.objects},
                         {"necessary", finding.harm.has_value()},
                         {"without", ToJson(finding.harm)},
                         {"level", levels[i]}});
@@ -38,11 +37,31 @@ Json ToJson(const Analysis& analysis) {
   }
   Json sufficient = Json::array();
   for (const std::size_t subtask : analysis.sufficient) sufficient.push_back(NumberOf(subtask));
-  return {{"format", kFormat},
+  Json properties = Json::array();
+  for (const PropertyFinding& one : analysis.properties) {
+    const bool is_color = one.property == PropertyFinding::Property::kColor;
+    properties.push_back({{"property", is_color ? "color" : "place"},
+                          {"object", one.object.empty() ? Json(nullptr) : Json(one.object)},
+                          {"tried", one.tried.empty() ? Json(nullptr) : Json(one.tried)},
+                          {"harm", ToJson(one.harm)}});
+  }
+  Json goals = Json::array();
+  for (const GoalFinding& one : analysis.goals) {
+    goals.push_back({{"id", one.goal.id},
+                     {"words", one.goal.words},
+                     {"kind", one.goal.is_place ? "place" : "effect"},
+                     {"counts", one.counts}});
+  }
+  return {{"format", kAnalysisFormat},
           {"program", ProgramName()},
+          {"demonstration", analysis.demonstration},
+          {"goals", std::move(goals)},
           {"subtasks", std::move(subtasks)},
           {"order", std::move(order)},
           {"sufficient", std::move(sufficient)},
+          {"properties", std::move(properties)},
+          {"why_not_moved",
+           analysis.why_not_moved.empty() ? Json(nullptr) : Json(analysis.why_not_moved)},
           {"simulations", analysis.num_simulations}};
 }
 

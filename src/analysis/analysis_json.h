@@ -5,6 +5,8 @@
 
 namespace smile::analysis {
 
+inline constexpr int kAnalysisFormat = 2;
+
 /// Returns the content of `analysis.json` (docs/analysis.md).
 Json ToJson(const Analysis& analysis);
 

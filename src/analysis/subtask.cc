@@ -1,5 +1,6 @@
 #include "analysis/subtask.h"
 
+#include <algorithm>
 #include <set>
 
 #include "base/diagnostic.h"
@@ -35,6 +36,19 @@ class HoldingHands {
   std::set<sim::HandName> hands_;
 };
 
+/// Adds an id, unless it is empty or there already.
+void AddObject(const std::string& id, std::vector<std::string>* objects) {
+  if (!id.empty() && std::ranges::find(*objects, id) == objects->end()) objects->push_back(id);
+}
+
+/// Adds what an action is about; how many objects were cleared away, or which scene was loaded, is
+/// no id.
+void AddObjects(const sim::ActionSummary& action, std::vector<std::string>* objects) {
+  if (action.kind == sim::ActionKind::kClear || action.kind == sim::ActionKind::kLoad) return;
+  AddObject(action.what, objects);
+  AddObject(action.with, objects);
+}
+
 /// Adds an action to a subtask, which then ends with it.
 /// @param start  tick at which the demonstration starts.
 void Append(const recording::Segment& action, std::uint64_t start, Subtask* subtask) {
@@ -42,6 +56,7 @@ void Append(const recording::Segment& action, std::uint64_t start, Subtask* subt
   const bool takes = action.summary && action.summary->kind == sim::ActionKind::kTake;
   if (!takes) subtask->words += (subtask->words.empty() ? "" : ", ") + words;
   subtask->actions.push_back(words);
+  if (action.summary) AddObjects(*action.summary, &subtask->objects);
   subtask->last = subtask->first + static_cast<int>(subtask->actions.size()) - 1;
   subtask->end = action.end.tick - start;
 }
@@ -57,8 +72,7 @@ std::vector<Subtask> SubtasksOf(const recording::Recording& recording) {
   for (std::size_t number = 1; number < path.size(); ++number) {
     const recording::Segment& segment = path[number];
     if (!is_open) {
-      subtasks.push_back(
-          {.first = static_cast<int>(number), .begin = segment.begin.tick - start, .actions = {}});
+      subtasks.push_back({.first = static_cast<int>(number), .begin = segment.begin.tick - start});
     }
     Append(segment, start, &subtasks.back());
     if (segment.summary) hands.Follow(*segment.summary);

@@ -16,6 +16,8 @@ struct Subtask {
   int first = 0, last = 0;           ///< segments, by their numbers in the recording
   std::uint64_t begin = 0, end = 0;  ///< [ticks] from the start of the demonstration
   std::vector<std::string> actions;  ///< in words: `right hand takes b03`
+  /// Ids of the objects, parts, controls and tools of its actions, each once, in their order.
+  std::vector<std::string> objects;
   /// What came of it, in words: all actions but those that take an object, unless it is still held.
   std::string words;
 

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "analysis/analysis.h"
@@ -13,18 +14,40 @@
 #include "app/progress.h"
 #include "base/files.h"
 #include "base/wording.h"
+#include "experiment/content_hash.h"
+#include "experiment/folder_lock.h"
 #include "report/analysis_page.h"
 
 namespace smile::app {
 namespace {
 
+/// Kept in the output directory until the analysis is complete.
+constexpr const char* kProgressFile = "progress.jsonl";
+
 struct AnalyzeOptions {
   std::string demo, out;
+  std::vector<std::string> ignored;
   int jobs = 0;
   bool json = false;
 };
 
+void PrintProperties(const analysis::Analysis& analysis) {
+  for (const analysis::PropertyFinding& one : analysis.properties) {
+    const bool is_color = one.property == analysis::PropertyFinding::Property::kColor;
+    const std::string what =
+        is_color ? "color of " + one.object : std::string("everything that is not fixed");
+    std::printf("%s%s%s: %s\n", Printable(what).c_str(), one.tried.empty() ? "" : ", ",
+                one.tried.c_str(), Printable(one.harm.value_or("without harm")).c_str());
+  }
+  if (!analysis.why_not_moved.empty()) {
+    std::printf("another place was not tried: %s\n", analysis.why_not_moved.c_str());
+  }
+}
+
 void Print(const analysis::Analysis& analysis) {
+  for (const analysis::GoalFinding& one : analysis.goals) {
+    if (!one.counts) std::printf("does not count: %s\n", Printable(one.goal.words).c_str());
+  }
   for (std::size_t i = 0; i < analysis.subtasks.size(); ++i) {
     const analysis::SubtaskFinding& finding = analysis.subtasks[i];
     std::printf("%zu. %s: %s\n", i + 1, Printable(finding.subtask.words).c_str(),
@@ -40,6 +63,7 @@ void Print(const analysis::Analysis& analysis) {
   }
   std::printf("%s subtasks can be done in any order\n",
               analysis.precedences.empty() ? "all" : "other");
+  PrintProperties(analysis);
 }
 
 void AnalyzeDemo(const AnalyzeOptions& options) {
@@ -48,17 +72,29 @@ void AnalyzeDemo(const AnalyzeOptions& options) {
     RequireOutsideOfRecordings(options.out);
     std::filesystem::create_directories(options.out);
   }
+  std::optional<experiment::FolderLock> lock;
+  if (!options.out.empty()) lock.emplace(options.out, "analysis");
   ProgressLine progress("simulating");
   // hardware_concurrency() may return 0 where it does not know.
   const unsigned threads = options.jobs > 0 ? static_cast<unsigned>(options.jobs)
                                             : std::max(1u, std::thread::hardware_concurrency());
   const analysis::Analysis analysis = analysis::Analyze(
       recording,
-      {.num_threads = threads, .progress = [&progress](std::size_t done, std::size_t at_most) {
-         progress.Show(static_cast<double>(done), static_cast<double>(at_most),
-                       "simulations at most");
-         return !IsInterrupted();
-       }});
+      {.num_threads = threads,
+       .ignored = options.ignored,
+       .progress_file = options.out.empty() ? std::filesystem::path()
+                                            : std::filesystem::path(options.out) / kProgressFile,
+       .build = experiment::ContentOf(std::filesystem::read_symlink("/proc/self/exe")),
+       .say =
+           [](std::string_view message) {
+             std::fprintf(stderr, "%s\n", Printable(message).c_str());
+           },
+       .progress =
+           [&progress](std::size_t done, std::size_t at_most) {
+             progress.Show(static_cast<double>(done), static_cast<double>(at_most),
+                           "simulations at most");
+             return !IsInterrupted();
+           }});
   progress.Wipe();
   const std::string json = ToText(ToJson(analysis), 2);
   if (!options.out.empty()) {
@@ -84,6 +120,10 @@ void AddAnalyze(CLI::App* program, ExitAnswer) {
   analyze->add_option("DEMO", options->demo, "directory of a recording; it is not changed")
       ->required();
   analyze->add_option("--out", options->out, "directory for analysis.json and report.html")
+      ->check(NotEmpty());
+  Repeatable(analyze->add_option("--ignore", options->ignored,
+                                 "goal that does not count: id of an object whose place is "
+                                 "meant, or an effect in the words of analysis.json"))
       ->check(NotEmpty());
   analyze->add_option("--jobs", options->jobs, "simulations at the same time (default: cores)")
       ->check(CLI::Range(1, 256));

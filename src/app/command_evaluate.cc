@@ -109,6 +109,7 @@ void AddEvaluate(CLI::App* program, ExitAnswer answer) {
   evaluate->add_flag("--json", options->json, "evaluation.json on stdout");
   AddEyeOptions(evaluate, &options->eye);
   AddNoiseOption(evaluate, &options->noise);
+  AddPlanOption(evaluate, &options->settings.plan);
   AddImitateSettings(evaluate, &options->settings);
   evaluate->callback([options, answer] { *answer = Evaluate(*options); });
 }

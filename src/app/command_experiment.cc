@@ -20,7 +20,7 @@ struct ExperimentOptions {
   std::string name{experiment::kTasks.front().name}, out, brain;
   LayoutOptions layout;
   bool has_level = false;  ///< given by the user
-  bool no_films = false, json = false;
+  bool analyze = false, no_films = false, json = false;
 };
 
 /// Prints the reached and the wanted positions in units of the scene, the errors, and the files.
@@ -73,6 +73,7 @@ int RunExperiment(const ExperimentOptions& options) {
                                      .robot = *PlaceRobot({}),
                                      .brain = options.brain,
                                      .layout = layout,
+                                     .is_analyzed = options.analyze,
                                      .has_films = !options.no_films},
                                     console.callbacks());
   console.Clear();
@@ -104,6 +105,9 @@ void AddExperiment(CLI::App* program, ExitAnswer answer) {
   experiment->add_option("--brain", options->brain, "brain (default: matlab/learner)")
       ->transform(PresentBrain());
   AddLayoutOptions(experiment, &options->layout);
+  experiment->add_flag("--analyze", options->analyze,
+                       "analyze the demonstration first, as `smile analyze` does, and give the "
+                       "brain the result");
   experiment->add_flag("--no-films", options->no_films, "no mp4 files");
   experiment->add_flag("--json", options->json, "result.json on stdout");
   CLI::Option* level = experiment->get_option("--level");

@@ -22,6 +22,7 @@ struct ImitateOptions {
   std::string demo, scene, out;
   double max_seconds = experiment::kMaxImitationSeconds;
   double hold = task::kRestSeconds;
+  std::string plan;
   bool no_pictures = false, json = false, verify = false, oracle = false;
   LayoutOptions layout;
   EyeOptions eye;
@@ -50,6 +51,7 @@ int ImitateDemo(const ImitateOptions& options) {
   const experiment::ImitationResult outcome = experiment::Imitate(
       {.task = std::filesystem::path(options.scene).stem().string(),
        .demonstration = options.demo,
+       .analysis = options.plan,
        .scene = layout::LaidOut(
            scene_xml::LoadScene(options.scene, options.path.reader()), options.layout.choice(),
            [&](double height) { return experiment::RegionOf(robot.value(), height); }),
@@ -112,6 +114,7 @@ void AddImitate(CLI::App* program, ExitAnswer answer) {
                     "recording without the robot's pictures");
   AddEyeOptions(imitate, &options->eye);
   AddNoiseOption(imitate, &options->noise);
+  AddPlanOption(imitate, &options->plan);
   AddOracleOption(imitate, &options->oracle);
   imitate->add_option("--variation", options->variation,
                       "looks, behavior and disturbance of an attempt of `smile generate`, as JSON "

@@ -68,6 +68,7 @@ experiment::EvaluationPlan PlanOf(const EvaluateOptions& options) {
   const experiment::Shard shard = experiment::ParseShard(options.pool.shard);
   experiment::EvaluationPlan plan{
       .demonstration = options.demo,
+      .analysis = options.settings.plan,
       .scene_name = options.scene,
       .scene = scene_xml::LoadScene(options.scene, options.settings.path.reader()),
       .level = options.level,

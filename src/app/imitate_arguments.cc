@@ -56,6 +56,7 @@ std::vector<std::string> ArgumentsOf(const ImitateSettings& settings, const std:
   if (eye != EyeOptions().camera) add("--eye", eye);
   add("--size", settings.size);
   add("--noise", noise);
+  add("--plan", settings.plan);
   add_flag("--oracle", settings.oracle);
   add("--robot", settings.robot.urdf);
   add("--side-file", settings.robot.side_file);

@@ -12,6 +12,7 @@ namespace smile::app {
 struct ImitateSettings {
   double max_seconds = 600, timeout = 60;
   std::string size;  ///< of the pictures of the eye
+  std::string plan;  ///< analysis.json of the demonstration
   bool oracle = false;
   RobotOptions robot;
   PathOptions path;

@@ -208,6 +208,14 @@ void AddNoiseOption(CLI::App* command, std::string* text) {
       ->needs("--brain");
 }
 
+void AddPlanOption(CLI::App* command, std::string* file) {
+  command
+      ->add_option("--plan", *file,
+                   "analysis.json of DEMO, which the brain is given (default: none; "
+                   "docs/analysis.md)")
+      ->check(NotEmpty());
+}
+
 void AddOracleOption(CLI::App* command, bool* gives_poses) {
   command->add_flag("--oracle", *gives_poses,
                     "give the brain the true poses, sizes and colors of all objects "

@@ -94,6 +94,7 @@ brain::SensorNoise ParseNoise(const std::string& text);
 void AddNoiseOption(CLI::App* command, std::string* text);
 
 /// Adds `--oracle`.
+void AddPlanOption(CLI::App* command, std::string* file);
 void AddOracleOption(CLI::App* command, bool* gives_poses);
 
 /// Adds `--demonstrator`: appearance of the demonstrator in pictures, see

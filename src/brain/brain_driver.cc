@@ -249,6 +249,7 @@ Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
   if (!options_.demonstration.empty()) {
     aux.demonstration = std::filesystem::absolute(options_.demonstration).string();
     aux.attention = options_.attention;
+    aux.plan = options_.plan;
   }
   aux.variation = options_.variation;
   if (options_.gives_poses) aux.objects = DescribeObjects(simulation);

@@ -36,6 +36,7 @@ struct BrainDriverOptions {
   std::filesystem::path demonstration;  ///< the recording to imitate; empty for none
   DemonstrationFrames frames;           ///< of that recording; called if a brain requests to watch
   Attention attention;                  ///< of it
+  std::optional<TaskPlan> plan;         ///< of it
   SensorNoise noise;                    ///< in all sensor values
   BehaviorVariation variation;          ///< that it is asked for
   /// Gives the brain the true poses of the objects that exist at its start, which no robot has.

@@ -98,6 +98,48 @@ void AddAttention(MessageWriter& writer, const Attention& attention) {
   writer.AddText("attention", text);
 }
 
+/// Returns ids in one line, separated by commas.
+/// @throws std::invalid_argument if one contains a comma or a line break, see AddAttention().
+std::string InOneLine(const std::vector<std::string>& ids) {
+  std::string line;
+  for (const std::string& id : ids) {
+    if (id.find_first_of(",\n") != std::string::npos) {
+      throw std::invalid_argument("'" + id + "' contains a comma or line break");
+    }
+    line += (line.empty() ? "" : ",") + id;
+  }
+  return line;
+}
+
+/// Adds the plan; its subtasks are counted from 1.
+void AddPlan(MessageWriter& writer, const TaskPlan& plan) {
+  std::vector<std::string> words, objects;
+  Eigen::MatrixX2d segments(plan.subtasks.size(), 2), order(plan.order.size(), 2);
+  Eigen::RowVectorXd necessary(plan.subtasks.size()), sufficient(plan.sufficient.size());
+  for (const PlanSubtask& subtask : plan.subtasks) {
+    const auto row = static_cast<Eigen::Index>(words.size());
+    segments.row(row) << subtask.first, subtask.last;
+    necessary[row] = subtask.is_necessary ? 1 : 0;
+    words.push_back(subtask.words);
+    objects.push_back(InOneLine(subtask.objects));
+  }
+  for (std::size_t i = 0; i < plan.order.size(); ++i) {
+    const auto [before, after] = plan.order[i];
+    order.row(static_cast<Eigen::Index>(i)) << static_cast<double>(before + 1),
+        static_cast<double>(after + 1);
+  }
+  for (std::size_t i = 0; i < plan.sufficient.size(); ++i) {
+    sufficient[static_cast<Eigen::Index>(i)] = static_cast<double>(plan.sufficient[i] + 1);
+  }
+  AddLines(writer, "planWords", words);
+  AddLines(writer, "planObjects", objects);
+  AddMatrix(writer, "planSegments", segments);
+  AddMatrix(writer, "planNecessary", necessary);
+  AddMatrix(writer, "planOrder", order);
+  AddMatrix(writer, "planSufficient", sufficient);
+  AddLines(writer, "planGoals", plan.goals);
+}
+
 /// Throws std::invalid_argument unless a channel has one value per pixel and component.
 void CheckChannel(const std::string& field, std::size_t found, const Image& image, int depth) {
   const auto width = static_cast<std::size_t>(std::max(0, image.width_px));
@@ -597,6 +639,7 @@ std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::st
   if (aux.camera) AddCamera(writer, *aux.camera);
   if (!aux.demonstration.empty()) writer.AddText("demonstration", aux.demonstration);
   AddAttention(writer, aux.attention);
+  if (aux.plan) AddPlan(writer, *aux.plan);
   AddVariation(writer, aux.variation);
   AddObjects(writer, aux.objects);
   return writer.Finish();

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -64,6 +65,27 @@ using DemonstrationFrames = std::function<std::optional<DemonstrationFrame>()>;
 /// demonstrator.
 using Attention = std::map<std::string, std::vector<std::string>>;
 
+/// Subtask of a demonstration, see analysis::Subtask.
+struct PlanSubtask {
+  std::string words;
+  std::vector<std::string> objects;  ///< ids of objects, parts, controls and tools
+  int first = 0, last = 0;           ///< its segments of the recording
+  bool is_necessary = false;
+
+  bool operator==(const PlanSubtask&) const = default;
+};
+
+/// What matters in a demonstration, see analysis::Analysis. Subtasks are referred to by their
+/// indices.
+struct TaskPlan {
+  std::vector<PlanSubtask> subtasks;                       ///< as demonstrated; at least one
+  std::vector<std::pair<std::size_t, std::size_t>> order;  ///< the first before the second
+  std::vector<std::size_t> sufficient;                     ///< ascending
+  std::vector<std::string> goals;  ///< ids of the objects whose places count
+
+  bool operator==(const TaskPlan&) const = default;
+};
+
 /// Arm, as described in `aux.arms`.
 struct ArmDescription {
   std::string name;
@@ -111,8 +133,9 @@ struct Aux {
   /// Pose of the robot's base (x forward, z up) in the world, translation in units.
   Eigen::Matrix4d X_WBase = Eigen::Matrix4d::Identity();
   double meters_per_unit = 0.1;
-  std::string demonstration;  ///< folder of the recording to imitate; empty: none
-  Attention attention;        ///< of that demonstration
+  std::string demonstration;     ///< folder of the recording to imitate; empty: none
+  Attention attention;           ///< of that demonstration
+  std::optional<TaskPlan> plan;  ///< of that demonstration, if the brain is given one
   BehaviorVariation variation;
   std::vector<ObjectDescription> objects;  ///< empty unless the brain is given their poses
 };

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "brain_client/internal_arms.h"
+#include "brain_client/internal_plan.h"
 #include "brain_client/simulator_connection.h"
 
 namespace smile::brain_client {
@@ -96,6 +97,7 @@ class ProtocolSession {
       motor_.gripper_velocities.setZero(limbs_);
     }
     aux_.arms = ArmsOf(aux_);
+    aux_.plan = PlanOf(aux_);
     arms_ = aux_.arms;
     motor_.arms = StillArms(arms_);
     brain_->Init(aux_);

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "brain_client/fields.h"
@@ -21,11 +22,28 @@ struct Arm {
   std::optional<Eigen::VectorXd> init_joints;  ///< set in Init(): initial posture [rad; m]
 };
 
+/// Subtask of a demonstration.
+struct PlanSubtask {
+  std::string words;
+  std::vector<std::string> objects;  ///< ids of the objects, parts, controls and tools it is about
+  int first_segment = 0, last_segment = 0;  ///< of the recording
+  bool is_necessary = false;
+};
+
+/// What matters in a demonstration (docs/analysis.md). Subtasks are referred to by their indices.
+struct Plan {
+  std::vector<PlanSubtask> subtasks;                       ///< in the demonstrated order
+  std::vector<std::pair<std::size_t, std::size_t>> order;  ///< the first must be before the second
+  std::vector<std::size_t> sufficient;                     ///< achieve the goal by themselves
+  std::vector<std::string> goals;                          ///< ids of objects whose places count
+};
+
 /// What the simulator describes once, and the settings that a brain may change.
 struct Aux : Fields {
   using Fields::Fields;
 
-  std::vector<Arm> arms;  ///< all arms, in the order of Sensor and Motor
+  std::vector<Arm> arms;     ///< all arms, in the order of Sensor and Motor
+  std::optional<Plan> plan;  ///< of the demonstration, if the run gives one
 
   std::optional<Eigen::MatrixXd> init_joint_angles;  ///< in Init(): limbs x joints [rad]
   std::vector<std::string> channels;                 ///< in Init(): `rgb`, `depth`, `segmentation`

@@ -10,18 +10,10 @@
 #include <string_view>
 #include <utility>
 
+#include "brain_client/internal_lines.h"
+
 namespace smile::brain_client {
 namespace {
-
-std::vector<std::string> LinesOf(std::string_view text) {
-  std::vector<std::string> lines;
-  while (true) {
-    const std::size_t end = text.find('\n');
-    lines.emplace_back(text.substr(0, end));
-    if (end == std::string_view::npos) return lines;
-    text.remove_prefix(end + 1);
-  }
-}
 
 std::size_t NumJoints(const std::vector<Arm>& arms) {
   std::size_t count = 0;

@@ -17,6 +17,7 @@
 #include "experiment/content_hash.h"
 #include "experiment/folder_lock.h"
 #include "experiment/imitation_runs.h"
+#include "experiment/plan_file.h"
 #include "experiment/rerender.h"
 #include "report/evaluation_page.h"
 #include "task/demonstrated_structure.h"
@@ -61,16 +62,22 @@ std::vector<std::string> NamesOf(const std::vector<std::string>& brains) {
 Json CheckAndDescribe(const EvaluationPlan& plan) {
   // Called for their exceptions: the same checks happen in each run, but here before the first one,
   // in seconds instead of hours.
-  task::MakeImitationTask("", recording::OpenRecording(plan.demonstration), plan.scene);
+  const recording::Recording demonstration = recording::OpenRecording(plan.demonstration);
+  task::MakeImitationTask("", demonstration, plan.scene);
   for (const std::string& brain : plan.brains) brain::BrainProcess{brain};
-  return {{"format", kRunsFormat},
-          {"program", ProgramName()},
-          {"build", ContentOf(plan.program)},
-          {"demo", ContentOf(plan.demonstration)},
-          {"scene", ContentOf(plan.scene)},
-          {"robot", ContentOf(plan.robot)},
-          {"level", plan.level},
-          {"options", plan.settings}};
+  Json description = {{"format", kRunsFormat},
+                      {"program", ProgramName()},
+                      {"build", ContentOf(plan.program)},
+                      {"demo", ContentOf(plan.demonstration)},
+                      {"scene", ContentOf(plan.scene)},
+                      {"robot", ContentOf(plan.robot)},
+                      {"level", plan.level},
+                      {"options", plan.settings}};
+  if (!plan.analysis.empty()) {
+    ReadPlan(plan.analysis, demonstration);
+    description["plan"] = ContentOf(plan.analysis);
+  }
+  return description;
 }
 
 /// Seeds of an evaluation: those that are run, and those left out.

@@ -31,6 +31,7 @@ struct ImitationJob {
 /// Several brains imitate a demonstration from the same random starting layouts.
 struct EvaluationPlan {
   std::filesystem::path demonstration;     ///< recording
+  std::filesystem::path analysis;          ///< as ImitationPlan::analysis; also in `settings`
   std::string scene_name;                  ///< as the user wrote it
   scene::SceneSpec scene;                  ///< before it is laid out
   std::string level;                       ///< of the layouts; empty: the usual one

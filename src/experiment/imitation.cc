@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/hash_text.h"
+#include "experiment/plan_file.h"
 #include "experiment/run.h"
 #include "replay/replay.h"
 
@@ -66,9 +67,12 @@ void AddReplay(const std::filesystem::path& record, const Callbacks& callbacks, 
 
 ImitationResult Imitate(const ImitationPlan& plan, const Callbacks& callbacks) {
   // Made before the run, so that an impossible task fails at once.
+  const recording::Recording demonstration = recording::OpenRecording(plan.demonstration);
   const task::ImitationTask imitation_task =
-      task::MakeImitationTask(plan.task, recording::OpenRecording(plan.demonstration), plan.scene);
-  const RunResult run = Run(RunPlanOf(plan, imitation_task.structure), callbacks);
+      task::MakeImitationTask(plan.task, demonstration, plan.scene);
+  RunPlan run_plan = RunPlanOf(plan, imitation_task.structure);
+  if (!plan.analysis.empty()) run_plan.plan = ReadPlan(plan.analysis, demonstration);
+  const RunResult run = Run(run_plan, callbacks);
   // Scored from the recording, so that anyone can repeat the score. The recording is also what
   // people check a score against; state that only lived in memory would escape them.
   task::Episode outcome = task::EpisodeOf(recording::OpenRecording(plan.record));

@@ -23,6 +23,8 @@ namespace smile::experiment {
 struct ImitationPlan {
   std::string task;                     ///< its name in the result
   std::filesystem::path demonstration;  ///< recording
+  /// `analysis.json` of the demonstration, which the brain is given; empty for none.
+  std::filesystem::path analysis;
   scene::SceneSpec scene;
   Looks looks;  ///< that the scene gets; objects are told apart by the colors they had before
   std::filesystem::path brain;

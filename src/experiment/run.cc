@@ -146,6 +146,7 @@ class LiveRun {
 
   void StartBrain() {
     brain::BrainDriverOptions options = DriverOptionsFor(plan_.brain, plan_.demonstration, &*eye_);
+    options.plan = plan_.plan;
     options.image_seconds = plan_.image_seconds;
     options.noise = plan_.noise;
     options.variation = plan_.behavior;

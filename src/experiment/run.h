@@ -30,6 +30,7 @@ struct RunPlan {
   double callback_seconds = brain::kCallbackSeconds;  ///< timeout per callback, wall clock [s]
   bool is_attached = false;                           ///< a person starts the brain in a debugger
   std::filesystem::path demonstration;  ///< recording that the brain is given; empty for none
+  std::optional<brain::TaskPlan> plan;  ///< of the demonstration, for the brain
   std::optional<double> seconds;        ///< exact length [s]; nullopt: until script and brain end
   /// Limit of runs that end by themselves, from the end of watching [s].
   double max_seconds = 86400;

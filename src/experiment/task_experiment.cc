@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "analysis/analysis.h"
+#include "analysis/analysis_json.h"
 #include "base/files.h"
 #include "experiment/move_aside.h"
 #include "experiment/robot_region.h"
@@ -55,6 +58,20 @@ void WriteReport(const TaskExperimentPlan& plan, const Json& result, const Callb
                                                       .enclosures = enclosures}));
 }
 
+/// Analyzes the demonstration and writes the result beside it.
+/// @returns the file.
+std::filesystem::path WriteAnalysis(const std::filesystem::path& out, const Callbacks& callbacks) {
+  callbacks.Say("finding out what mattered in the demonstration");
+  const analysis::Analysis analysis = analysis::Analyze(
+      recording::OpenRecording(out / "demonstration"),
+      // hardware_concurrency() may return 0 where it does not know.
+      {.num_threads = std::max(1u, std::thread::hardware_concurrency()),
+       .progress = [&](std::size_t, std::size_t) { return !callbacks.IsCancelled(); }});
+  std::filesystem::path file = out / "analysis.json";
+  WriteFile(file, ToText(ToJson(analysis), 2) + "\n");
+  return file;
+}
+
 }  // namespace
 
 const ShippedTask* FindTask(std::string_view name) {
@@ -90,8 +107,11 @@ ImitationResult RunTaskExperiment(const TaskExperimentPlan& plan, const Callback
   const scene::SceneSpec scene =
       layout::LaidOut(scene_xml::LoadScene(DataFile("scenes/" + plan.task + "_robot.xml")),
                       plan.layout, [&](double height) { return RegionOf(plan.robot, height); });
+  const std::filesystem::path analysis =
+      plan.is_analyzed ? WriteAnalysis(plan.out, callbacks) : std::filesystem::path();
   ImitationResult result = Imitate({.task = plan.task,
                                     .demonstration = plan.out / "demonstration",
+                                    .analysis = analysis,
                                     .scene = scene,
                                     .brain = plan.brain.empty() ? DataFile(kLearner) : plan.brain,
                                     .callback_seconds = kPatientCallbackSeconds,

@@ -59,6 +59,7 @@ struct TaskExperimentPlan {
   sim::RobotPlacement robot;    ///< stands at both tables
   std::filesystem::path brain;  ///< empty: the shipped learner
   layout::LayoutChoice layout;  ///< of the robot's scene
+  bool is_analyzed = false;     ///< and the brain is given the result
   bool has_films = true;
 };
 

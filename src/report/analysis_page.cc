@@ -148,6 +148,30 @@ Markup OrderTable(const analysis::Analysis& analysis) {
                  Table("What follows from other rows is left out.", head, rows));
 }
 
+/// Returns `color of RedBlock: yellow instead of red`.
+std::string TriedText(const analysis::PropertyFinding& one) {
+  if (one.property == analysis::PropertyFinding::Property::kPlace) {
+    return "place of everything that is not fixed: " + one.tried;
+  }
+  return "color of " + one.object + (one.tried.empty() ? ", not tried" : ": " + one.tried);
+}
+
+Markup PropertyTable(const analysis::Analysis& analysis) {
+  const Markup head = Row({Head("What was changed"), Head("Then")});
+  Markup rows;
+  for (const analysis::PropertyFinding& one : analysis.properties) {
+    rows += Row({WideCell(TriedText(one)), WideCell(one.harm.value_or("the same is achieved"))});
+  }
+  std::string note =
+      "The same actions were simulated with each change alone. Colors were not compared then: the "
+      "program assumes that a color matters only if the demonstrator said so. Other colors and "
+      "places than these were not tried.";
+  if (!analysis.why_not_moved.empty()) {
+    note += " Other places were not tried, since " + analysis.why_not_moved + ".";
+  }
+  return Section("Properties", Table(note, head, rows));
+}
+
 /// Returns the result in one sentence.
 std::string Headline(const analysis::Analysis& analysis) {
   const auto necessary = static_cast<std::size_t>(std::ranges::count_if(
@@ -179,6 +203,7 @@ std::string PageOf(const analysis::Analysis& analysis, std::string_view name) {
   body += GraphSection(analysis);
   body += SubtaskTable(analysis);
   body += OrderTable(analysis);
+  body += PropertyTable(analysis);
   return Page("What mattered in " + std::string(name), body);
 }
 

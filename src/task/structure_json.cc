@@ -26,9 +26,9 @@ std::string Joined(const std::vector<std::string>& words) {
   return text;
 }
 
-/// Returns the place of an object for people, as `Red1 on ShortPlank`. An object may have several
-/// supports.
-std::string PlaceOf(const std::string& id, const std::vector<Relation>& relations) {
+}  // namespace
+
+std::string PlaceWordsOf(const std::string& id, const std::vector<Relation>& relations) {
   std::vector<std::string> around, beneath;
   for (const Relation& relation : relations) {
     if (relation.object != id) continue;
@@ -40,6 +40,8 @@ std::string PlaceOf(const std::string& id, const std::vector<Relation>& relation
   if (!beneath.empty()) place += (around.empty() ? " on " : ", on ") + Joined(beneath);
   return place;
 }
+
+namespace {
 
 bool Contains(const std::vector<std::string>& ids, const std::string& id) {
   return std::ranges::find(ids, id) != ids.end();
@@ -141,11 +143,11 @@ std::vector<std::string> WordsOf(const Structure& structure, double meters_per_u
     const std::string& id = structure.order[i];
     lines.push_back(
         std::to_string(i + 1) + ". " +
-        (Contains(structure.fallen, id) ? id + kFellText : PlaceOf(id, structure.relations)));
+        (Contains(structure.fallen, id) ? id + kFellText : PlaceWordsOf(id, structure.relations)));
   }
   for (const scene::ObjectSpec& object : structure.objects) {
     if (IsPut(structure, object.id()) || Contains(structure.fallen, object.id())) continue;
-    lines.push_back("as it was: " + PlaceOf(object.id(), structure.relations) +
+    lines.push_back("as it was: " + PlaceWordsOf(object.id(), structure.relations) +
                     (object.is_static() ? ", fixed" : ""));
   }
   for (const std::string& id : structure.fallen) {

@@ -41,11 +41,14 @@ def aside_of(demo, step):
     return None
 
 
-def with_asides(demo, steps):
-    """Returns steps with the Asides of those that come back, which is after all that was placed before."""
+def with_asides(demo, steps, needs=None):
+    """Returns steps with the Asides of those that come back, which is after all that was placed before, or what the
+    goal needs before; needs: if it is known, see infer_task"""
     found = []
     for k, step in enumerate(steps):
         aside = None if step.stays else aside_of(demo, step)
-        after = [i for i in range(k) if i not in step.on] if aside else step.after
+        after = [i for i in range(k) if i not in step.on] if aside and not needs else step.after
+        if needs and not step.stays:
+            after = sorted({*after, *needs.required_before(steps, k)})
         found.append(replace(step, aside=aside, after=after))
     return found

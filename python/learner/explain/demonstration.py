@@ -24,6 +24,7 @@ class Demonstration:
     events: list  # all lines except moves: frame, word ('grasp', 'release', ...), list of fields
     eye: Eye  # camera of the observing robot
     appearances: dict = None  # of the objects, once they are measured
+    segments: list = None  # of each event, the number of its text file; None for pictures alone
 
     def pose(self, n, frame):
         """Returns the pose of an object before an action of a frame: x y z [units], angles about x,
@@ -43,7 +44,7 @@ def read_demonstration(folder):
     Raises FileNotFoundError if the folder contains none.
     """
     folder = Path(folder)
-    ids, moves, placed, events = [], [], [], []
+    ids, moves, placed, events, segments = [], [], [], [], []
     held = {}  # number of the object in each hand
     segment = 0
     while (file := folder / f"{segment}.txt").exists():
@@ -56,6 +57,7 @@ def read_demonstration(folder):
                 moves[ids.index(fields[0])].append([float(it) for it in [frame, *fields[1:7]]])
             if event != "move":
                 events.append((float(frame), event, fields))
+                segments.append(segment)
             if event == "grasp":
                 held[fields[0]] = ids.index(fields[1])
             elif event == "release":
@@ -66,4 +68,4 @@ def read_demonstration(folder):
     info = json.loads((folder / "demo.json").read_text())
     moves = [np.array(rows) for rows in moves]
     moves = [np.column_stack([rows[:, 0], upright_at_start(rows[:, 1:])]) for rows in moves]
-    return Demonstration(folder, ids, moves, placed, events, eye_of(info))
+    return Demonstration(folder, ids, moves, placed, events, eye_of(info), segments=segments)

@@ -2,17 +2,21 @@
 
 from constants import USES
 from explain.drives import Drive, drive_at
+from explain.needs import closed
 from explain.presses import Press, changes, place_of
 from explain.uses import use_at
 
 
-def infer_devices(demo, steps):
+def infer_devices(demo, steps, needs=None):
     """Returns the Presses, Uses and Drives of a demonstration, in their order. Raises ValueError if the pictures do
-    not show what one of them changed."""
+    not show what one of them changed.
+
+    needs: what the goal needs, if it is known: Needs
+    """
     placed = set()  # names of the objects that were released so far for the last time
     last = {n: k for k, n in enumerate(demo.placed)}
     presses, num_released, is_driving = [], 0, False
-    for frame, word, fields in demo.events:
+    for i, (frame, word, fields) in enumerate(demo.events):
         if word == "release":
             n = demo.placed[num_released]
             if last[n] == num_released:
@@ -20,6 +24,10 @@ def infer_devices(demo, steps):
             num_released += 1
         after = [k for k, step in enumerate(steps) if step.stays or step.name in placed]
         is_driving &= word != "grasp"
+        if needs and word in ("use", "trigger", "press"):
+            if not needs.needs(demo.segments[i]):
+                continue
+            after = closed([k for k in after if steps[k].stays or needs.must_precede(steps[k], demo.segments[i])], steps)
         if word == "use" and fields[2] in USES.turning:
             if not is_driving:
                 presses.append(drive_at(demo, frame, after, [it for it in presses if isinstance(it, Drive)]))

@@ -6,6 +6,7 @@ from constants import TASK_MODEL as C
 from explain.appearances import measure_objects
 from explain.asides import with_asides
 from explain.handles import measure_handle
+from explain.needs import needed_of
 from explain.object_roles import former_owner, moved_objects, tools_of
 from explain.placed_steps import step_of
 from explain.shown_containers import measure_container
@@ -13,19 +14,20 @@ from relate.dragging import was_dragged
 from things.steps import is_above, is_dragged, stands_on
 
 
-def infer_task(demo, attention):
+def infer_task(demo, attention, needs=None):
     """Returns a list of Steps in the order shown, one for each object that takes part, and the
     Container that some of them were put into, or None. Objects that were not moved but support
     others come first.
 
     attention: the properties of objects that matter, if the demonstrator specified some, as in aux
+    needs:     what the goal needs, if it is known: Needs
     """
     moved = moved_objects(demo)
     carried = [n for n in moved if not was_dragged(demo.moves[n])]
     if demo.appearances is None:  # pictures alone have shown them already
         demo.appearances = measure_objects(demo, carried)
     appearances = demo.appearances
-    moved = [n for n in moved if n not in tools_of(demo)]
+    moved = needed_of([n for n in moved if n not in tools_of(demo)], demo, needs)
     placed = [step_of(demo, n, appearances[n], attention) if n in carried
               else measure_handle(demo, n) for n in moved]
     steps = supports_of(placed, [
@@ -35,7 +37,7 @@ def infer_task(demo, attention):
     for step in steps:
         if not step.on and step.bottom > C.min_inside_bottom and not is_dragged(step):
             step.takes_place_of = former_owner(demo, step)
-    steps = with_asides(demo, steps)
+    steps = with_asides(demo, steps, needs)
     return steps, measure_container(demo, [it for it in steps if not it.aside])
 
 

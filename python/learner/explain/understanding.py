@@ -3,6 +3,7 @@
 from explain.demonstration import has_texts, read_demonstration
 from explain.devices import infer_devices
 from explain.explanation import explain
+from explain.needs import needs_of
 from explain.sentences import page_of
 from explain.task_model import infer_task
 from explain.watching import watch_demonstration
@@ -13,8 +14,9 @@ def understand(aux):
     the Container or None, and the Presses and Uses."""
     read = read_demonstration if has_texts(aux.demonstration) else watch_demonstration
     demo = read(aux.demonstration)
-    steps, container = infer_task(demo, aux.attention)
-    presses = infer_devices(demo, steps)
+    needs = needs_of(aux, demo)
+    steps, container = infer_task(demo, aux.attention, needs)
+    presses = infer_devices(demo, steps, needs)
     page = page_of(explain(demo, container))
     for line in page:
         print(line)

@@ -604,5 +604,24 @@ TEST(EncodeAux, ReportsAttention) {
   EXPECT_THROW(EncodeAux(1, {.attention = {{"a,b", {"color"}}}}, "wave/"), std::invalid_argument);
 }
 
+TEST(EncodeAux, ReportsThePlan) {
+  const TaskPlan plan{.subtasks = {{"puts a", {"a", "tool"}, 1, 2, true}, {"presses", {}, 3, 3}},
+                      .order = {{0, 1}},
+                      .sufficient = {0},
+                      .goals = {"a"}};
+  const Message message = Decoded(EncodeAux(1, {.plan = plan}, "wave/"));
+  EXPECT_EQ(message.TextOf("planWords"), "puts a\npresses");
+  EXPECT_EQ(message.TextOf("planObjects"), "a,tool\n");
+  EXPECT_EQ(message.Find("planSegments")->Numbers(), (std::vector{1.0, 3.0, 2.0, 3.0}));
+  EXPECT_EQ(message.Find("planNecessary")->Numbers(), (std::vector{1.0, 0.0}));
+  EXPECT_EQ(message.Find("planOrder")->Numbers(), (std::vector{1.0, 2.0}));
+  EXPECT_EQ(message.Find("planSufficient")->Numbers(), std::vector{1.0});
+  EXPECT_EQ(message.TextOf("planGoals"), "a");
+  EXPECT_EQ(Decoded(EncodeAux(1, {}, "wave/")).Find("planWords"), nullptr);
+  TaskPlan ambiguous = plan;
+  ambiguous.subtasks[0].objects = {"a,b"};
+  EXPECT_THROW(EncodeAux(1, {.plan = ambiguous}, "wave/"), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace smile::brain

@@ -85,6 +85,34 @@ TEST_F(BrainProcessTest, SendsAuxAndReadsTheReply) {
   Stepped(brain);
 }
 
+TEST_F(BrainProcessTest, SendsThePlanOfADemonstration) {
+  Aux aux = Classic(Aux());
+  aux.plan = TaskPlan{.subtasks = {{"puts a", {"a", "tool"}, 1, 2, true}, {"presses", {}, 3, 3}},
+                      .order = {{0, 1}},
+                      .sufficient = {0},
+                      .goals = {"a", "b"}};
+  BrainProcess brain(Brain(
+      "plan = aux.plan;\n"
+      "assert(numel(plan.subtasks), 2); assert(plan.subtasks(1).words, 'puts a');\n"
+      "assert(plan.subtasks(1).objects, {'a', 'tool'}); assert(plan.subtasks(2).objects, {});\n"
+      "assert(plan.subtasks(1).segments, [1 2]);\n"
+      "assert([plan.subtasks.isNecessary], [true false]);\n"
+      "assert(plan.order, [1 2]); assert(plan.sufficient, 1);\n"
+      "assert(plan.goals, {'a', 'b'}); assert(!isfield(aux, 'planWords'));",
+      "aux.exit = true;"));
+  Started(brain, aux);
+  // The smallest one: nothing has an order.
+  aux.plan = TaskPlan{.subtasks = {{"presses", {"s"}, 1, 1}}};
+  BrainProcess smallest(
+      Brain("assert(size(aux.plan.order), [0 2]); assert(size(aux.plan.goals, 2), 0);\n"
+            "assert(isempty(aux.plan.sufficient));\n"
+            "assert(aux.plan.subtasks.objects, {'s'});",
+            ""));
+  Started(smallest, aux);
+  BrainProcess without(Brain("assert(!isfield(aux, 'plan'));", ""));
+  Started(without);
+}
+
 TEST_F(BrainProcessTest, SensorHasTheShapesOfTheScripts) {
   BrainProcess brain(
       Brain("",

@@ -75,6 +75,8 @@ TEST_F(PythonBrainTest, ReceivesTheSameValuesAsScripts) {
   aux.robot_files = {{"r.urdf", std::make_shared<const std::string>("<robot/>")}};
   aux.demonstration = "out/demo";
   aux.attention = {{"a", {"color", "size"}}, {"b", {}}};
+  aux.plan = TaskPlan{
+      .subtasks = {{"puts a", {"a", "tool"}, 1, 2, true}}, .sufficient = {0}, .goals = {"a", "b"}};
   BrainProcess brain(Python(
       "def init(aux):\n"
       "  assert aux.path == 'brain/' and (aux.numLimbs, aux.numJoints) == (2, 7)\n"
@@ -82,6 +84,11 @@ TEST_F(PythonBrainTest, ReceivesTheSameValuesAsScripts) {
       "  assert aux.cameraSize.tolist() == [[3, 4]] and (aux.cameraPose == np.eye(4)).all()\n"
       "  assert aux.demonstration == 'out/demo'\n"
       "  assert aux.attention == {'a': ['color', 'size'], 'b': []}\n"
+      "  [subtask] = aux.plan.subtasks\n"
+      "  assert (subtask.words, subtask.objects) == ('puts a', ['a', 'tool'])\n"
+      "  assert (subtask.segments, subtask.isNecessary) == ((1, 2), True)\n"
+      "  assert aux.plan.order.shape == (0, 2) and aux.plan.sufficient.tolist() == [0]\n"
+      "  assert aux.plan.goals == ['a', 'b'] and 'planWords' not in aux\n"
       "  aux.initJointAngles = aux.maxJointAngles\n"
       "  aux.drawMarkers = [[1, 2, 3]]\n"
       "  aux.channels, aux.cameras, aux.imageSeconds = ['rgb', 'depth'], 'overhead', 2\n"

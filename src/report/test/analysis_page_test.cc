@@ -29,5 +29,20 @@ TEST(AnalysisPageTest, ShowsSubtasksTheirOrderAndTheReasons) {
   EXPECT_EQ(CountOf("<b>", page), 0u);
 }
 
+TEST(AnalysisPageTest, SaysWhatWasChangedAndWhatWasNotTried) {
+  using Property = analysis::PropertyFinding::Property;
+  analysis::Analysis analysis;
+  analysis.properties = {{Property::kColor, "<i>", "black instead of red", std::nullopt},
+                         {Property::kColor, "b", "", "the demonstrator said that it matters"},
+                         {Property::kPlace, "", "100 mm to the left", "b fell from the table"}};
+  analysis.why_not_moved = "objects are added";
+  const std::string page = PageOf(analysis, "demo");
+  EXPECT_EQ(CountOf("color of &lt;i&gt;: black instead of red", page), 1u);
+  EXPECT_EQ(CountOf("color of b, not tried", page), 1u);
+  EXPECT_EQ(CountOf("place of everything that is not fixed: 100 mm to the left", page), 1u);
+  EXPECT_EQ(CountOf("b fell from the table", page), 1u);
+  EXPECT_EQ(CountOf("Other places were not tried, since objects are added.", page), 1u);
+}
+
 }  // namespace
 }  // namespace smile::report

@@ -2,7 +2,7 @@ import type { KeyActions } from "../keys";
 import { heldObject } from "../studio";
 import type { Hands } from "./hands";
 import type { Pointers } from "./pointers";
-import { contextMenu, guides, hovered, type Preset } from "./signals";
+import { areAidsFixed, contextMenu, guides, hovered, type Preset } from "./signals";
 import type { ViewCamera } from "./view_camera";
 
 const PLANE_STEP = 5;
@@ -50,7 +50,9 @@ export function actionsOf(
     "move.right": (_, isBig) => hands.nudge(1, 0, 0, isBig),
     "move.away": (_, isBig) => hands.nudge(0, 1, 0, isBig),
     "move.nearer": (_, isBig) => hands.nudge(0, -1, 0, isBig),
-    guides: () => (guides.value = !guides.value),
+    guides: () => {
+      if (!areAidsFixed.value) guides.value = !guides.value;
+    },
   };
   for (const preset of PRESETS) actions[`view.${preset}`] = () => camera.show(preset);
   return actions;

@@ -32,6 +32,8 @@ export interface World {
   turnPlane(deltaDegrees: number): void;
   /** What lies to the right in the picture: a horizontal direction of length 1. */
   readonly right: readonly [x: number, y: number];
+  /** Where the camera is and what it looks at: two points, one after the other [units]. */
+  readonly cameraPlace: readonly number[];
   dispose(): void;
 }
 
@@ -39,7 +41,7 @@ export interface World {
 export function mountWorld(host: HTMLElement): World {
   canDraw.value = document.createElement("canvas").getContext("webgl2") !== null;
   if (canDraw.value) return new DrawnWorld(host);
-  return { showPreset() {}, focus() {}, setLowDetail() {}, turnPlane() {}, right: [1, 0], dispose() {} };
+  return { showPreset() {}, focus() {}, setLowDetail() {}, turnPlane() {}, right: [1, 0], cameraPlace: [], dispose() {} };
 }
 
 class DrawnWorld implements World {
@@ -121,6 +123,10 @@ class DrawnWorld implements World {
   get right(): [x: number, y: number] {
     const { x, y } = this.camera.right;
     return [x, y];
+  }
+
+  get cameraPlace(): number[] {
+    return this.camera.points;
   }
 
   dispose(): void {

@@ -1,32 +1,49 @@
-// Builds the page: node build.mjs [FOLDER], by default dist.
+// Builds the pages of the studio and of studies: node build.mjs [FOLDER], by default dist.
 import { build } from "esbuild";
 import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 
 const out = process.argv[2] ?? "dist";
-mkdirSync(out, { recursive: true });
-await build({
-  entryPoints: ["src/main.tsx"],
-  bundle: true,
-  minify: true,
-  sourcemap: true,
-  format: "esm",
-  target: "es2022",
-  jsx: "automatic",
-  jsxImportSource: "preact",
-  outfile: join(out, "studio.js"),
-  logLevel: "warning",
-});
-await build({
-  entryPoints: ["styles/studio.css"],
-  bundle: true,
-  minify: true,
-  outfile: join(out, "studio.css"),
-  logLevel: "warning",
-});
-for (const file of ["index.html", "icon.svg"]) cpSync(file, join(out, file));
-// Sent to browsers that understand it, which all do.
-for (const file of ["index.html", "studio.css", "studio.js"]) {
-  writeFileSync(join(out, `${file}.gz`), gzipSync(readFileSync(join(out, file)), { level: 9 }));
+
+/** Builds a page of one script, one style sheet and the files beside them. */
+async function buildPage(folder, { name, script, style, files }) {
+  mkdirSync(folder, { recursive: true });
+  await build({
+    entryPoints: [script],
+    bundle: true,
+    minify: true,
+    sourcemap: true,
+    format: "esm",
+    target: "es2022",
+    jsx: "automatic",
+    jsxImportSource: "preact",
+    outfile: join(folder, `${name}.js`),
+    logLevel: "warning",
+  });
+  await build({
+    entryPoints: [style],
+    bundle: true,
+    minify: true,
+    outfile: join(folder, `${name}.css`),
+    logLevel: "warning",
+  });
+  for (const [from, to] of files) cpSync(from, join(folder, to));
+  // Sent to browsers that understand it, which all do.
+  for (const file of ["index.html", `${name}.css`, `${name}.js`]) {
+    writeFileSync(join(folder, `${file}.gz`), gzipSync(readFileSync(join(folder, file)), { level: 9 }));
+  }
 }
+
+await buildPage(out, {
+  name: "studio",
+  script: "src/main.tsx",
+  style: "styles/studio.css",
+  files: [["index.html", "index.html"], ["icon.svg", "icon.svg"]],
+});
+await buildPage(join(out, "study"), {
+  name: "study",
+  script: "src/study/main.tsx",
+  style: "styles/study.css",
+  files: [["study.html", "index.html"], ["icon.svg", "icon.svg"]],
+});

@@ -19,6 +19,7 @@
 #include "base/files.h"
 #include "picture/rendered_eye.h"
 #include "studio/studio.h"
+#include "study/participant_requests.h"
 
 extern char** environ;
 
@@ -31,7 +32,7 @@ struct StudioCommand {
   std::string tls_certificate, tls_key;
   int port = 0;
   double rate = 4;
-  bool no_open = false, no_pictures = false;
+  bool no_open = false, no_pictures = false, is_participant = false;
   EyeOptions eye;
   RobotOptions robot;
   PathOptions path;
@@ -76,6 +77,7 @@ int RunStudio(const StudioCommand& options) {
                   .recording = {.frames_per_second = options.rate},
                   .eye = options.no_pictures ? nullptr : &eye,
                   .brains = {options.brains.begin(), options.brains.end()}};
+  if (options.is_participant) plan.refuse = &study::RefuseToParticipant;
   plan.server = {.address = options.address, .port = options.port, .page = PageFolder()};
   if (!options.tls_certificate.empty()) {
     plan.server.tls =
@@ -131,6 +133,8 @@ void AddStudio(CLI::App* program, ExitAnswer answer) {
       ->check(CLI::ExistingDirectory);
   studio->add_flag("--no-pictures", options->no_pictures,
                    "recordings without the robot's pictures; no view of the robot's eye");
+  studio->add_flag("--participant", options->is_participant,
+                   "allow only what a participant of a study may do: demonstrate");
   studio->add_option("--rate", options->rate, "pictures per second of recordings")
       ->capture_default_str()
       ->check(NumberBetween(0.001, sim::kTicksPerSecond));

@@ -13,6 +13,7 @@ using ExitAnswer = int*;
 void AddCheck(CLI::App* program, ExitAnswer answer);
 void AddRun(CLI::App* program, ExitAnswer answer);
 void AddStudio(CLI::App* program, ExitAnswer answer);
+void AddStudy(CLI::App* program, ExitAnswer answer);
 void AddReplay(CLI::App* program, ExitAnswer answer);
 void AddHistory(CLI::App* program, ExitAnswer answer);
 void AddDescribe(CLI::App* program, ExitAnswer answer);

@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
   app::AddCheck(&program, &answer);
   app::AddRun(&program, &answer);
   app::AddStudio(&program, &answer);
+  app::AddStudy(&program, &answer);
   app::AddReplay(&program, &answer);
   app::AddHistory(&program, &answer);
   app::AddDescribe(&program, &answer);

@@ -8,6 +8,7 @@
 #include <linux/close_range.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <cerrno>
@@ -53,6 +54,7 @@ struct Launch {
   int output;
   int failure;
   pid_t parent;
+  ResourceLimits limits;
 };
 
 /// Returns the path of `smile-supervisor`: next to the running program, in the Python package that
@@ -73,6 +75,14 @@ std::string FindSupervisor() {
   throw std::runtime_error("smile-supervisor: not found; looked at" + looked_at);
 }
 
+/// Sets a limit, which the program cannot raise again.
+/// @returns false with errno if the system refuses.
+bool SetLimit(decltype(RLIMIT_CPU) resource, const std::optional<std::uint64_t>& limit) {
+  if (!limit) return true;
+  const rlimit values{*limit, *limit};
+  return ::setrlimit(resource, &values) == 0;
+}
+
 /// Runs in the child; calls only async-signal-safe functions, since the parent has threads.
 [[noreturn]] void RunChild(const Launch& launch) {
   // A group of its own: Ctrl+C in the terminal reaches the simulator only, which then ends the
@@ -91,7 +101,10 @@ std::string FindSupervisor() {
 
   is_ready = is_ready && ::dup2(launch.input, STDIN_FILENO) >= 0 &&
              ::dup2(launch.output, STDOUT_FILENO) >= 0 &&
-             ::dup2(launch.output, STDERR_FILENO) >= 0 && ::chdir(launch.working_directory) == 0;
+             ::dup2(launch.output, STDERR_FILENO) >= 0 && ::chdir(launch.working_directory) == 0 &&
+             SetLimit(RLIMIT_CPU, launch.limits.cpu_seconds) &&
+             SetLimit(RLIMIT_DATA, launch.limits.memory_bytes) &&
+             SetLimit(RLIMIT_FSIZE, launch.limits.file_bytes);
   if (is_ready) {
     // Only the standard streams and the failure pipe survive exec.
     ::close_range(kFirstOwnFd, ~0u, CLOSE_RANGE_CLOEXEC);
@@ -172,7 +185,8 @@ ChildProcess::ChildProcess(const ChildCommand& command) {
                       .input = input.get(),
                       .output = output.write_end.get(),
                       .failure = failure.write_end.get(),
-                      .parent = ::getpid()});
+                      .parent = ::getpid(),
+                      .limits = command.limits});
   if (pid_ < 0) Fail(program, "cannot be started", errno);
   ::setpgid(pid_, pid_);  // parent and child both do it, so it is done whichever runs first
 

@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -14,10 +15,19 @@
 
 namespace smile::process {
 
+/// Limits of the system on resources of a program and each process that it starts; nullopt: as for
+/// this process. See setrlimit(2).
+struct ResourceLimits {
+  std::optional<std::uint64_t> cpu_seconds;   ///< RLIMIT_CPU: then it is killed
+  std::optional<std::uint64_t> memory_bytes;  ///< RLIMIT_DATA: then it gets no more
+  std::optional<std::uint64_t> file_bytes;    ///< RLIMIT_FSIZE, of each file: then writing fails
+};
+
 struct ChildCommand {
   std::vector<std::string> arguments;                            ///< the program's path first
   std::vector<std::pair<std::string, std::string>> environment;  ///< added to that of this process
   std::filesystem::path working_directory;
+  ResourceLimits limits = {};
 };
 
 /// Error: the system could not execute a program.

@@ -76,6 +76,17 @@ library::ContentRoutesOptions ContentRoutesOptionsOf(const SessionOptions& sessi
   return options;
 }
 
+/// Adds a reason for refusing to all requests of a table.
+void Restrict(const page::Precondition& refuse, page::RequestTable* table) {
+  if (!refuse) return;
+  for (auto& [what, registered] : table->requests) {
+    registered.refuse = [refuse, before = registered.refuse](const page::Request& request) {
+      const auto refusal = refuse(request);
+      return refusal || !before ? refusal : before(request);
+    };
+  }
+}
+
 }  // namespace
 
 class Studio::Impl {
@@ -93,6 +104,7 @@ class Studio::Impl {
           {.request = request, .work = [work](const recording::Progress&) { return work(); }});
     });
     page::AddControlRequests(session_.table());
+    Restrict(options.refuse, session_.table());
   }
 
   std::string link() const { return server_.link(); }

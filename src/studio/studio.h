@@ -6,6 +6,7 @@
 #include <string>
 
 #include "datasets/dataset_requests.h"
+#include "page/requests.h"
 #include "page/server.h"
 #include "studio/session.h"
 
@@ -16,6 +17,9 @@ struct StudioOptions {
   /// Scenes, brains and whether there is a robot are those of the session.
   datasets::DatasetOptions datasets;
   page::ServerOptions server;  ///< `get` is the studio's own
+  /// Returns why a request is refused whatever the state, for clients that may do less; may be
+  /// empty.
+  page::Precondition refuse;
 };
 
 /// Session with a web server and the page for browsers.

@@ -53,7 +53,7 @@ bool IsAddressNumber(const std::string& name) {
 AccessPolicy::AccessPolicy(Config config)
     : config_(std::move(config)),
       machine_(NameOfMachine()),
-      token_(config_.is_loopback ? "" : RandomToken()) {}
+      token_(config_.is_loopback || !config_.needs_token ? "" : RandomToken()) {}
 
 std::string AccessPolicy::link() const {
   std::string host = config_.address;

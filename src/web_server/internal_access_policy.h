@@ -17,7 +17,8 @@ class AccessPolicy {
     int port = 0;
     bool is_loopback = false;  ///< no other machine can connect
     bool is_tls = false;
-    std::string cookie;  ///< name of the token's cookie, followed by the port
+    bool needs_token = true;  ///< unless it is_loopback
+    std::string cookie;       ///< name of the token's cookie, followed by the port
   };
   explicit AccessPolicy(Config config);
 

@@ -7,6 +7,7 @@
 #include <exception>
 #include <utility>
 
+#include "web_server/internal_relay.h"
 #include "web_server/internal_web_socket.h"
 
 // An HTTP connection is a chain of asynchronous steps in the server's thread: ReadRequest,
@@ -161,6 +162,8 @@ void HttpConnection::Answer() {
     services_->access->Check(request_);
     // The order matters: access is checked before anything reveals whether a path exists.
     if (request_.path == services_->options->web_socket_path) return Upgrade();
+    const RelayFinder& relay = services_->options->relay;
+    if (const auto target = relay ? relay(request_.path) : std::nullopt) return PassOn(*target);
     if (request_.method != "GET" && request_.method != "HEAD") {
       HttpReply reply = TextReply(405, "only GET and HEAD are supported");
       reply.headers.emplace_back("Allow", "GET, HEAD");
@@ -208,6 +211,21 @@ void HttpConnection::Upgrade() {
   services_->connections->Add(web_socket);
   services_->connections->Remove(this);
   web_socket->Start(parser_->get());
+}
+
+void HttpConnection::PassOn(const RelayTarget& target) {
+  const bool has_body = parser_->chunked() || parser_->content_length().value_or(0) > 0;
+  if ((request_.method != "GET" && request_.method != "HEAD") || has_body) {
+    throw HttpError(405, "only GET and HEAD without a body are passed on");
+  }
+  // Bytes after the head belong to the WebSocket already.
+  stream_.PutBack({static_cast<const char*>(buffer_.data().data()), buffer_.size()});
+  const auto relay = std::make_shared<Relay>(std::move(stream_), RelayedHead(request_, target),
+                                             target.port, services_);
+  // It takes this connection's place, as a WebSocket does.
+  services_->connections->Add(relay);
+  services_->connections->Remove(this);
+  relay->Start();
 }
 
 void HttpConnection::Send(HttpReply reply) {

@@ -33,6 +33,7 @@ class HttpConnection : public ClientConnection,
   /// Calls the program's handler in a worker thread.
   void CallHandler();
   void Upgrade();
+  void PassOn(const RelayTarget& target);
   void Send(HttpReply reply);
   void HandleSent(error_code error);
   /// Waits for the other end to close the connection.

@@ -58,6 +58,7 @@ class WebServer::Impl {
                  .port = listening_.port,
                  .is_loopback = listening_.is_loopback,
                  .is_tls = options_.tls.has_value(),
+                 .needs_token = options_.needs_token,
                  .cookie = options_.cookie}),
         connections_(options_.limits.connections),
         services_{.context = &context_,

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -25,6 +26,18 @@ struct TlsFiles {
   std::filesystem::path key;          ///< without a password
 };
 
+/// Server of this machine to which a request is passed on.
+struct RelayTarget {
+  int port = 0;      ///< at 127.0.0.1
+  std::string path;  ///< of the request there; decoded
+
+  bool operator==(const RelayTarget&) const = default;
+};
+
+/// Returns where a request for a path is passed on, with its WebSocket if it asks for one; nullopt
+/// if this server answers itself. Called in the server's thread; may not wait.
+using RelayFinder = std::function<std::optional<RelayTarget>(const std::string& path)>;
+
 struct WebServerOptions {
   /// Address to listen at: a number like `127.0.0.1` or `::1`, or a name of this machine: then at
   /// all addresses to which it resolves. `localhost` is both of these numbers. Clients of addresses
@@ -35,6 +48,10 @@ struct WebServerOptions {
   std::string cookie = "token";  ///< name of the token's cookie, followed by the port
   std::filesystem::path files;   ///< folder that is served, from memory; `/` is its index.html
   HttpHandler get;               ///< answers paths that name no file; may be empty
+  RelayFinder relay;             ///< may be empty
+  /// Clients of other machines need the token in link(). False if paths contain secrets of their
+  /// own.
+  bool needs_token = true;
   std::string web_socket_path = "/ws";
   bool may_be_framed = false;  ///< pages of other origins may show the files in a frame
   std::optional<TlsFiles> tls;

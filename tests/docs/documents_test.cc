@@ -92,13 +92,19 @@ class Documents : public ProgramTest, public ::testing::WithParamInterface<const
     // ./run by itself does the main job, which integration.Learner runs: here it does nothing. A
     // studio ends as soon as it is open.
     Write("build/page/index.html", "<html>the page</html>");
+    Write("build/page/study/index.html", "<html>the page</html>");
     Write("run", "#!/bin/bash\nprogram='" SMILE_PROGRAM
                  "'\n"
                  R"(
 [ $# = 0 ] && exit
-[ "$1" = studio ] || exec "$program" "$@"
+case "$1 $2" in
+  studio*) options=--no-open ;;
+  study*.json) options= ;;
+  *) exec "$program" "$@" ;;
+esac
 export SMILE_DATA_DIR="$PWD"
-"$program" "$@" --no-open >link & studio=$!
+rm -f link
+"$program" "$@" $options >link & studio=$!
 until [ -s link ] || ! kill -0 $studio; do sleep 0.05; done
 cat link
 kill $studio; wait $studio
@@ -183,17 +189,16 @@ TEST_F(ProgramTest, TheRobotProgramOfTheTutorialIsAnExample) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, Documents,
-    ::testing::Values("README.md", "docs/architecture.md", "docs/brains.md",
-                      "docs/brain-protocol.md", "docs/commands.md", "docs/demonstrators.md",
-                      "docs/analysis.md", "docs/corrections.md", "docs/editing.md",
-                      "docs/experiments.md", "docs/generation.md", "docs/glossary.md",
-                      "docs/importing.md", "docs/learner.md", "docs/motion.md",
-                      "docs/other-simulators.md", "docs/python.md", "docs/performance.md",
-                      "docs/recording-format.md", "docs/results.md", "docs/robot.md",
-                      "docs/robots.md", "docs/scene-format.md", "docs/scenes.md", "docs/studio.md",
-                      "docs/studio-protocol.md", "docs/tutorials/first-demonstration.md",
-                      "docs/tutorials/robot-program.md", "docs/tutorials/evaluate-two-learners.md",
-                      "docs/tutorials/scene-with-a-mechanism.md"));
+    ::testing::Values(
+        "README.md", "docs/architecture.md", "docs/brains.md", "docs/brain-protocol.md",
+        "docs/commands.md", "docs/demonstrators.md", "docs/analysis.md", "docs/corrections.md",
+        "docs/editing.md", "docs/experiments.md", "docs/generation.md", "docs/glossary.md",
+        "docs/importing.md", "docs/learner.md", "docs/motion.md", "docs/other-simulators.md",
+        "docs/python.md", "docs/performance.md", "docs/recording-format.md", "docs/results.md",
+        "docs/robot.md", "docs/robots.md", "docs/scene-format.md", "docs/scenes.md",
+        "docs/studies.md", "docs/studio.md", "docs/studio-protocol.md",
+        "docs/tutorials/first-demonstration.md", "docs/tutorials/robot-program.md",
+        "docs/tutorials/evaluate-two-learners.md", "docs/tutorials/scene-with-a-mechanism.md"));
 
 }  // namespace
 }  // namespace smile

@@ -22,8 +22,20 @@ export class StudioConnection {
   private seq = 0;
   private readonly waiting = new Map<number, { resolve(r: Reply): void; reject(e: Error): void }>();
 
-  constructor(private readonly listener: Listener) {
+  private isClosed = false;
+
+  /** @param folder of the program's addresses on the server, with a slash at both ends */
+  constructor(
+    private readonly listener: Listener,
+    private readonly folder: string,
+  ) {
     this.connect();
+  }
+
+  /** Ends the connection for good. */
+  close(): void {
+    this.isClosed = true;
+    this.socket?.close();
   }
 
   /** Resolves with the answer; rejects with Refused, or when the connection is lost. */
@@ -51,7 +63,7 @@ export class StudioConnection {
 
   private connect(): void {
     const scheme = location.protocol === "https:" ? "wss" : "ws";
-    const socket = new WebSocket(`${scheme}://${location.host}/ws${location.search}`);
+    const socket = new WebSocket(`${scheme}://${location.host}${this.folder}ws${location.search}`);
     socket.binaryType = "arraybuffer";
     socket.onopen = () => {
       this.request("hello", { version: VERSION }).then(
@@ -64,7 +76,7 @@ export class StudioConnection {
       this.listener.onConnected(false);
       for (const { reject } of this.waiting.values()) reject(new Error("the connection was lost"));
       this.waiting.clear();
-      setTimeout(() => this.connect(), RECONNECT_MS);
+      if (!this.isClosed) setTimeout(() => this.connect(), RECONNECT_MS);
     };
     this.socket = socket;
   }

@@ -24,6 +24,8 @@ export const variants = signal<number[]>([]);
 export const state = signal<StateMessage | null>(null);
 export const clients = signal<ClientsMessage | null>(null);
 export const isConnected = signal(false);
+/** Where the program's meshes are on the server. */
+export const programFolder = signal("/");
 export const eyeView = signal<EyeView | null>(null);
 export const consoleLines = signal<ConsoleLine[]>([]);
 export const lastScore = signal<Record<string, unknown> | null>(null);
@@ -111,13 +113,27 @@ function onUpdate(update: Update): void {
 
 let connection: StudioConnection | null = null;
 
-export function connect(): void {
-  connection = new StudioConnection({
-    onUpdate,
-    onPoses: (poses) => poseListeners.forEach((listener) => listener(poses)),
-    onEyeView: (view) => (eyeView.value = view),
-    onConnected: (yes) => (isConnected.value = yes),
-  });
+/** @param folder of the program's addresses on the server, with a slash at both ends */
+export function connect(folder = "/"): void {
+  programFolder.value = folder;
+  connection = new StudioConnection(
+    {
+      onUpdate,
+      onPoses: (poses) => poseListeners.forEach((listener) => listener(poses)),
+      onEyeView: (view) => (eyeView.value = view),
+      onConnected: (yes) => (isConnected.value = yes),
+    },
+    folder,
+  );
+}
+
+/** Ends the connection, and forgets what the program said. */
+export function disconnect(): void {
+  connection?.close();
+  connection = null;
+  isConnected.value = false;
+  for (const known of [scene, state, clients]) known.value = null;
+  variants.value = [];
 }
 
 /** Asks the program; rejects with Refused or when the connection is lost. */

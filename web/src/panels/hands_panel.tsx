@@ -100,7 +100,7 @@ function axisNearest([x, y]: readonly [number, number]): [x: number, y: number] 
 }
 
 /** The four hands, each with what it holds. */
-function HandChoice() {
+export function HandChoice() {
   return (
     <div class="hands" role="radiogroup" aria-label={words.current}>
       {HANDS.map((hand: HandName) => (

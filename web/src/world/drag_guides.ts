@@ -8,7 +8,7 @@ import type { DropShadow } from "./drop_shadow";
 import type { Picker } from "./pick";
 import type { Rings } from "./rings";
 import { DragPlane } from "./drag_plane";
-import { guides } from "./signals";
+import { guides, hasRings } from "./signals";
 
 const FLOOR_DEPTH = 0.9; // [m]
 
@@ -76,7 +76,7 @@ export class DragGuides {
     const floor = new Vector3(ball.center.x, ball.center.y, -FLOOR_DEPTH * this.unitsPerMeter);
     this.plumbLine.show(ball.center, this.picker.below(ball.center, held)?.point ?? floor);
     this.dropShadow.show(pieces, ball.center, ball.radius);
-    if (this.hands.isCarrying.value) this.rings.hide();
+    if (this.hands.isCarrying.value || !hasRings.value) this.rings.hide();
     else {
       const radius = ball.radius + ball.center.distanceTo(group.position);
       this.rings.show(group.position, radius, this.hands.turning.value?.axis ?? null, camera);

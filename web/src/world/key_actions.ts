@@ -3,7 +3,7 @@ import { heldObject } from "../studio";
 import type { Hands } from "./hands";
 import { switchMeasuring } from "./measured";
 import type { Pointers } from "./pointers";
-import { contextMenu, guides, hovered, type Preset } from "./signals";
+import { areAidsFixed, contextMenu, guides, hovered, type Preset } from "./signals";
 import type { ViewCamera } from "./view_camera";
 
 const PLANE_STEP = 5;
@@ -52,7 +52,9 @@ export function actionsOf(
     "move.away": (_, isBig) => hands.nudge(0, 1, 0, isBig),
     "move.nearer": (_, isBig) => hands.nudge(0, -1, 0, isBig),
     measure: switchMeasuring,
-    guides: () => (guides.value = !guides.value),
+    guides: () => {
+      if (!areAidsFixed.value) guides.value = !guides.value;
+    },
   };
   for (const preset of PRESETS) actions[`view.${preset}`] = () => camera.show(preset);
   return actions;

@@ -1,4 +1,5 @@
 import { BufferAttribute, BufferGeometry } from "three";
+import { programFolder } from "../studio";
 
 const HEADER_BYTES = 8;
 const CORNER_BYTES = 24;
@@ -6,7 +7,7 @@ const TRIANGLE_BYTES = 12;
 
 /** Fetches a mesh of a scene; docs/studio-protocol.md specifies its bytes. */
 export async function fetchMesh(scene: number, mesh: number): Promise<BufferGeometry> {
-  const answer = await fetch(`/meshes/${scene}/${mesh}`);
+  const answer = await fetch(`${programFolder.value}meshes/${scene}/${mesh}`);
   if (!answer.ok) throw new Error(`mesh ${mesh}: ${answer.status}`);
   return decodeMesh(await answer.arrayBuffer());
 }

@@ -22,6 +22,10 @@ export const contextMenu = signal<{
 export const planeAngle = computed(() => state.value?.hands[currentHand.value].plane ?? 0);
 /** Whether to show where a released object will rest. */
 export const guides = signal(true);
+/** Whether to show the rings that turn the held object. */
+export const hasRings = signal(true);
+/** Keys change none of the aids: a study prescribes them. */
+export const areAidsFixed = signal(false);
 export const cameraKind = signal<Preset | "free">("front");
 /** False where the browser has no WebGL2: all but the world works. */
 export const canDraw = signal(true);

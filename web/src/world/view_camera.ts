@@ -156,6 +156,11 @@ export class ViewCamera {
     return this.shown.elevation;
   }
 
+  /** The camera and its target: x, y, z each. */
+  get points(): number[] {
+    return [...this.shown.eye, ...this.shown.target];
+  }
+
   /** Horizontal, to the right of the picture. */
   get right(): Vector3 {
     return new Vector3(-Math.sin(this.shown.azimuth), Math.cos(this.shown.azimuth), 0);

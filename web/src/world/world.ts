@@ -36,6 +36,8 @@ export interface World {
   placeOf(objectId: string): [x: number, y: number, z: number] | null;
   /** What lies to the right in the picture: a horizontal direction of length 1. */
   readonly right: readonly [x: number, y: number];
+  /** Where the camera is and what it looks at: two points, one after the other [units]. */
+  readonly cameraPlace: readonly number[];
   dispose(): void;
 }
 
@@ -43,7 +45,7 @@ export interface World {
 export function mountWorld(host: HTMLElement): World {
   canDraw.value = document.createElement("canvas").getContext("webgl2") !== null;
   if (canDraw.value) return new DrawnWorld(host);
-  return { showPreset() {}, focus() {}, setLowDetail() {}, turnPlane() {}, placeOf: () => null, right: [1, 0], dispose() {} };
+  return { showPreset() {}, focus() {}, setLowDetail() {}, turnPlane() {}, placeOf: () => null, right: [1, 0], cameraPlace: [], dispose() {} };
 }
 
 class DrawnWorld implements World {
@@ -131,6 +133,10 @@ class DrawnWorld implements World {
   get right(): [x: number, y: number] {
     const { x, y } = this.camera.right;
     return [x, y];
+  }
+
+  get cameraPlace(): number[] {
+    return this.camera.points;
   }
 
   dispose(): void {

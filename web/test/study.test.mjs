@@ -1,0 +1,296 @@
+// A study with scripted participants: in a real browser, with a real mouse, side by side.
+
+import assert from "node:assert/strict";
+import { execFileSync, spawn } from "node:child_process";
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { createInterface } from "node:readline";
+import { after, before, test } from "node:test";
+import { Person } from "./person.mjs";
+import { Browser, replay, Witness } from "./workbench.mjs";
+
+const SMILE = process.env.SMILE ?? "build/dev/bin/smile";
+const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const PATIENCE_MS = 60_000; // two sessions, a browser and this test share two cores
+const browser = new Browser();
+before(() => browser.start());
+after(() => browser.close());
+
+const PAIR = `<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <block id="Red" location="(-1.5,-2,0.5)" color="red"/>
+  <block id="Blue" location="(1.5,-2,0.5)" color="blue"/>
+</tabletop>
+`;
+const trial = { title: "Stack", text: "Put the red block on the blue one.", scene: "pair.xml", goal: [{ object: "Red", on: "Blue" }] };
+const STUDY = {
+  format: 1,
+  name: "short",
+  title: "A short study",
+  consent: "consent.txt",
+  conditions: [{ name: "plain", ghost: false, rings: false }, { name: "aided", snap: ["faces"] }],
+  instructions: [{ title: "Welcome", text: "Read this." }],
+  practice: { ...trial, max_attempts: 2 },
+  tasks: [{ ...trial, name: "stack", limit_seconds: 300 }],
+  break_seconds: 1,
+  after_condition: [{ type: "nasa-tlx" }],
+  at_end: [{ type: "survey-likert", name: "end", questions: [{ prompt: "It was easy.", name: "easy", labels: ["no", "yes"] }] }],
+  thanks: "That was all.",
+};
+
+function smile(...words) {
+  return execFileSync(SMILE, words, { encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+}
+
+/** A study in a folder of its own, and its server, which may be started again. */
+class Study {
+  constructor(study) {
+    this.folder = mkdtempSync(join(tmpdir(), "smile-study-"));
+    this.data = join(this.folder, "data");
+    writeFileSync(join(this.folder, "consent.txt"), "You may stop at any time.\n");
+    writeFileSync(join(this.folder, "pair.xml"), PAIR);
+    writeFileSync(join(this.folder, "STUDY.json"), JSON.stringify(study, null, 2));
+  }
+
+  /** @returns the links of the participants */
+  async serve(participants, port = 0) {
+    const words = ["study", join(this.folder, "STUDY.json"), "--data", this.data, "--participants", `${participants}`];
+    this.child = spawn(SMILE, [...words, "--port", `${port}`], { stdio: ["ignore", "pipe", "inherit"] });
+    const links = [];
+    for await (const line of createInterface({ input: this.child.stdout })) {
+      links.push(line.split(" ")[1]);
+      if (links.length === participants) return links;
+    }
+    throw new Error("the server ended");
+  }
+
+  /** @param signal SIGINT, or SIGKILL as when the machine loses power */
+  async stop(signal = "SIGINT") {
+    const ended = new Promise((resolve) => this.child.once("exit", resolve));
+    this.child.kill(signal);
+    await ended;
+  }
+
+  remove() {
+    rmSync(this.folder, { recursive: true });
+  }
+
+  eventsOf(id) {
+    return readFileSync(join(this.data, id, "events.jsonl"), "utf8").trim().split("\n").map((line) => JSON.parse(line));
+  }
+}
+
+/** A participant at a page. */
+class Participant {
+  static async at(link, options = {}) {
+    const context = await browser.browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", ...options });
+    const page = await context.newPage();
+    page.setDefaultTimeout(PATIENCE_MS);
+    await page.goto(link);
+    return new Participant(context, page, link);
+  }
+
+  constructor(context, page, link) {
+    Object.assign(this, { context, page, link });
+  }
+
+  async press(name) {
+    await this.page.getByRole("button", { name, exact: true, disabled: false }).click();
+  }
+
+  async sees(heading) {
+    await this.page.getByRole("heading", { name: heading, exact: true }).waitFor();
+  }
+
+  /** The table of a trial, once it is recorded. */
+  async table() {
+    await this.page.getByRole("button", { name: "I am done", disabled: false }).waitFor();
+    const link = new URL(this.link);
+    this.whenClosed = [];
+    const witness = await Witness.of({ door: `ws://${link.host}${link.pathname}/session/ws`, whenClosed: this.whenClosed });
+    await witness.until(() => witness.state.recording !== null, "a recording");
+    await this.page.waitForFunction(() => window.smileStudio?.stats().isShown);
+    return new Person(this.page, witness);
+  }
+
+  /** The witness leaves first: the page alone controls. */
+  async dismissWitness() {
+    this.whenClosed.forEach((close) => close());
+  }
+
+  async leaveTable() {
+    await this.dismissWitness();
+    await this.press("I am done");
+  }
+
+  async stack() {
+    const person = await this.table();
+    await person.grasp("Red");
+    await person.carryOnto("Red", [1.5, -2, 1.5]);
+    await person.release();
+    await this.leaveTable();
+  }
+
+  async answerScales() {
+    await this.sees("Questions");
+    for (const slider of await this.page.getByRole("slider").all()) await slider.fill("35");
+    await this.press("Continue");
+  }
+
+  async beginStudy() {
+    await this.press("I agree");
+    await this.sees("Welcome");
+    await this.press("Continue");
+    await this.sees("Stack");
+  }
+
+  async doCondition() {
+    await this.press("Begin");
+    await this.stack();
+    await this.answerScales();
+  }
+
+  async end() {
+    await this.page.getByRole("radio", { name: "yes" }).check();
+    await this.press("Continue");
+    await this.sees("Thank you");
+    return this.page.locator(".study-code").textContent();
+  }
+}
+
+async function holdsNothingAgainst(page, state) {
+  await page.evaluate(AXE);
+  for (const colorScheme of ["light", "dark"]) {
+    await page.emulateMedia({ colorScheme });
+    await page.waitForFunction((theme) => document.documentElement.dataset.theme === theme, colorScheme);
+    const violations = await page.evaluate(() => window.axe.run(document, { resultTypes: ["violations"] }).then((found) => found.violations));
+    const serious = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
+    assert.deepEqual(serious.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), [], `${state}, ${colorScheme}`);
+  }
+}
+
+/** All of a short study. */
+async function takePart(link) {
+  const participant = await Participant.at(link);
+  await participant.beginStudy();
+  await participant.press("Begin");
+  await participant.stack();
+  await participant.doCondition();
+  await participant.sees("A short break");
+  await participant.press("Continue");
+  await participant.doCondition();
+  const code = await participant.end();
+  await participant.context.close();
+  return code;
+}
+
+test("participants take part side by side, from the consent to the completion code; their data is complete", async (t) => {
+  const study = new Study(STUDY);
+  t.after(() => study.remove());
+  const links = await study.serve(2);
+  const codes = await Promise.all(links.map(takePart)).finally(() => study.stop());
+  assert.match(codes[0], /^[0-9A-F]{8}$/);
+  assert.notEqual(codes[0], codes[1]);
+
+  assert.match(smile("study", "check", study.data), /2 complete.*\nnothing is missing, and the order is balanced/);
+  smile("study", "report", study.data);
+  const [head, ...rows] = readFileSync(join(study.data, "report/trials.csv"), "utf8").trim().split("\r\n").map((line) => line.split(","));
+  const column = (name) => rows.map((row) => row[head.indexOf(name)]);
+  assert.deepEqual(column("participant"), ["P01", "P01", "P02", "P02"]);
+  assert.deepEqual(column("condition"), ["plain", "aided", "aided", "plain"]);
+  assert.deepEqual(column("success"), ["1", "1", "1", "1"]);
+  assert.ok(column("path_meters").every((length) => Number(length) > 0.3), column("path_meters").join());
+  for (const recording of column("recording")) {
+    assert.equal(replay(join(study.data, recording)).identical, true, recording);
+    assert.match(readFileSync(join(study.data, recording, "../input.jsonl"), "utf8"), /"kind":"move"/);
+  }
+  const answers = readFileSync(join(study.data, "report/answers.csv"), "utf8");
+  assert.equal(answers.match(/nasa-tlx,score,35/g).length, 4);
+  // Nothing says who they are.
+  for (const id of ["P01", "P02"]) assert.doesNotMatch(JSON.stringify(study.eventsOf(id)), /127\.0\.0\.1|Mozilla/);
+
+  assert.match(smile("study", "delete", study.data, "P02"), /nothing of the participant is left/);
+  assert.equal(existsSync(join(study.data, "P02")), false);
+  assert.match(smile("study", "report", study.data), /report\.html/);
+});
+
+test("a participant continues after closing the page, and after the server was killed", async (t) => {
+  const study = new Study(STUDY);
+  t.after(() => study.remove());
+  const [link] = await study.serve(1);
+  t.after(() => study.stop());
+  const participant = await Participant.at(link);
+  await participant.beginStudy();
+  await participant.press("Begin");
+  // Practice is repeated until it succeeds.
+  await participant.table();
+  await participant.leaveTable();
+  await participant.page.getByText("Not quite. Please try again: attempt 2 of 2.").waitFor();
+  await participant.press("Begin");
+  const person = await participant.table();
+  await person.grasp("Red");
+  // The page is closed in the middle of a trial: the block stays in the hand.
+  await participant.dismissWitness();
+  await participant.page.reload();
+  const again = await participant.table();
+  assert.equal(again.witness.isHeld("Red"), true);
+  await again.carryOnto("Red", [1.5, -2, 1.5]);
+  await again.release();
+  await participant.leaveTable();
+  await participant.press("Begin");
+  await participant.table();
+  await study.stop("SIGKILL");
+  await study.serve(1, new URL(link).port);
+  await participant.page.getByText("The last trial was interrupted, so please do it again.").waitFor();
+  await participant.press("Begin");
+  await participant.stack();
+  await participant.sees("Questions");
+  await participant.context.close();
+  const trials = study.eventsOf("P01").filter(({ event }) => event === "trial_end");
+  assert.deepEqual(
+    trials.map(({ step, reason, success }) => [step, reason, success]),
+    [
+      ["practice", "done", false],
+      ["practice", "done", true],
+      ["task-stack-plain", "server", false],
+      ["task-stack-plain", "done", true],
+    ].map(([step, reason, success]) => [step, reason, reason === "server" ? undefined : success]),
+  );
+  assert.equal(readdirSync(join(study.data, "P01/trials")).length, 4);
+});
+
+test("axe-core finds no serious barrier, and a session does nothing that is not part of the study", async (t) => {
+  const study = new Study({ ...STUDY, practice: undefined });
+  t.after(() => study.remove());
+  const [link] = await study.serve(1);
+  t.after(() => study.stop());
+  const participant = await Participant.at(link, { viewport: { width: 390, height: 844 } });
+  const { page } = participant;
+  await participant.sees("Your consent");
+  await holdsNothingAgainst(page, "consent");
+  await participant.beginStudy();
+  await holdsNothingAgainst(page, "task");
+  await participant.press("Begin");
+  const { witness } = await participant.table();
+  await holdsNothingAgainst(page, "table");
+  for (const what of ["load", "start_brain", "pause", "library", "generate"]) {
+    assert.match((await witness.request(what)).error, /not part of the study|you are watching/, what);
+  }
+  const { allowed } = witness.state;
+  assert.equal(allowed.requests.load, "this is not part of the study");
+  assert.equal(allowed.requests.command, true);
+  await participant.leaveTable();
+  await participant.sees("Questions");
+  await participant.press("Continue");
+  await page.getByText("6 answers are missing.").waitFor();
+  await holdsNothingAgainst(page, "questions");
+  await participant.answerScales();
+  await participant.context.close();
+  // Without a link there is no study.
+  const stranger = await Participant.at(new URL("/", link).href);
+  await stranger.page.getByText("This is not a link of a participant.").waitFor();
+  await stranger.page.goto(`${new URL("/p/", link).href}${"0".repeat(32)}`);
+  await stranger.page.getByText("there is no such page").waitFor();
+  await stranger.context.close();
+});

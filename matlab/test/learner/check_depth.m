@@ -9,6 +9,13 @@ function check_depth()
   check(max(abs(found(:) - heights(:))) < 1e-9, 'depth determines heights');
   check(~any(heightMap(zeros(480, 640), eye)(:)), 'which are 0 where there is no surface');
 
+  is_top = false(480, 640);
+  is_top(251:271, 271:291) = true;
+  is_top(269, 273:290) = false;  % as at a corner, of which pixels show the side
+  [top.row, top.column] = find(is_top);
+  [~, v] = edgeTowardNadir(top, eye);
+  check(ceil(v) == 272, 'a top ends where the line below it leaves it last');
+
   % Seen from the eye, the far edge of the tower meets the near edge of the block behind it.
   blocks = [block(red, cube, 0, -1.62, 0, 0), block(red, cube, 0.2, -3, 0, 0), block(red, cube, 0.2, -3, 1, 0)];
   [picture, heights] = pictureOf(blocks);

@@ -62,11 +62,15 @@ def estimate_height(color, row, column, picture, eye, table):
 def edge_toward_nadir(row, column, eye):
     """Returns the pixel where a top ends below its middle, on the line to the nadir, the image
     point straight below the camera: u, v from the top left corner [pixels]; and half a pixel along
-    this line."""
+    this line. It may leave the top and meet it again, as at a corner."""
     nadir = to_pixel(eye.pose[:3, 3] - [0, 0, 1], eye)
     point = np.array([column.mean(), row.mean()]) + 0.5
     step = 0.5 * (nadir - point) / np.linalg.norm(nadir - point)
     pixels = set(zip(column.tolist(), row.tolist()))
-    while tuple(np.floor(point).astype(int).tolist()) in pixels:
+    low, high = np.array([[column.min(), row.min()], [column.max() + 1, row.max() + 1]])
+    end = point
+    while (low <= point).all() and (point < high).all():
+        if tuple(np.floor(point).astype(int).tolist()) in pixels:
+            end = point + step
         point = point + step
-    return point, step
+    return end, step

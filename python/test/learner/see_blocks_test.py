@@ -8,6 +8,7 @@ import numpy as np
 
 from scenes import BLUE, CUBE, EYE, GREEN, PLANK, RED, TABLE, block, empty_box, picture_of, step, view_of
 from see.detection import detect_blocks
+from see.measuring import edge_toward_nadir
 from see.unknown_objects import detect_unknown_objects
 from things.blocks import yaw_difference
 
@@ -54,6 +55,13 @@ class DetectionTest(unittest.TestCase):
         [found] = detect_unknown_objects(picture, EYE, [other])
         np.testing.assert_allclose(found.position, large.position, atol=0.03)
         np.testing.assert_allclose(found.size, large.size, atol=0.05)
+
+    def test_a_top_ends_where_the_line_below_it_leaves_it_last(self):
+        is_top = np.zeros((480, 640), bool)
+        is_top[250:271, 270:291] = True
+        is_top[268, 272:290] = False  # as at a corner, of which pixels show the side
+        (_, v), _ = edge_toward_nadir(*np.nonzero(is_top), EYE)
+        self.assertEqual(math.floor(v), 271)
 
     def test_equal_colors_that_touch_at_several_heights_are_separated_by_depth(self):
         # Seen from the eye, the far edge of the tower meets the near edge of the block behind it.

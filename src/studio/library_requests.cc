@@ -49,6 +49,18 @@ std::string TextOf(const page::Request& request, const char* key) {
   return *std::move(text);
 }
 
+/// Returns a list of texts; empty if it is missing.
+std::vector<std::string> TextsIfGiven(const page::Request& request, const char* key) {
+  const auto field = request.fields.find(key);
+  if (field == request.fields.end()) return {};
+  const auto is_text = [](const Json& one) { return one.is_string(); };
+  if (!field->is_array() || !std::ranges::all_of(*field, is_text)) {
+    throw page::RequestError("\"" + std::string(key) + "\" is " + field->type_name() +
+                             ", expected a list of strings");
+  }
+  return field->get<std::vector<std::string>>();
+}
+
 /// Returns the recording and the edits of a request.
 /// @throws page::RequestError or std::invalid_argument for faulty ones.
 editing::EditRequest EditsOf(const library::Library& library, const page::Request& request) {
@@ -108,15 +120,17 @@ void AddTidying(const library::Library* library, page::RequestTable* table) {
 /// Adds the request that analyzes a demonstration, in the background.
 void AddAnalysis(const library::Library* library, BackgroundJobs* jobs, page::RequestTable* table) {
   table->requests["analyze"] = {[library, jobs](const page::Request& request) {
-    const auto work = [directory = library->DirectoryOf(TextOf(request, "recording"))](
-                          const recording::Progress& progress) -> Json {
+    const auto work =
+        [directory = library->DirectoryOf(TextOf(request, "recording")),
+         ignored = TextsIfGiven(request, "ignored")](const recording::Progress& progress) -> Json {
       const auto report = [&](std::size_t done, std::size_t at_most) {
         return progress(static_cast<double>(done), static_cast<double>(at_most));
       };
       // One core remains for the live world.
       const unsigned threads = std::max(2u, std::thread::hardware_concurrency()) - 1;
-      const auto analysis = analysis::Analyze(recording::OpenRecording(directory),
-                                              {.num_threads = threads, .progress = report});
+      const auto analysis =
+          analysis::Analyze(recording::OpenRecording(directory),
+                            {.num_threads = threads, .ignored = ignored, .progress = report});
       return {{"analysis", ToJson(analysis)}, {"graph", report::GraphOf(analysis)}};
     };
     jobs->Begin(

@@ -392,7 +392,7 @@ export interface Requests {
   bin: { fields: { recording: string }; answer: { recording: string } };
   unbin: { fields: { recording: string }; answer: { recording: string } };
   open: { fields: { recording: string }; answer: { timeline: Timeline } };
-  analyze: { fields: { recording: string }; answer: { analysis: unknown; graph: string } };
+  analyze: { fields: { recording: string; ignored?: string[] }; answer: { analysis: unknown; graph: string } };
   try_edit: { fields: { recording: string; edits: unknown[] }; answer: { report: unknown } };
   edit: { fields: { recording: string; edits: unknown[]; name: string }; answer: { recording: string; report: unknown } };
   cancel: { fields: { request: number }; answer: object };

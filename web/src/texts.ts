@@ -548,6 +548,16 @@ export const texts = {
     about:
       "The demonstration is simulated again without each of its subtasks, and with subtasks in the opposite order. " +
       "What counts is what it achieved at the end.",
+    goals: "What counts",
+    properties: "Properties",
+    property: (object: string | null, tried: string | null, harm: string | null) =>
+      (object === null ? "Everything that is not fixed" : `Color of ${object}`) +
+      (tried === null ? ": " : `, ${tried}: `) +
+      (harm === null ? "the same is achieved." : `${harm}.`),
+    propertiesHint:
+      "Each change was simulated alone, with the same actions. Colors were not compared: a color is taken to matter only " +
+      "if the demonstrator said so. Other colors and places were not tried.",
+    notMoved: (reason: string) => `Another place was not tried: ${reason}.`,
     simulating: "Simulating the demonstration in other ways…",
     subtask: (number: number, what: string, without: string | null) =>
       `${number}. ${capital(what)}: ${without === null ? "redundant." : `necessary; without it, ${without}.`}`,

@@ -102,6 +102,15 @@ test("what mattered in a recording is found out, and kept", async (t) => {
   assert.equal(await dialog.locator(".order-graph .subtask").count(), 2);
   assert.equal(await dialog.locator(".order-graph .redundant").count(), 1);
   await dialog.getByText("The same is achieved with fewer subtasks: 2.").waitFor();
+  await dialog.getByText(/^Color of RedBlock, .* instead of red: the same is achieved/).waitFor();
+  await dialog.getByText("Everything that is not fixed, 100 mm to the left: the same is achieved.").waitFor();
+  // Without a tick, the place of the blue block does not count.
+  const counts = dialog.getByRole("group", { name: "What counts" });
+  await counts.getByRole("checkbox", { name: /^BlueBlock/ }).uncheck();
+  await dialog.getByRole("listitem").filter({ hasText: /^2\./ }).waitFor();
+  assert.equal(await counts.getByRole("checkbox", { checked: false }).count(), 1);
+  await counts.getByRole("checkbox", { name: /^BlueBlock/ }).check();
+  await dialog.getByText("The same is achieved with fewer subtasks: 2.").waitFor();
   await person.press("Save without the rest", dialog);
   await dialog.waitFor({ state: "detached" });
   const made = readdirSync(studio.recordings).filter((name) => name.includes("shortened"));

@@ -1,5 +1,5 @@
 import { useEffect } from "preact/hooks";
-import { useSignal } from "@preact/signals";
+import { type Signal, useSignal } from "@preact/signals";
 import { may } from "../allowed";
 import { cancelableRequest } from "../studio";
 import { texts } from "../texts";
@@ -13,6 +13,9 @@ const { analysis: words } = texts;
 
 /** What matters in a recording, as docs/analysis.md has it. */
 interface Analysis {
+  goals: { id: string; words: string; counts: boolean }[];
+  properties: { property: "color" | "place"; object: string | null; tried: string | null; harm: string | null }[];
+  why_not_moved: string | null;
   subtasks: { number: number; segments: [number, number]; words: string; without: string | null }[];
   order: { before: number; after: number; otherwise: string }[];
   sufficient: number[];
@@ -22,16 +25,17 @@ type Trial =
   | { state: "refused"; error: string }
   | { state: "analyzed"; analysis: Analysis; graph: string };
 
-function useAnalysis(recording: string) {
+function useAnalysis(recording: string, ignored: string[]) {
   const trial = useSignal<Trial>({ state: "simulating" });
   useEffect(() => {
-    const { answer, cancel } = cancelableRequest("analyze", { recording });
+    trial.value = { state: "simulating" };
+    const { answer, cancel } = cancelableRequest("analyze", { recording, ignored });
     answer.then(
       ({ analysis, graph }) => (trial.value = { state: "analyzed", analysis: analysis as Analysis, graph }),
       (error: Error) => (trial.value = { state: "refused", error: error.message }),
     );
     return cancel;
-  }, [recording]);
+  }, [recording, ignored]);
   return trial;
 }
 
@@ -39,6 +43,47 @@ function useAnalysis(recording: string) {
 function shorteningOf({ subtasks, sufficient }: Analysis): Edits {
   const rest = subtasks.filter(({ number }) => !sufficient.includes(number));
   return rest.reverse().map(({ segments: [first, last] }) => ({ do: "drop", first, last }));
+}
+
+/** What the demonstration achieved; a person ticks what counts. The last one that counts stays. */
+function Goals({ goals, ignored }: { goals: Analysis["goals"]; ignored: Signal<string[]> }) {
+  const { value } = ignored;
+  const toggle = (id: string) =>
+    (ignored.value = value.includes(id) ? value.filter((one) => one !== id) : [...value, id]);
+  return (
+    <fieldset class="goals">
+      <legend>{words.goals}</legend>
+      {goals.map(({ id, words: what }) => {
+        const counts = !value.includes(id);
+        return (
+          <label key={id}>
+            <input
+              type="checkbox"
+              checked={counts}
+              disabled={counts && value.length === goals.length - 1}
+              onChange={() => toggle(id)}
+            />
+            <span>{what}</span>
+          </label>
+        );
+      })}
+    </fieldset>
+  );
+}
+
+function Properties({ properties, why_not_moved: why }: Analysis) {
+  return (
+    <section>
+      <h3>{words.properties}</h3>
+      <ul>
+        {properties.map(({ property, object, tried, harm }) => (
+          <li key={`${property} ${object} ${tried}`}>{words.property(object, tried, harm)}</li>
+        ))}
+      </ul>
+      <p class="hint">{words.propertiesHint}</p>
+      {why !== null && <p class="hint">{words.notMoved(why)}</p>}
+    </section>
+  );
 }
 
 function Findings({ analysis, graph }: { analysis: Analysis; graph: string }) {
@@ -65,19 +110,26 @@ function Findings({ analysis, graph }: { analysis: Analysis; graph: string }) {
         </ul>
         <p>{words.anyOrder(order.length === 0)}</p>
       </section>
+      <Properties {...analysis} />
     </>
   );
 }
 
 /** Simulates a recording in other ways, and shows which of its subtasks mattered, and in which order. */
 export function AnalysisDialog({ recording }: { recording: string }) {
-  const trial = useAnalysis(recording);
+  const ignored = useSignal<string[]>([]);
+  const trial = useAnalysis(recording, ignored.value);
+  /** Of the last analysis, also while it is done again with other goals. */
+  const goals = useSignal<Analysis["goals"]>([]);
   const { isSaving, save, cancel } = useSaving(() => (analyzed.value = null));
   const close = () => {
     cancel();
     analyzed.value = null;
   };
   const { value } = trial;
+  useEffect(() => {
+    if (value.state === "analyzed") goals.value = value.analysis.goals;
+  }, [value]);
   const edits = value.state === "analyzed" ? shorteningOf(value.analysis) : [];
   return (
     <Dialog
@@ -100,6 +152,7 @@ export function AnalysisDialog({ recording }: { recording: string }) {
       }
     >
       <p class="hint">{words.about}</p>
+      {goals.value.length > 0 && <Goals goals={goals.value} ignored={ignored} />}
       <div class="findings" role="status">
         {value.state === "simulating" && <Waiting what="analyze" label={words.simulating} />}
         {value.state === "refused" && <p class="trouble">{value.error}</p>}

@@ -24,6 +24,8 @@ function step = measureHandle(demo, n)
            height / 2 > step.position(3)
           step = newStep(newBlock(color', [face.sides, height], [at, height / 2], face.yaw), demo.ids{n});
           step.displacement = displacement;
+          % Its direction is only as well known as the yaw of the handle.
+          step.tolerance = c.blocks.position_tolerance + c.task_model.drag_direction_rad * norm(displacement);
         end
       end
     end

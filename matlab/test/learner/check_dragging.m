@@ -14,6 +14,11 @@ function check_dragging()
   check(norm(step.position(1:2) - [-2, -3]) < 0.03 && max(abs(step.size(1:2) - [1, 0.6])) < 0.03, ...
         'its post is the handle');
 
+  for away = [0.1, 0.15]
+    it = block(step.color, step.size, step.position(1) - away / sqrt(5), step.position(2) + 2 * away / sqrt(5), 0, step.yaw);
+    check(isInPlace(it, step) == (away == 0.1), 'it may end as far to the side as its direction is uncertain');
+  end
+
   state = initialTaskState(step, []);
   state.known = block(step.color, step.size, 3, -2, 0, 0.8);
   state = chooseSite(state, [], [], []);

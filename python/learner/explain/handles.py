@@ -4,7 +4,7 @@ from itertools import product
 
 import numpy as np
 
-from constants import PERCEPTION, TASK_MODEL as C
+from constants import BLOCKS, PERCEPTION, TASK_MODEL as C
 from explain.shown_pictures import read_picture
 from see.colors import color_mask, frequent_colors
 from see.eye import onto_plane
@@ -42,10 +42,16 @@ def measure_handle(demo, n):
                     and (step is None or height > step.top)):
                 step = Step(color, np.append(face.sides, height),
                             np.append(face.center, height / 2), face.yaw, demo.ids[n], [],
-                            displacement)
+                            displacement, tolerance=drag_tolerance(displacement))
     if step is None:
         raise ValueError(f"no picture of the demonstration shows the handle of {demo.ids[n]}")
     return step
+
+
+def drag_tolerance(displacement):
+    """Returns the tolerance of the place where a drag ends [units]: its direction is only as well known as the yaw of the
+    handle."""
+    return BLOCKS.position_tolerance + C.drag_direction_rad * np.hypot(*displacement)
 
 
 def displaced_regions(mask, other):

@@ -9,6 +9,7 @@ from check.task_state import TaskState
 from match.building_site import choose_site
 from recordings import RecordingTest
 from scenes import BROWN, RED, block, picture_of
+from things.kinds import is_in_place
 
 
 class DraggingTest(RecordingTest):
@@ -50,6 +51,12 @@ class DraggingTest(RecordingTest):
         c, s = math.cos(0.3), math.sin(0.3)
         np.testing.assert_allclose(state.steps[0].position[:2],
                                    [3 + 2 * c - s, -2 + 2 * s + c], atol=0.01)
+
+    def test_it_may_end_as_far_to_the_side_as_its_direction_is_uncertain(self):
+        [step], _ = self.infer_task()
+        for away, is_there in (0.1, True), (0.15, False):
+            x, y = step.position[:2] + away * np.array([-1, 2]) / math.sqrt(5)
+            self.assertEqual(is_in_place(block(step.color, step.size, x, y, yaw=step.yaw), step), is_there)
 
 
 if __name__ == "__main__":

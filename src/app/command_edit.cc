@@ -6,12 +6,12 @@
 #include <stdexcept>
 
 #include "app/commands.h"
-#include "app/edit_texts.h"
 #include "app/interrupt.h"
 #include "app/open_recording.h"
 #include "app/options.h"
 #include "app/progress.h"
 #include "editing/edit_json.h"
+#include "editing/edit_texts.h"
 #include "editing/overlay.h"
 #include "editing/re_simulation.h"
 #include "picture/rendered_eye.h"
@@ -136,7 +136,7 @@ void EditDemo(const EditOptions& options) {
 /// Adds the options of edits, which are collected in the order of the command line, since edits do
 /// not commute.
 void AddEditOptions(CLI::App* edit, const std::shared_ptr<EditOptions>& options) {
-  for (const EditOption& option : AllEditOptions()) {
+  for (const editing::EditOption& option : editing::AllEditOptions()) {
     const auto take = [options, option](const std::string& text) {
       const std::string typed = std::string(option.name) + " " + text;
       try {

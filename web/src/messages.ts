@@ -107,7 +107,6 @@ export interface Segment {
   seconds: number;
 }
 
-/** All times are from the start [s]. */
 export interface Conflict {
   /** null: of no hand */
   hand: HandName | null;
@@ -115,6 +114,7 @@ export interface Conflict {
   reason: string;
 }
 
+/** All times are from the start [s]. */
 export interface Timeline {
   segments: ({ number: number; deed: ActionSummary | null; begin: number; end: number })[];
   steps: ({ step: number; parent: number | null; deed: ActionSummary | null; begin: number; end: number; on_way: boolean })[];

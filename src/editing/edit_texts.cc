@@ -1,11 +1,11 @@
-#include "app/edit_texts.h"
+#include "editing/edit_texts.h"
 
 #include <charconv>
 #include <stdexcept>
 
 #include "base/wording.h"
 
-namespace smile::app {
+namespace smile::editing {
 namespace {
 
 /// Parser of numbers and the signs between them, as in `3:0.5-2`.
@@ -49,26 +49,26 @@ class EditText {
   const char* rest_;
 };
 
-editing::Edit ParseDrop(const std::string& text) {
+Edit ParseDrop(const std::string& text) {
   EditText in(text, "the number of a segment, or a range like 2-4");
-  editing::Drop drop{.first = in.Number<int>()};
+  Drop drop{.first = in.Number<int>()};
   drop.last = in.Take('-') ? in.Number<int>() : drop.first;
   in.ExpectEnd();
   return drop;
 }
 
-editing::Edit ParseMove(const std::string& text) {
+Edit ParseMove(const std::string& text) {
   EditText in(text, "the number of a segment and its place, like 5:2");
-  editing::Move move{.segment = in.Number<int>()};
+  Move move{.segment = in.Number<int>()};
   in.Expect(':');
   move.place = in.Number<int>();
   in.ExpectEnd();
   return move;
 }
 
-editing::Edit ParseTrim(const std::string& text) {
+Edit ParseTrim(const std::string& text) {
   EditText in(text, "the number of a segment and the seconds to keep, like 3:0.5-2");
-  editing::Trim trim{.segment = in.Number<int>()};
+  Trim trim{.segment = in.Number<int>()};
   in.Expect(':');
   trim.from = in.Number<double>();
   in.Expect('-');
@@ -77,32 +77,32 @@ editing::Edit ParseTrim(const std::string& text) {
   return trim;
 }
 
-editing::Edit ParseMaxPause(const std::string& text) {
+Edit ParseMaxPause(const std::string& text) {
   EditText in(text, "seconds, like 0.5");
-  const editing::MaxPause longest{in.Number<double>()};
+  const MaxPause longest{in.Number<double>()};
   in.ExpectEnd();
   return longest;
 }
 
-editing::Edit ParseRetime(const std::string& text) {
+Edit ParseRetime(const std::string& text) {
   EditText in(text, "the number of a segment and its seconds, like 3:1.5");
-  editing::Retime retime{.segment = in.Number<int>()};
+  Retime retime{.segment = in.Number<int>()};
   in.Expect(':');
   retime.seconds = in.Number<double>();
   in.ExpectEnd();
   return retime;
 }
 
-editing::Edit ParseSpeed(const std::string& text) {
+Edit ParseSpeed(const std::string& text) {
   EditText in(text, "a factor, like 1.5");
-  const editing::Speed speed{in.Number<double>()};
+  const Speed speed{in.Number<double>()};
   in.ExpectEnd();
   return speed;
 }
 
-editing::Edit ParseShift(const std::string& text) {
+Edit ParseShift(const std::string& text) {
   EditText in(text, "the number of a segment, or a range, and seconds, like 3:0.5 or 3-4:-0.5");
-  editing::Shift shift{.first = in.Number<int>()};
+  Shift shift{.first = in.Number<int>()};
   shift.last = in.Take('-') ? in.Number<int>() : shift.first;
   in.Expect(':');
   shift.seconds = in.Number<double>();
@@ -110,9 +110,9 @@ editing::Edit ParseShift(const std::string& text) {
   return shift;
 }
 
-editing::Edit ParseStretch(const std::string& text) {
+Edit ParseStretch(const std::string& text) {
   EditText in(text, "the number of a segment, or a range, and a factor, like 3:1.5 or 3-4:0.5");
-  editing::Stretch stretch{.first = in.Number<int>()};
+  Stretch stretch{.first = in.Number<int>()};
   stretch.last = in.Take('-') ? in.Number<int>() : stretch.first;
   in.Expect(':');
   stretch.factor = in.Number<double>();
@@ -140,4 +140,4 @@ constexpr EditOption kEditOptions[] = {
 
 std::span<const EditOption> AllEditOptions() { return kEditOptions; }
 
-}  // namespace smile::app
+}  // namespace smile::editing

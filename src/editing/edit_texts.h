@@ -5,7 +5,7 @@
 
 #include "editing/edit.h"
 
-namespace smile::app {
+namespace smile::editing {
 
 /// Option of `smile edit` for one kind of edit.
 struct EditOption {
@@ -13,9 +13,9 @@ struct EditOption {
   const char* form;     ///< of its value
   const char* meaning;  ///< for the help
   /// @throws std::invalid_argument with what was found and expected.
-  editing::Edit (*parse)(const std::string& text);
+  Edit (*parse)(const std::string& text);
 };
 
 std::span<const EditOption> AllEditOptions();
 
-}  // namespace smile::app
+}  // namespace smile::editing

@@ -48,7 +48,6 @@ function block = measureObject(demo, n, lower, pictures)
     end
   end
   block = measureBall(demo, n, frames, pictures);
-  if isempty(block), block = measureOutlined(demo, n, frames, pictures); end
   if isempty(block), block = measureTopWithKnob(demo, n, frames, pictures); end
   if isempty(block), block = measureParts(demo, n); end
   if isempty(block), block = measureFlatTop(demo, n, lower); end

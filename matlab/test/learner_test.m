@@ -25,7 +25,6 @@ try
   check_resting();
   check_failures();
   check_parts();
-  check_outlines();
   check_presses();
   check_uses();
   check_drives();

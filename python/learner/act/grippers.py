@@ -1,7 +1,6 @@
 """Which arms can hold a block, and which is the nearest."""
 
 from constants import ARMS as C
-from things.held_parts import held_part
 
 
 def arms_for(steps, arms):
@@ -9,7 +8,7 @@ def arms_for(steps, arms):
 
     Raises ValueError if there are none.
     """
-    width = max((held_part(step).size[1] for step in steps if not (step.stays or step.has_knob)), default=0)
+    width = max((step.size[1] for step in steps if not (step.stays or step.has_knob)), default=0)
     able = [arm for arm in arms if can_hold(arm, width)]
     if not able:
         found = ", ".join(f"{arm.name}: " + (f"{arm.opening:.2f} units" if arm.opening else "none")

@@ -426,6 +426,8 @@ export const texts = {
     staysWhenClosed: "This continues when the dialog or the page is closed. Closing the studio stops it; then it can be continued.",
     dismissNamed: (name: string) => `Dismiss “${name}”`,
     continue: "Continue",
+    rename: "Rename…",
+    renameTitle: (name: string) => `Rename “${name}”`,
     isComplete: "it is complete",
     madeElsewhere: "it was not made here; repeat the command that made it",
     isBeingMade: "it is being made",

@@ -99,12 +99,20 @@ test("a set is generated, looked at by its causes, and its failure opened", asyn
   await person.press("Back to the table");
   assert.ok(replay(join(studio.recordings, "generated/towers/failures/seed-0003/imitation")).identical);
 
-  await choose("towers", "Move to the bin");
-  await card("towers").waitFor({ state: "detached" });
+  const renaming = await choose("towers", "Rename…");
+  await renaming.getByRole("textbox", { name: "Name" }).fill("towers");
+  await person.press("Save", renaming);
+  await renaming.getByRole("alert").getByText("there is a set \"towers\" already").waitFor();
+  await renaming.getByRole("textbox", { name: "Name" }).fill("piles");
+  await page.keyboard.press("Enter");
+  await renaming.waitFor({ state: "detached" });
+
+  await choose("piles", "Move to the bin");
+  await card("piles").waitFor({ state: "detached" });
   await person.press("Show the bin");
-  await person.press("Restore", card("towers"));
+  await person.press("Restore", card("piles"));
   await person.press("Show the bin");
-  await card("towers").getByText("1 of 1 episode").waitFor();
+  await card("piles").getByText("1 of 1 episode").waitFor();
 });
 
 test("a generation is stopped and continued", async (t) => {

@@ -58,6 +58,8 @@ export const draft = preference<SceneText | null>(
 );
 /** The recording whose title and notes are changed. */
 export const renamed = signal<string | null>(null);
+/** The generated set whose name is changed. */
+export const renamedSet = signal<string | null>(null);
 /** The recording that is analyzed. */
 export const analyzed = signal<string | null>(null);
 /** The recording of which a set is to be generated. */

@@ -9,7 +9,7 @@ import { Icon } from "../ui/icons";
 import { MenuButton, type MenuEntry } from "../ui/menu";
 import { dismiss, dismissed, isOpen, jobOfSet, refreshJobs, refreshSets, sets, stopJob } from "./datasets";
 import { JobProgress } from "./job_progress";
-import { exported, openedSet } from "./page";
+import { exported, openedSet, renamedSet } from "./page";
 import { eyePictureOf } from "./recordings";
 
 const { datasets: words } = texts;
@@ -84,6 +84,12 @@ function entriesOf(set: GeneratedSet): MenuEntry[] {
       icon: "film",
       ...unless(may("export")),
       onChoose: () => (exported.value = { set: name }),
+    },
+    {
+      label: words.rename,
+      icon: "pencil",
+      ...unless(jobOfSet(name) !== undefined ? words.isBeingMade : may("rename_set")),
+      onChoose: () => (renamedSet.value = name),
     },
     {
       label: texts.library.toBin,

@@ -16,9 +16,10 @@ import { Help } from "./help";
 import { LibraryPanel } from "./library_panel";
 import { isRecording, isWatched, recordingId, shownRecording } from "./derived_signals";
 import { ObjectsPanel } from "./objects_panel";
-import { analyzed, editedScene, exported, generated, isHelpOpen, isLeftOpen, isRightOpen, leftTab, LEFT_TABS, openedSet, renamed, rightTab, RIGHT_TABS, sheet } from "./page";
+import { analyzed, editedScene, exported, generated, isHelpOpen, isLeftOpen, isRightOpen, leftTab, LEFT_TABS, openedSet, renamed, renamedSet, rightTab, RIGHT_TABS, sheet } from "./page";
 import { onRecordingFinished, onRecordingShown, refreshRecordings } from "./recordings";
 import { RenameDialog } from "./rename_dialog";
+import { RenameSetDialog } from "./rename_set_dialog";
 import { RobotPanel } from "./robot_panel";
 import { SceneEditor } from "./scene_editor";
 import { SetDialog } from "./set_dialog";
@@ -113,6 +114,7 @@ export function StudioPage() {
       {isHelpOpen.value && <Help />}
       {editedScene.value && <SceneEditor key={editedScene.value.name} />}
       {renamed.value !== null && <RenameDialog id={renamed.value} />}
+      {renamedSet.value !== null && <RenameSetDialog name={renamedSet.value} />}
       {analyzed.value !== null && <AnalysisDialog recording={analyzed.value} />}
       {exported.value !== null && <ExportDialog source={exported.value} />}
       {openedSet.value !== null && <SetDialog key={openedSet.value} name={openedSet.value} />}

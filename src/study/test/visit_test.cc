@@ -17,7 +17,8 @@ class VisitTest : public StudyTest {
                  .set_port = [this](const std::string&, std::optional<int> port) { port_ = port; },
                  .has_room = [this] { return has_room_; },
                  .program = folder() / "program",
-                 .memory_bytes = 1 << 30,
+                 // Enough for the tables that the address sanitizer reserves.
+                 .memory_bytes = std::uint64_t{1} << 46,
                  .disk_bytes = 1 << 20};
     visit_.emplace(&data_.study(), data_.participants()[0], &services_);
     visit_->Enter(1);

@@ -402,21 +402,6 @@ export const texts = {
     count: "Episodes",
     seed: "First seed",
     jobs: "Runs at a time",
-    variations: (kinds: string[]) => (kinds.length === 0 ? "Variations: none" : `Variations: ${kinds.join(", ").toLowerCase()}`),
-    variationsAbout:
-      "Each attempt draws these from its seed, as it does its layout. A policy that is to cope with them needs them in its data.",
-    kindOf: (kind: string) =>
-      ({
-        noise: "Sensor noise",
-        looks: "Light and colors",
-        pattern: "Pattern of the table",
-        cameras: "Place of the camera",
-        speed: "Speed of the robot",
-        order: "Order of independent steps",
-        disturbances: "Disturbances",
-      })[kind] ?? kind,
-    notVaried: "not varied",
-    degreeOf: (name: string, ranges: string) => `${name}: ${ranges.replaceAll(",", ", ").replaceAll("..", " to ")}`,
     stop: "Stop",
     stopWhy: ({ do: what }: Job) =>
       what === "generate" ? "What is done is kept; the set can be continued" : "Nothing is kept of the dataset",
@@ -457,6 +442,24 @@ export const texts = {
       })[status],
     ended: ({ status, name }: Job) =>
       status === "done" ? `“${name}” is made` : status === "stopped" ? `“${name}” is stopped` : `“${name}” failed`,
+  },
+
+  variations: {
+    title: (kinds: string[]) => (kinds.length === 0 ? "Variations: none" : `Variations: ${kinds.join(", ").toLowerCase()}`),
+    about:
+      "Each attempt draws these from its seed, as it does its layout. A policy that is to cope with them needs them in its data.",
+    kind: (kind: string) =>
+      ({
+        noise: "Sensor noise",
+        looks: "Light and colors",
+        pattern: "Pattern of the table",
+        cameras: "Place of the camera",
+        speed: "Speed of the robot",
+        order: "Order of independent steps",
+        disturbances: "Disturbances",
+      })[kind] ?? kind,
+    none: "not varied",
+    degree: (name: string, ranges: string) => `${name}: ${ranges.replaceAll(",", ", ").replaceAll("..", " to ")}`,
   },
 
   attempts: {

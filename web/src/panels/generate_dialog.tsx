@@ -132,16 +132,16 @@ function Variations({ chosen }: { chosen: Signal<Record<string, string>> }) {
   };
   return (
     <details class="variations">
-      <summary>{words.variations(Object.keys(chosen.value).map(words.kindOf))}</summary>
-      <p class="hint">{words.variationsAbout}</p>
+      <summary>{texts.variations.title(Object.keys(chosen.value).map(texts.variations.kind))}</summary>
+      <p class="hint">{texts.variations.about}</p>
       {(choices.value?.variations ?? []).map(({ kind, degrees }) => (
         <label class="field" key={kind}>
-          <span class="field-label">{words.kindOf(kind)}</span>
+          <span class="field-label">{texts.variations.kind(kind)}</span>
           <select value={chosen.value[kind] ?? ""} onChange={(event) => choose(kind, event.currentTarget.value)}>
-            <option value="">{words.notVaried}</option>
+            <option value="">{texts.variations.none}</option>
             {degrees.map(({ name, ranges }) => (
               <option key={name} value={name}>
-                {words.degreeOf(name, ranges)}
+                {texts.variations.degree(name, ranges)}
               </option>
             ))}
           </select>

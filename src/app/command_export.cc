@@ -86,7 +86,7 @@ const Format& FormatOf(const ExportOptions& options) {
     names.emplace_back(format.name);
   }
   names.insert(names.end(), datasets::kDatasetFormats.begin(), datasets::kDatasetFormats.end());
-  names.emplace_back("mjcf");
+  names.emplace_back(kWorldFormat);
   throw std::invalid_argument("--to is " + Quoted(options.format) + ", expected " + OneOf(names));
 }
 
@@ -218,7 +218,7 @@ int Export(const ExportOptions& options, const DatasetOptions& dataset, const Wo
     throw std::invalid_argument(arguments.front() + " is for datasets, and --to is " +
                                 Quoted(options.format));
   }
-  if (IsWorldFormat(options.format)) {
+  if (options.format == kWorldFormat) {
     RequireOne(options, "scene");
     return ExportWorld(options.runs.front(), options.format, options.out, world);
   }
@@ -270,7 +270,7 @@ void AddExport(CLI::App* program, ExitAnswer answer) {
   formats += "; datasets:";
   for (const std::string_view format : datasets::kDatasetFormats)
     formats += " " + std::string(format);
-  formats += std::string("; ") + kWorldFormatsHelp;
+  formats += std::string("; another simulator, of a scene file: ") + kWorldFormat;
   command->add_option("--to", options->format, formats)->required();
   command->add_option("--out", options->out, "file to write, or directory of the dataset")
       ->required()

@@ -24,8 +24,6 @@ void AddWorldExportOptions(CLI::App* command, WorldExport* options) {
       ->check(NumberBetween(0, 3600));
 }
 
-bool IsWorldFormat(const std::string& format) { return format == "mjcf"; }
-
 int ExportWorld(const std::string& scene, const std::string& format, const std::string& out,
                 const WorldExport& options) {
   const auto model = std::make_shared<const model::Model>(

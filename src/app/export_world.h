@@ -17,10 +17,8 @@ struct WorldExport {
 /// Adds the options of such an export, in a group of their own.
 void AddWorldExportOptions(CLI::App* command, WorldExport* options);
 
-/// True for a format of another simulator.
-bool IsWorldFormat(const std::string& format);
-/// Description of these formats, for `--help`.
-inline constexpr const char* kWorldFormatsHelp = "other simulators, of a scene file: mjcf";
+/// Format of another simulator.
+inline constexpr const char* kWorldFormat = "mjcf";
 
 /// Writes a scene for another simulator, and says what is left out.
 /// @returns the exit code.

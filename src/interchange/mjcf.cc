@@ -10,14 +10,13 @@
 #include "base/overloaded.h"
 #include "base/wording.h"
 #include "interchange/joint_forest.h"
+#include "mechanics/rolling_friction.h"
 #include "xml/writer.h"
 
 namespace smile::interchange {
 namespace {
 
 constexpr double kTimeStep = 0.002;  ///< MuJoCo's own default [s]
-/// Default of bodies with parts other than blocks, see scene::Surface [m].
-constexpr double kRollingFriction = 0.001;
 /// The servo of a joint reaches its greatest force when its speed is wrong by this fraction of the
 /// greatest one.
 constexpr double kServoBand = 0.1;
@@ -285,11 +284,7 @@ class MjcfText {
       xml_.Close();
     }
     if (!one.is_static()) WriteInertial(spec.mass);
-    const auto is_block = [](const scene::Solid& solid) {
-      return std::holds_alternative<scene::Block>(solid.shape);
-    };
-    const double rolling = spec.rolling_friction.value_or(
-        std::ranges::all_of(spec.solids, is_block) ? 0 : kRollingFriction);
+    const double rolling = mechanics::RollingFrictionOf(spec);
     for (const scene::Solid& solid : spec.solids) WriteSolid(solid, spec.friction, rolling);
     for (const scene::Visual& visual : one.visuals) WriteVisual(visual);
     for (std::size_t child = 0; child < forest_.nodes.size(); ++child) {

@@ -1,22 +1,10 @@
 #include "physics/internal_body_dynamics.h"
 
-#include <algorithm>
-
+#include "mechanics/rolling_friction.h"
 #include "physics/internal_dormant_islands.h"
 
 namespace smile::physics {
 namespace {
-
-/// Rolling resistance of balls, rollers and rings [m].
-constexpr double kRollingResistance = 0.001;
-
-/// Returns true if a solid may roll. Hulls count as round: the segments of a ring are hulls, and
-/// the resistance does not disturb other hulls.
-bool IsRound(const BodySpec& spec) {
-  return std::any_of(spec.solids.begin(), spec.solids.end(), [](const scene::Solid& solid) {
-    return !std::holds_alternative<scene::Block>(solid.shape);
-  });
-}
 
 bool IsStatic(const BodySpec& spec) { return spec.mass.mass == 0; }
 
@@ -29,7 +17,7 @@ btRigidBody::btRigidBodyConstructionInfo ConstructionInfoOf(const BodySpec& spec
   info.m_startWorldTransform = ToBullet(spec.X_WB * X_BcmB.inverse());
   info.m_friction = spec.friction;
   info.m_restitution = spec.restitution;
-  info.m_rollingFriction = spec.rolling_friction.value_or(IsRound(spec) ? kRollingResistance : 0.0);
+  info.m_rollingFriction = mechanics::RollingFrictionOf(spec);
   return info;
 }
 

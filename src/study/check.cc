@@ -8,7 +8,7 @@
 #include "recording/recording.h"
 #include "study/orders.h"
 #include "study/progress.h"
-#include "study/sha256.h"
+#include "web_server/digest.h"
 
 namespace smile::study {
 namespace {
@@ -32,9 +32,9 @@ void CheckTrial(const Participant& participant, const Step& step, const Progress
 
 void CheckParticipant(const Definition& study, const Participant& participant,
                       const Progress& progress, std::vector<std::string>* findings) {
-  if (progress.consent_sha256 != Sha256(study.consent)) {
+  if (progress.consent_sha256 != web_server::Sha256(study.consent)) {
     findings->push_back(participant.id + ": consent: found the hash " + progress.consent_sha256 +
-                        ", expected that of the text, " + Sha256(study.consent));
+                        ", expected that of the text, " + web_server::Sha256(study.consent));
   }
   for (const Step& step : StepsOf(study, participant.number)) {
     if (!progress.done.contains(step.name)) continue;

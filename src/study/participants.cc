@@ -11,7 +11,7 @@
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/json_node.h"
-#include "study/sha256.h"
+#include "web_server/digest.h"
 
 namespace smile::study {
 namespace {
@@ -51,7 +51,7 @@ StudyData StudyData::OpenOrMake(const fs::path& folder, const fs::path& definiti
   if (!fs::exists(file)) {
     MakeDirectories(folder);
     const Json made{{"definition", fs::absolute(definition_file).lexically_normal().string()},
-                    {"sha256", Sha256(study.text)},
+                    {"sha256", web_server::Sha256(study.text)},
                     {"issued", 0}};
     WriteFile(file, ToText(made, 2) + "\n");
   }
@@ -78,7 +78,7 @@ StudyData::StudyData(fs::path folder) : folder_(std::move(folder)) {
   num_issued_ = static_cast<int>(node.Member("issued").Whole(0, kMaxParticipants));
   study_ = ReadDefinition(definition_file_);
   // Participants of one study have the same study.
-  if (node.Member("sha256").String() != Sha256(study_.text)) {
+  if (node.Member("sha256").String() != web_server::Sha256(study_.text)) {
     node.Member("sha256").Fail(definition_file_.string() +
                                " was changed since its first participant; expected it unchanged, "
                                "or another folder for the data of the changed study");
@@ -101,7 +101,7 @@ void StudyData::ReadParticipants() {
 
 void StudyData::WriteIssued() const {
   const Json json{{"definition", definition_file_.string()},
-                  {"sha256", Sha256(study_.text)},
+                  {"sha256", web_server::Sha256(study_.text)},
                   {"issued", num_issued_}};
   WriteFile(folder_ / kStudyFile, ToText(json, 2) + "\n");
 }

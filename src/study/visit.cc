@@ -15,8 +15,8 @@
 #include "base/wording.h"
 #include "recording/recording.h"
 #include "study/measures.h"
-#include "study/sha256.h"
 #include "study/step_message.h"
+#include "web_server/digest.h"
 
 namespace smile::study {
 namespace {
@@ -117,7 +117,7 @@ void Visit::Leave(PageId page) {
 void Visit::ShowStep() {
   const Step& now = step();
   if (now.kind == StepKind::kThanks && progress_.completion_code.empty()) {
-    std::string code = Sha256(participant_.token).substr(0, kCodeDigits);
+    std::string code = web_server::Sha256(participant_.token).substr(0, kCodeDigits);
     for (char& digit : code)
       digit = static_cast<char>(std::toupper(static_cast<unsigned char>(digit)));
     Log("code", {{"code", code}});
@@ -165,7 +165,7 @@ void Visit::Finish(const Step& done) {
 void Visit::TakeConsent(const Json& message) {
   ExpectStep(message, StepKind::kConsent);
   const bool is_agreed = message.contains("agreed") && message["agreed"] == true;
-  Log("consent", {{"agreed", is_agreed}, {"sha256", Sha256(study_->consent)}});
+  Log("consent", {{"agreed", is_agreed}, {"sha256", web_server::Sha256(study_->consent)}});
   if (is_agreed) return Finish(step());
   ShowStep();
 }

@@ -13,8 +13,8 @@
 #include "study/definition.h"
 #include "study/event_log.h"
 #include "study/participants.h"
-#include "study/sha256.h"
 #include "study/steps.h"
+#include "web_server/digest.h"
 
 namespace smile::study {
 
@@ -89,7 +89,7 @@ class StudyTest : public ::testing::Test {
   static void Complete(const StudyData& data, const Participant& participant, double seconds,
                        const std::string& recording = "") {
     EventLog log(participant.events_file());
-    log.Add("consent", {{"agreed", true}, {"sha256", Sha256(data.study().consent)}});
+    log.Add("consent", {{"agreed", true}, {"sha256", web_server::Sha256(data.study().consent)}});
     for (const Step& step : StepsOf(data.study(), participant.number)) {
       log.Add("begin", {{"step", step.name}});
       if (step.is_trial()) {

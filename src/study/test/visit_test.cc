@@ -79,7 +79,7 @@ TEST_F(VisitTest, BeginsWithTheConsent) {
   EXPECT_EQ(sent_[1]["content"]["declined"], true);
   visit_->Receive({{"do", "consent"}, {"step", "consent"}, {"agreed", true}});
   EXPECT_EQ(step(), "instruction-1");
-  EXPECT_EQ(visit_->progress().consent_sha256, Sha256("You may stop at any time.\n"));
+  EXPECT_EQ(visit_->progress().consent_sha256, web_server::Sha256("You may stop at any time.\n"));
   EXPECT_FALSE(visit_->progress().is_declined);
 }
 

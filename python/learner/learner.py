@@ -14,6 +14,7 @@ from act.grippers import arms_for
 from act.joint_estimates import JointEstimates
 from act.retreats import retreat
 from act.robot_arms import arms_of
+from check.choices import choices_of
 from check.claims import give_up
 from check.failures import remember_failure
 from check.notes import Note
@@ -36,9 +37,8 @@ def init(aux):
     aux.eye = Eye(aux.cameraIntrinsics, aux.cameraPose)
     # Beliefs about this scene, and progress. Agents to compare with, in python/examples/agents, set
     # what the learner does without, or another way to see.
-    aux.state = TaskState(steps, container, presses=presses, shown=demo.eye,
-                          without=vars(aux).get("without", ()), see=vars(aux).get("see"),
-                          order_seed=vars(aux).get("variationOrder"))
+    aux.state = TaskState(steps, container, presses=presses, shown=demo.eye, choices=choices_of(aux),
+                          without=vars(aux).get("without", ()), see=vars(aux).get("see"))
     aux.actions = [Action("observe")]  # the next actions, in this order
     aux.num_retreats = 0  # number of successive retreats after failed actions
 

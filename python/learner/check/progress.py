@@ -8,15 +8,12 @@ from things.kinds import is_in_place
 
 def open_steps(state):
     """Returns the numbers of the steps that are not done and whose supports are done, in
-    demonstrated order, or in that of a seed; before a press, only of those that were done before it."""
+    demonstrated order, or in that of a choice; before a press, only of those that were done before it."""
     pending = [press for press in state.presses if not press.done]
     steps = [k for k, step in enumerate(state.steps)
              if (not pending or k in pending[0].after) and not state.done[k]
              and all(state.done[lower] for lower in step.on + step.after)]
-    if state.order_seed is None:
-        return steps
-    rank = np.random.default_rng(int(state.order_seed)).permutation(len(state.steps))
-    return sorted(steps, key=lambda k: rank[k])
+    return state.choices.ordered(steps, len(state.steps))
 
 
 def waits_for_support(state, k):

@@ -6,6 +6,7 @@ from typing import Callable, Optional
 import numpy as np
 
 from act.actions import Grasp
+from check.choices import Choices
 from check.claims import Claim
 from see.eye import Eye
 from see.surfaces import Surface
@@ -49,7 +50,7 @@ class TaskState:
     num_looks: int = 0  # number of pictures until then
     num_still: int = 0  # number of the last of them in which nothing moved
     without: tuple = ()  # "depth", "second look": abilities that it does not use
-    order_seed: Optional[float] = None  # of the order of steps that may be next; None: as demonstrated
+    choices: Choices = Choices()  # between several good ways
     see: Optional[Callable] = None  # told what is seen: from sensor, eye and steps to Blocks
 
     def __post_init__(self):

@@ -42,7 +42,8 @@ def plan_move(state, step, move, eye, arms, sensor):
             goal = raised_above(goal, state.container)
         sites.append(standing)
         actions, reason = plan_pick_and_place(arms, with_depth(move.block, state.surface),
-                                              with_depth(goal, state.surface), others, sensor, state.failures)
+                                              with_depth(goal, state.surface), others, sensor, state.failures,
+                                              state.choices.way(sum(state.attempts) + state.num_temporary))
         if actions:
             place = replace(move.block, position=move.goal.position, yaw=move.goal.yaw)
             return actions, place, False, None

@@ -6,6 +6,7 @@ from itertools import product
 from act.actions import Grasp
 from act.finger_room import grasp_yaws
 from act.grippers import can_hold, nearest_first
+from check.choices import Way
 from check.failures import has_failed
 from constants import MOTION_PLANNING as C
 from plan.heights import has_low_way, transfer_height
@@ -15,12 +16,13 @@ from things.held_parts import held_part
 from things.steps import is_dragged
 
 
-def plan_pick_and_place(arms, block, goal, others, sensor, failures=()):
+def plan_pick_and_place(arms, block, goal, others, sensor, failures=(), way=Way()):
     """Plans the actions that bring a block to a goal (a Block or Step) and end with an observation.
 
     arms:     the Arms that may do it
     others:   obstacles, as Blocks
     failures: Grasps that failed and are not to be repeated
+    way:      in which it is preferably held and carried
     Returns actions and None, or [] and the reason if no arm can do it.
     """
     goal = replace(goal, knob=block.knob)
@@ -33,18 +35,18 @@ def plan_pick_and_place(arms, block, goal, others, sensor, failures=()):
     if not able:
         return [], "it is wider than the gripper opens"
     can_be_low = not is_dragged(goal) and not block.knob and has_low_way(block, goal, others)
-    for is_low, arm in product([False, True] if can_be_low else [False],
-                               nearest_first(able, block.position[0] + goal.position[0])):
+    for is_low, rise, arm in product([False, True] if can_be_low else [False], way.rises(),
+                                     nearest_first(able, block.position[0] + goal.position[0])):
         if is_dragged(goal):
             height = block.top + C.drag_tool_height
         else:
-            height = transfer_height(arm, [*others, held], goal.bottom, target.top - goal.bottom)
+            height = transfer_height(arm, [*others, held], goal.bottom, target.top - goal.bottom) + rise
         # What cannot be lifted high enough to pass over all others is lifted less on a low way.
         lift = block.position[2] + block.size[2] + C.clearance if is_low else height
         q = sensor.arms[arm.index].joints
         yaws = [yaw for yaw in at_start
                 if not has_failed(Grasp(held.position, arm.index, yaw), failures)]
-        for place_yaw, grasp_yaw in product(at_goal, yaws):
+        for place_yaw, grasp_yaw in way.ranked(list(product(at_goal, yaws))):
             # The object turns with the hand; it may look the same after some turns.
             turned = replace(block, yaw=block.yaw + place_yaw - grasp_yaw)
             if (block.knob or block.parts) and abs(yaw_difference(turned, goal.yaw)) > C.same_yaw_rad:

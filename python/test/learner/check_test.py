@@ -6,6 +6,7 @@ import unittest
 import numpy as np
 
 from act.actions import Action, Grasp
+from check.choices import Choices
 from check.failures import has_failed, num_failures, remember_failure
 from check.looking import compare
 from check.notes import tops_of
@@ -39,7 +40,7 @@ class CheckTest(unittest.TestCase):
     def test_a_seed_varies_the_order_of_open_steps(self):
         steps = [step(block(RED, CUBE, 2 * k, -2), []) for k in range(3)]
         steps.append(step(block(GREEN, CUBE, 0, -2, bottom=1), [0]))
-        orders = {tuple(open_steps(TaskState(steps, order_seed=seed))) for seed in range(60)}
+        orders = {tuple(open_steps(TaskState(steps, choices=Choices(order=seed)))) for seed in range(60)}
         self.assertEqual(len(orders), 6)
         self.assertTrue(all(sorted(order) == [0, 1, 2] for order in orders))
 

@@ -7,6 +7,7 @@ from unittest.mock import patch
 
 import numpy as np
 
+from check.choices import Choices
 from check.task_state import TaskState
 from plan.clearing import clearing_moves, uncovering_moves
 from plan.free_places import free_placements
@@ -98,6 +99,28 @@ class MovesTest(unittest.TestCase):
         wide = block(BLUE, np.array([3, 2, 1]), 0, -2)
         _, reason = plan_pick_and_place([SimpleNamespace(opening=2)], wide, wide, [], None)
         self.assertEqual(reason, "it is wider than the gripper opens")
+
+    def test_seeds_vary_how_a_block_is_held_and_carried(self):
+        arm = SimpleNamespace(opening=2, reach=0.75, foot=np.zeros(2), index=0)
+        sensor = SimpleNamespace(arms=[SimpleNamespace(joints=None)])
+        start, goal = block(RED, CUBE, -2, -2), block(RED, CUBE, 2, -2)
+
+        def first_ways(choices):
+            ways = []
+            with patch("plan.pick_and_place.plan_arm_pick_and_place",
+                       side_effect=lambda arm, held, yaw, target, place_yaw, height, *_: ways.append((yaw, height)) or 1):
+                for move in range(30):
+                    plan_pick_and_place([arm], start, goal, [], sensor, way=choices.way(move))
+            return ways
+
+        usual = first_ways(Choices())
+        self.assertEqual(len(set(usual)), 1)
+        held, carried = first_ways(Choices(grasp=7)), first_ways(Choices(path=7))
+        self.assertGreater(len({yaw for yaw, _ in held}), 1)
+        self.assertEqual({height for _, height in held}, {usual[0][1]})
+        self.assertEqual(len({height for _, height in carried}), 30)
+        self.assertTrue(all(0 <= height - usual[0][1] <= 1 for _, height in carried))
+        self.assertEqual(held, first_ways(Choices(grasp=7)))
 
 
 class TurningTest(unittest.TestCase):

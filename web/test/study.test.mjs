@@ -1,19 +1,19 @@
 // A study with scripted participants: in a real browser, with a real mouse, side by side.
 
 import assert from "node:assert/strict";
-import { execFileSync, spawn } from "node:child_process";
+import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { createInterface } from "node:readline";
+import { fileURLToPath } from "node:url";
 import { after, before, test } from "node:test";
-import { Person } from "./person.mjs";
-import { Browser, replay, Witness } from "./workbench.mjs";
+import { Participant, StudyServer } from "./participant.mjs";
+import { numbersOf, ScriptedParticipant } from "./scripted_participant.mjs";
+import { Browser, replay, SMILE } from "./workbench.mjs";
 
-const SMILE = process.env.SMILE ?? "build/dev/bin/smile";
 const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-const PATIENCE_MS = 60_000; // two sessions, a browser and this test share two cores
+const SHIPPED = fileURLToPath(new URL("../../studies/demonstrators/STUDY.json", import.meta.url));
 const browser = new Browser();
 before(() => browser.start());
 after(() => browser.close());
@@ -53,23 +53,13 @@ class Study {
     writeFileSync(join(this.folder, "STUDY.json"), JSON.stringify(study, null, 2));
   }
 
-  /** @returns the links of the participants */
   async serve(participants, port = 0) {
-    const words = ["study", join(this.folder, "STUDY.json"), "--data", this.data, "--participants", `${participants}`];
-    this.child = spawn(SMILE, [...words, "--port", `${port}`], { stdio: ["ignore", "pipe", "inherit"] });
-    const links = [];
-    for await (const line of createInterface({ input: this.child.stdout })) {
-      links.push(line.split(" ")[1]);
-      if (links.length === participants) return links;
-    }
-    throw new Error("the server ended");
+    this.server = await StudyServer.start(join(this.folder, "STUDY.json"), this.data, participants, port);
+    return this.server.links;
   }
 
-  /** @param signal SIGINT, or SIGKILL as when the machine loses power */
-  async stop(signal = "SIGINT") {
-    const ended = new Promise((resolve) => this.child.once("exit", resolve));
-    this.child.kill(signal);
-    await ended;
+  stop(signal) {
+    return this.server.stop(signal);
   }
 
   remove() {
@@ -81,49 +71,8 @@ class Study {
   }
 }
 
-/** A participant at a page. */
-class Participant {
-  static async at(link, options = {}) {
-    const context = await browser.browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce", ...options });
-    const page = await context.newPage();
-    page.setDefaultTimeout(PATIENCE_MS);
-    await page.goto(link);
-    return new Participant(context, page, link);
-  }
-
-  constructor(context, page, link) {
-    Object.assign(this, { context, page, link });
-  }
-
-  async press(name) {
-    await this.page.getByRole("button", { name, exact: true, disabled: false }).click();
-  }
-
-  async sees(heading) {
-    await this.page.getByRole("heading", { name: heading, exact: true }).waitFor();
-  }
-
-  /** The table of a trial, once it is recorded. */
-  async table() {
-    await this.page.getByRole("button", { name: "I am done", disabled: false }).waitFor();
-    const link = new URL(this.link);
-    this.whenClosed = [];
-    const witness = await Witness.of({ door: `ws://${link.host}${link.pathname}/session/ws`, whenClosed: this.whenClosed });
-    await witness.until(() => witness.state.recording !== null, "a recording");
-    await this.page.waitForFunction(() => window.smileStudio?.stats().isShown);
-    return new Person(this.page, witness);
-  }
-
-  /** The witness leaves first: the page alone controls. */
-  async dismissWitness() {
-    this.whenClosed.forEach((close) => close());
-  }
-
-  async leaveTable() {
-    await this.dismissWitness();
-    await this.press("I am done");
-  }
-
+/** A participant of this study. */
+class Stacker extends Participant {
   async stack() {
     const person = await this.table();
     await person.grasp("Red");
@@ -134,8 +83,7 @@ class Participant {
 
   async answerScales() {
     await this.sees("Questions");
-    for (const slider of await this.page.getByRole("slider").all()) await slider.fill("35");
-    await this.press("Continue");
+    await this.answer(() => 0.35);
   }
 
   async beginStudy() {
@@ -152,8 +100,7 @@ class Participant {
   }
 
   async end() {
-    await this.page.getByRole("radio", { name: "yes" }).check();
-    await this.press("Continue");
+    await this.answer(() => 1);
     await this.sees("Thank you");
     return this.page.locator(".study-code").textContent();
   }
@@ -172,7 +119,7 @@ async function holdsNothingAgainst(page, state) {
 
 /** All of a short study. */
 async function takePart(link) {
-  const participant = await Participant.at(link);
+  const participant = await Stacker.at(browser.browser, link);
   await participant.beginStudy();
   await participant.press("Begin");
   await participant.stack();
@@ -220,7 +167,7 @@ test("a participant continues after closing the page, and after the server was k
   t.after(() => study.remove());
   const [link] = await study.serve(1);
   t.after(() => study.stop());
-  const participant = await Participant.at(link);
+  const participant = await Stacker.at(browser.browser, link);
   await participant.beginStudy();
   await participant.press("Begin");
   // Practice is repeated until it succeeds.
@@ -260,12 +207,25 @@ test("a participant continues after closing the page, and after the server was k
   assert.equal(readdirSync(join(study.data, "P01/trials")).length, 4);
 });
 
+test("a shipped study is done from its consent to its completion code", async (t) => {
+  const data = mkdtempSync(join(tmpdir(), "smile-study-"));
+  t.after(() => rmSync(data, { recursive: true }));
+  const server = await StudyServer.start(SHIPPED, join(data, "data"), 1);
+  t.after(() => server.stop());
+  const participant = await ScriptedParticipant.at(browser.browser, server.links[0]);
+  assert.match(await participant.takePart(numbersOf(0)), /^[0-9A-F]{8}$/);
+  await participant.context.close();
+  smile("study", "report", join(data, "data"));
+  const [head, ...rows] = readFileSync(join(data, "data/report/trials.csv"), "utf8").trim().split("\r\n").map((line) => line.split(","));
+  assert.deepEqual(rows.map((row) => row[head.indexOf("success")]), ["1", "1", "1"]);
+});
+
 test("axe-core finds no serious barrier, and a session does nothing that is not part of the study", async (t) => {
   const study = new Study({ ...STUDY, practice: undefined });
   t.after(() => study.remove());
   const [link] = await study.serve(1);
   t.after(() => study.stop());
-  const participant = await Participant.at(link, { viewport: { width: 390, height: 844 } });
+  const participant = await Stacker.at(browser.browser, link, { viewport: { width: 390, height: 844 } });
   const { page } = participant;
   await participant.sees("Your consent");
   await holdsNothingAgainst(page, "consent");
@@ -288,7 +248,7 @@ test("axe-core finds no serious barrier, and a session does nothing that is not 
   await participant.answerScales();
   await participant.context.close();
   // Without a link there is no study.
-  const stranger = await Participant.at(new URL("/", link).href);
+  const stranger = await Stacker.at(browser.browser, new URL("/", link).href);
   await stranger.page.getByText("This is not a link of a participant.").waitFor();
   await stranger.page.goto(`${new URL("/p/", link).href}${"0".repeat(32)}`);
   await stranger.page.getByText("there is no such page").waitFor();

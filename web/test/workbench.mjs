@@ -12,7 +12,7 @@ import { chromium } from "playwright-core";
 import WebSocket from "ws";
 import { Person } from "./person.mjs";
 
-const SMILE = process.env.SMILE ?? "build/dev/bin/smile";
+export const SMILE = process.env.SMILE ?? "build/dev/bin/smile";
 const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const PATIENCE_MS = 20_000;
 const BROWSER_OPTIONS = [

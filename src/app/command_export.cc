@@ -232,7 +232,7 @@ void AddDatasetOptions(CLI::App* command, DatasetOptions* options) {
                                "repeated; `none`: no pictures (default: eye)"));
   Repeatable(group->add_option("--map", options->maps,
                                "depth or id: what each pixel shows, beside its color; may be "
-                               "repeated (robomimic, zarr, mcap)"));
+                               "repeated (robomimic, zarr, mcap, rrd)"));
   group->add_option("--size", options->size, "size of pictures (default: 320x240)");
   group->add_option("--fps", options->fps, "frames per second, a divisor of 60 (default: 30)");
   group->add_option("--action", options->action,

@@ -6,7 +6,7 @@
 namespace smile::datasets {
 
 /// Formats of datasets that the Python package writes; see docs/datasets.md.
-inline constexpr std::array<std::string_view, 6> kDatasetFormats{
-    "lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr", "mcap", "csv"};
+inline constexpr std::array<std::string_view, 7> kDatasetFormats{
+    "lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr", "mcap", "rrd", "csv"};
 
 }  // namespace smile::datasets

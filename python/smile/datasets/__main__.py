@@ -62,7 +62,7 @@ def _add_export(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -
     parser.add_argument("--no-extras", action="store_true", help="do not copy the recordings into the dataset")
     parser.add_argument("--map", action="append", choices=MAPS, default=[],
                         help="store of each pixel what it shows, too, beside its color: its depth [m], the number of "
-                             "its object; may be repeated (robomimic, zarr, mcap; depth also lerobot-v3.0)")
+                             "its object; may be repeated (robomimic, zarr, mcap, rrd; depth also lerobot-v3.0)")
     parser.add_argument("--language", action="store_true",
                         help="give each frame the words of its subtask and of the plan (LeRobot's formats)")
     parser.add_argument("--parts", type=int, metavar="N",

@@ -30,8 +30,10 @@ if TYPE_CHECKING:
 else:
     _native = load("smile_simulator_native")
 
-FORMATS = ("lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr", "mcap", "csv")
-_WITH_MAPS = ("robomimic", "zarr", "mcap")
+FORMATS = ("lerobot-v3.0", "lerobot-v2.1", "robomimic", "zarr", "mcap", "rrd", "csv")
+_WITH_MAPS = ("robomimic", "zarr", "mcap", "rrd")
+# Which show the scene itself, beside its features.
+_WITH_SCENE = ("mcap", "rrd")
 _WITH_DEPTH = (*_WITH_MAPS, "lerobot-v3.0")
 # Width and height of a film, of x265 [px].
 _SMALLEST_DEPTH = 16
@@ -96,8 +98,8 @@ def export(runs: Iterable[Path_], folder: Path_, *, format: str = "lerobot-v3.0"
     extras          whether the recordings are copied into the dataset
     parts           number of episodes of a part: an export that was interrupted continues after its
                     last part; only of lerobot-v3.0
-    maps            some of `depth` and `id`: what each pixel shows, beside its color; in robomimic, zarr
-                    and mcap, and depth in lerobot-v3.0
+    maps            some of `depth` and `id`: what each pixel shows, beside its color; in robomimic, zarr, mcap
+                    and rrd, and depth in lerobot-v3.0
     language        whether each frame has the words of its subtask, as learners of language read them;
                     only of LeRobot's formats
     progress        called with a line for each step
@@ -146,7 +148,7 @@ def _write(plan: Plan, options: Options, target: Path, say: Callable[[str], None
                 say(f"episode {number + 1} of {len(plan.sources)}: {source.path}, {len(episode)} frames")
                 drawn = _draw(episode, writer.films)
                 episode.columns.update(_pose_columns(plan.cameras, drawn.poses))
-                if options.format == "mcap":
+                if options.format in _WITH_SCENE:
                     cast(Any, writer).observe(episode, drawn.intrinsics)
                 writer.add(episode.columns, options.task if options.task is not None else _task_of(episode),
                            drawn.films, drawn.pixels, _more_about(episode, fps))
@@ -179,7 +181,8 @@ def pixels_of(writer: Writer) -> dict[str, Any]:
 
 def _writer_of(format: str) -> type[Writer]:
     # Imported late: some of these need packages of their own.
-    late = {"robomimic": "robomimic", "zarr": "zarr_arrays", "mcap": "mcap_messages", "csv": "csv_films"}
+    late = {"robomimic": "robomimic", "zarr": "zarr_arrays", "mcap": "mcap_messages", "rrd": "rerun_recording",
+            "csv": "csv_films"}
     if format in late:
         writer: type[Writer] = importlib.import_module(f"smile.datasets.{late[format]}").Writer
         return writer

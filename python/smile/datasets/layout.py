@@ -72,6 +72,9 @@ def place_of(path: Path) -> tuple[str, Path]:
         return "robomimic", path
     if path.is_file() and path.suffix == ".mcap" or any(path.glob("*.mcap")):
         return "mcap", path
+    if path.suffix == ".rrd" or any(path.glob("*.rrd")):
+        raise LayoutError(path.name, "is for viewers, and no dataset to learn from", "check it with `rerun rrd verify`, "
+                          "or export another format")
     if (path / ".zgroup").exists():
         return "zarr", path
     for pattern, format in (("*.hdf5", "robomimic"), ("*.zarr", "zarr")):

@@ -9,7 +9,7 @@ import json
 import shutil
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -32,17 +32,11 @@ from smile.datasets.features import Camera, features_of
 from smile.datasets.lerobot import Row
 from smile.datasets.mcap_doctor import FAILURES
 from smile.datasets.pictures import Pictures
+from smile.datasets.scene_pieces import WORLD, ScenePieces, name_of
 from smile.datasets.stored import Stored
-from smile.native import load
 from smile.picture import Picture
 
-if TYPE_CHECKING:
-    from smile import smile_simulator_native as _native
-else:
-    _native = load("smile_simulator_native")
-
 FILE = "episode_{:06d}.mcap"
-WORLD = "world"
 VALUES = "smile.Values"
 _MEASURED = ("observation.state", "action")
 _NANOSECONDS = 1_000_000_000
@@ -97,7 +91,7 @@ class Writer:
             if begin == frame:
                 file.add("/subtasks", time, Log(timestamp=_time(time), level=Log.Level.INFO, message=name,
                                                 name="smile"))
-        poses = {_frame_of(pictures.camera): columns[f"sim.camera_pose.{pictures.camera.name}"].values[frame]
+        poses = {name_of(pictures.camera): columns[f"sim.camera_pose.{pictures.camera.name}"].values[frame]
                  for pictures in self.films.values()}
         file.add("/tf", time, self._scene.transforms(frame, time, poses))
         for update in self._scene.updates(frame, time):
@@ -106,7 +100,7 @@ class Writer:
             self._add_picture(file, frame, time, pictures)
 
     def _add_picture(self, file: _File, frame: int, time: int, pictures: Pictures) -> None:
-        camera, name = pictures.camera, _frame_of(pictures.camera)
+        camera, name = pictures.camera, name_of(pictures.camera)
         matrix = np.asarray(self._intrinsics[camera.name], float)
         picture = Picture(pictures.frames[frame], None, None, matrix, np.eye(4))
         file.add(f"/{name}/image", time, CompressedImage(timestamp=_time(time), frame_id=name, format="png",
@@ -228,68 +222,38 @@ class _File:
         self._writer.add_message(self._channels[topic], time, json.dumps(values).encode(), time)
 
 
-class _Piece(NamedTuple):
-    """What is drawn of an object, as the simulator tells it."""
-
-    object: str
-    frame: int
-    choice: int
-    variant: int
-    pose: npt.NDArray[np.float64]
-    color: npt.NDArray[np.float64]
-    corners: npt.NDArray[np.float64]
-    triangles: npt.NDArray[np.uint32]
-
-
 class _Scene:
     """The objects and the robot of an episode, in three dimensions."""
 
     def __init__(self, episode: Episode) -> None:
-        self._ticks = episode.recording.ticks[episode.rows].astype(int).tolist()
-        self._pieces = [_Piece(*one) for one in _native.pieces_of(episode.recording._native)]
-        self._reader = _native.FrameReader(episode.recording._native)
-        frames: dict[str, set[int]] = {}
-        for piece in self._pieces:
-            frames.setdefault(piece.object, set()).add(piece.frame)
-        # Parts that move by themselves have frames of their own.
-        self._names = {piece.frame: piece.object if len(frames[piece.object]) == 1
-                       else f"{piece.object}/{piece.frame}" for piece in self._pieces} | {0: WORLD}
+        self._scene = ScenePieces(episode)
         self._shown: dict[int, list[int]] = {}
 
     def transforms(self, frame: int, time: int, cameras: Mapping[str, npt.NDArray[Any]]) -> FrameTransforms:
         """Returns the poses of all that moves and of the cameras, in the world."""
-        poses, _ = self._reader.state(self._ticks[frame])
         message = FrameTransforms()
-        for number, name in sorted(self._names.items()):
-            if number > 0:
-                _add_transform(message, name, time, poses[number])
-        for name, rows in cameras.items():
-            matrix = np.asarray(rows, float).reshape(3, 4)
-            _add_transform(message, name, time, np.concatenate([matrix[:, 3], quaternion_of(matrix[:, :3])]))
+        for name, pose in self._scene.poses(frame, cameras).items():
+            transform = message.transforms.add(timestamp=_time(time), parent_frame_id=WORLD, child_frame_id=name)
+            _set_pose(transform.translation, transform.rotation, pose)
         return message
 
     def updates(self, frame: int, time: int) -> Iterator[SceneUpdate]:
         """Yields an update if other pieces are visible than before: it shows them in their frames."""
-        _, variants = self._reader.state(self._ticks[frame])
-        shown: dict[int, list[int]] = {}
-        for number, piece in enumerate(self._pieces):
-            if piece.choice < 0 or variants[piece.choice] == piece.variant:
-                shown.setdefault(piece.frame, []).append(number)
+        shown, names = self._scene.shown(frame), self._scene.names
         update = SceneUpdate()
         for number in sorted(self._shown.keys() - shown.keys()):
-            update.deletions.add(timestamp=_time(time), id=self._names[number])
+            update.deletions.add(timestamp=_time(time), id=names[number])
         for number in sorted(shown):
             if shown[number] != self._shown.get(number):
-                self._add_entity(update, number, time, shown[number])
+                self._add_entity(update, names[number], time, shown[number])
         self._shown = shown
         if update.deletions or update.entities:
             yield update
 
-    def _add_entity(self, update: SceneUpdate, frame: int, time: int, numbers: list[int]) -> None:
-        entity = update.entities.add(timestamp=_time(time), frame_id=self._names[frame], frame_locked=True,
-                                     id=self._names[frame])
+    def _add_entity(self, update: SceneUpdate, name: str, time: int, numbers: list[int]) -> None:
+        entity = update.entities.add(timestamp=_time(time), frame_id=name, frame_locked=True, id=name)
         for number in numbers:
-            piece = self._pieces[number]
+            piece = self._scene.pieces[number]
             part = entity.triangles.add(indices=piece.triangles.ravel())
             _set_pose(part.pose.position, part.pose.orientation, piece.pose)
             part.color.r, part.color.g, part.color.b = piece.color
@@ -298,31 +262,8 @@ class _Scene:
                 part.points.add(x=x, y=y, z=z)
 
 
-def quaternion_of(matrix: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-    """Returns a rotation as a quaternion w, x, y, z."""
-    # The eigenvector of the greatest eigenvalue, which is exact for a rotation and the nearest one for a
-    # matrix of rounded numbers. Source: Bar-Itzhack, New method for extracting the quaternion from a
-    # rotation matrix, 2000.
-    m = matrix
-    k = np.array([[m[0, 0] + m[1, 1] + m[2, 2], 0, 0, 0],
-                  [m[2, 1] - m[1, 2], m[0, 0] - m[1, 1] - m[2, 2], 0, 0],
-                  [m[0, 2] - m[2, 0], m[0, 1] + m[1, 0], m[1, 1] - m[0, 0] - m[2, 2], 0],
-                  [m[1, 0] - m[0, 1], m[0, 2] + m[2, 0], m[1, 2] + m[2, 1], m[2, 2] - m[0, 0] - m[1, 1]]])
-    q: npt.NDArray[np.float64] = np.linalg.eigh(k)[1][:, -1]  # of the lower triangle
-    return q if q[0] >= 0 else -q
-
-
-def _frame_of(camera: Camera) -> str:
-    return f"camera/{camera.name}"
-
-
 def _time(nanoseconds: int) -> dict[str, int]:
     return {"seconds": nanoseconds // _NANOSECONDS, "nanos": nanoseconds % _NANOSECONDS}
-
-
-def _add_transform(message: FrameTransforms, name: str, time: int, pose: npt.NDArray[Any]) -> None:
-    transform = message.transforms.add(timestamp=_time(time), parent_frame_id=WORLD, child_frame_id=name)
-    _set_pose(transform.translation, transform.rotation, pose)
 
 
 def _set_pose(position: Any, orientation: Any, pose: npt.NDArray[Any]) -> None:

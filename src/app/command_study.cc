@@ -15,6 +15,7 @@
 #include "study/deletion.h"
 #include "study/results.h"
 #include "study/study_server.h"
+#include "web_server/public_origin.h"
 
 namespace smile::app {
 namespace {
@@ -139,6 +140,16 @@ void AddServerOptions(CLI::App* study, StudyCommand* options) {
                    "machine")
       ->capture_default_str()
       ->check(NotEmpty());
+  study->add_option_function<std::string>(
+      "--public-url",
+      [options](const std::string& url) {
+        try {
+          options->options.public_origin = web_server::OriginOf(url);
+        } catch (const std::invalid_argument& error) {
+          throw CLI::ValidationError("--public-url", error.what());
+        }
+      },
+      "https://NAME at which a proxy passes requests on to this server");
   CLI::Option* certificate =
       study->add_option("--tls-cert", options->tls_certificate, "certificate chain in PEM format")
           ->check(CLI::ExistingFile);

@@ -118,6 +118,7 @@ class StudyServer::Impl {
             .get = [this](const std::string& path) { return Get(path); },
             .relay = [this](const std::string& path) { return FindSession(path); },
             .needs_token = false,
+            .public_origin = options_.public_origin,
             .tls = options_.tls,
             .limits = {.message_bytes = kMaxMessageBytes,
                        .messages_per_second = 50,

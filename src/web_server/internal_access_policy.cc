@@ -56,6 +56,7 @@ AccessPolicy::AccessPolicy(Config config)
       token_(config_.is_loopback || !config_.needs_token ? "" : RandomToken()) {}
 
 std::string AccessPolicy::link() const {
+  if (!config_.public_origin.empty()) return config_.public_origin + "/";
   std::string host = config_.address;
   // All addresses of this machine are no address to connect to; its name usually is one.
   if (host == "0.0.0.0" || host == "::") {
@@ -71,6 +72,9 @@ bool AccessPolicy::IsOwnHost(std::string_view host) const {
   const std::string name = HostNameIn(host);
   // Browsers resolve `localhost` themselves, so no foreign server can claim it.
   if (name == "localhost" || name == LowerCase(config_.address)) return true;
+  if (!config_.public_origin.empty() && config_.public_origin.ends_with("://" + LowerCase(host))) {
+    return true;
+  }
   // Protection from DNS rebinding: a foreign name can be made to resolve to this machine, a number
   // cannot.
   if (!config_.is_loopback) return name == machine_ || IsAddressNumber(name);
@@ -92,7 +96,10 @@ void AccessPolicy::Check(const HttpRequest& request) const {
   if (!IsOwnHost(host)) throw HttpError(403, "this server does not have the requested address");
   // Browsers send `Origin` with requests from pages; requests of other programs have none.
   const std::string_view origin = request.Header("origin");
-  if (!origin.empty() && LowerCase(origin) != scheme() + LowerCase(host)) {
+  // A proxy may pass the name of the public server on, or replace it by that of this one.
+  const bool is_public =
+      !config_.public_origin.empty() && LowerCase(origin) == config_.public_origin;
+  if (!origin.empty() && !is_public && LowerCase(origin) != scheme() + LowerCase(host)) {
     throw HttpError(403, "pages of other sites have no access to this server");
   }
   // A browser presents the token once in the link and afterwards in a cookie; other programs may

@@ -8,8 +8,8 @@ namespace smile::web_server {
 
 /// Access policy: decides which requests are answered. Pages of other sites are refused, even if
 /// the user's own browser sends them: `Host` must be this machine, so that no foreign name leads
-/// here, and `Origin` must be this server. If other machines can connect, the token of link() is
-/// required as well.
+/// here, and `Origin` must be this server; or both the proxy in front of it. If other machines can
+/// connect, the token of link() is required as well.
 class AccessPolicy {
  public:
   struct Config {
@@ -17,8 +17,9 @@ class AccessPolicy {
     int port = 0;
     bool is_loopback = false;  ///< no other machine can connect
     bool is_tls = false;
-    bool needs_token = true;  ///< unless it is_loopback
-    std::string cookie;       ///< name of the token's cookie, followed by the port
+    bool needs_token = true;    ///< unless it is_loopback
+    std::string public_origin;  ///< of a proxy in front of the server; empty without one
+    std::string cookie;         ///< name of the token's cookie, followed by the port
   };
   explicit AccessPolicy(Config config);
 

@@ -24,22 +24,28 @@ std::chrono::milliseconds Milliseconds(double seconds) {
   return std::chrono::milliseconds(std::lround(1000 * seconds));
 }
 
+/// Returns where the page's WebSocket is.
+std::string WebSocketOrigin(const HttpRequest& request, const WebServerOptions& options) {
+  if (!options.public_origin.empty()) return "ws" + options.public_origin.substr(4);
+  return (options.tls ? "wss://" : "ws://") + std::string(request.Header("host"));
+}
+
 /// Returns a Content-Security-Policy: pages load from this server only, may show pictures from
 /// memory, and connect to this server.
-std::string ContentPolicy(const HttpRequest& request, bool is_tls, bool may_be_framed) {
+std::string ContentPolicy(const HttpRequest& request, const WebServerOptions& options) {
   // Scripts from anywhere else do not run, even if text from a file should reach the page as
   // markup. Older browsers do not count `ws:` as 'self', so it is listed.
   return "default-src 'self'; img-src 'self' blob: data:; connect-src 'self' blob: " +
-         std::string(is_tls ? "wss://" : "ws://") + std::string(request.Header("host")) +
+         WebSocketOrigin(request, options) +
          "; worker-src 'self' blob:; style-src 'self' 'unsafe-inline'; object-src 'none'; "
          "base-uri 'none'; form-action 'none'" +
-         (may_be_framed ? "" : "; frame-ancestors 'none'");
+         (options.may_be_framed ? "" : "; frame-ancestors 'none'");
 }
 
 void AddSafetyHeaders(const HttpRequest& request, const Services& services, HttpReply* reply) {
   const bool is_tls = services.options->tls.has_value();
   const std::pair<std::string, std::string> headers[] = {
-      {"Content-Security-Policy", ContentPolicy(request, is_tls, services.options->may_be_framed)},
+      {"Content-Security-Policy", ContentPolicy(request, *services.options)},
       {"X-Content-Type-Options", "nosniff"},
       {"Referrer-Policy", "no-referrer"},
       {"Cross-Origin-Resource-Policy", "same-origin"}};

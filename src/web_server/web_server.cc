@@ -59,6 +59,7 @@ class WebServer::Impl {
                  .is_loopback = listening_.is_loopback,
                  .is_tls = options_.tls.has_value(),
                  .needs_token = options_.needs_token,
+                 .public_origin = options_.public_origin,
                  .cookie = options_.cookie}),
         connections_(options_.limits.connections),
         services_{.context = &context_,

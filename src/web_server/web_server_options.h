@@ -52,6 +52,9 @@ struct WebServerOptions {
   /// Clients of other machines need the token in link(). False if paths contain secrets of their
   /// own.
   bool needs_token = true;
+  /// Where browsers find this server if a proxy passes their requests on, as from OriginOf(); empty
+  /// without one. As the proxy's clients may be anywhere, paths must contain secrets of their own.
+  std::string public_origin;
   std::string web_socket_path = "/ws";
   bool may_be_framed = false;  ///< pages of other origins may show the files in a frame
   std::optional<TlsFiles> tls;

@@ -10,8 +10,8 @@ const PATIENCE_MS = 60_000; // sessions, a browser and the participants share a 
 /** The program that serves a study, and the links of its participants. */
 export class StudyServer {
   /** @param file  the definition of the study */
-  static async start(file, data, participants, port = 0) {
-    const words = ["study", file, "--data", data, "--participants", `${participants}`, "--port", `${port}`];
+  static async start(file, data, participants, port = 0, more = []) {
+    const words = ["study", file, "--data", data, "--participants", `${participants}`, "--port", `${port}`, ...more];
     const child = spawn(SMILE, words, { stdio: ["ignore", "pipe", "inherit"] });
     const links = [];
     for await (const line of createInterface({ input: child.stdout })) {
@@ -55,10 +55,10 @@ export class Participant {
     await this.page.getByRole("heading", { name: heading, exact: true }).waitFor();
   }
 
-  /** The table of a trial, once it is recorded. */
-  async table() {
+  /** The table of a trial, once it is recorded. @param door  the link of the server itself, if a proxy is before it */
+  async table(door = this.link) {
     await this.page.getByRole("button", { name: "I am done", disabled: false }).waitFor();
-    const link = new URL(this.link);
+    const link = new URL(door);
     this.whenClosed = [];
     const witness = await Witness.of({ door: `ws://${link.host}${link.pathname}/session/ws`, whenClosed: this.whenClosed });
     await witness.until(() => witness.state.recording !== null, "a recording");

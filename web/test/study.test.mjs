@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { connect, createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -53,8 +54,8 @@ class Study {
     writeFileSync(join(this.folder, "STUDY.json"), JSON.stringify(study, null, 2));
   }
 
-  async serve(participants, port = 0) {
-    this.server = await StudyServer.start(join(this.folder, "STUDY.json"), this.data, participants, port);
+  async serve(participants, port = 0, more = []) {
+    this.server = await StudyServer.start(join(this.folder, "STUDY.json"), this.data, participants, port, more);
     return this.server.links;
   }
 
@@ -205,6 +206,37 @@ test("a participant continues after closing the page, and after the server was k
     ].map(([step, reason, success]) => [step, reason, reason === "server" ? undefined : success]),
   );
   assert.equal(readdirSync(join(study.data, "P01/trials")).length, 4);
+});
+
+/** A proxy as in front of public servers: it passes all bytes on. @returns where it listens */
+async function startProxy(t, portBehind) {
+  const proxy = createServer((socket) => {
+    const behind = connect(portBehind, "127.0.0.1");
+    for (const [one, other] of [[socket, behind], [behind, socket]]) one.pipe(other).on("error", () => one.destroy());
+  });
+  await new Promise((resolve) => proxy.listen(0, "127.0.0.1", resolve));
+  t.after(() => proxy.close());
+  return proxy.address().port;
+}
+
+test("participants come through a proxy with a public name", async (t) => {
+  const study = new Study({ ...STUDY, practice: undefined });
+  t.after(() => study.remove());
+  const [own] = await study.serve(1);
+  await study.stop();
+  const { port } = new URL(own);
+  const name = `http://lab.localhost:${await startProxy(t, Number(port))}`;
+  const [link] = await study.serve(1, port, ["--public-url", name]);
+  t.after(() => study.stop());
+  assert.equal(link, `${name}${new URL(own).pathname}`);
+  const participant = await Stacker.at(browser.browser, link);
+  await participant.beginStudy();
+  await participant.press("Begin");
+  const { witness } = await participant.table(own);
+  assert.deepEqual(witness.ids, ["Red", "Blue"]);
+  await participant.leaveTable();
+  await participant.sees("Questions");
+  await participant.context.close();
 });
 
 test("a shipped study is done from its consent to its completion code", async (t) => {

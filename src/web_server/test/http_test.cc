@@ -3,6 +3,7 @@
 #include <chrono>
 #include <thread>
 
+#include "web_server/public_origin.h"
 #include "web_server_fixture.h"
 
 namespace smile::web_server {
@@ -74,6 +75,37 @@ TEST_F(WebServerTest, OtherSitesHaveNoAccess) {
   EXPECT_EQ(upgrade(host + "Origin: http://localhost:1\r\n"), 403);
   EXPECT_EQ(upgrade(host + "Origin: http://localhost:" + std::to_string(port()) + "\r\n"), 101);
   EXPECT_TRUE(IsStatus(Connect().Get("/", "Host: evil.example\r\n"), 403));
+}
+
+TEST_F(WebServerTest, BehindAProxyThePublicNameIsItsOwn) {
+  const int free_port = port();
+  server_.reset();
+  options_.port = free_port;
+  options_.needs_token = false;
+  options_.public_origin = OriginOf("https://Lab.example.org/");
+  EXPECT_EQ(server().link(), "https://lab.example.org/");
+  const auto upgrade = [&](const std::string& headers) {
+    return WebClient(free_port).Upgrade(headers);
+  };
+  // Some proxies pass the name on, others replace it.
+  const std::string named = "Host: lab.example.org\r\n", own = "Host: localhost\r\n";
+  const std::string page = "Origin: https://lab.example.org\r\n";
+  EXPECT_EQ(upgrade(named + page), 101);
+  EXPECT_EQ(upgrade(own + page), 101);
+  EXPECT_EQ(upgrade("Host: evil.example\r\n" + page), 403);
+  EXPECT_EQ(upgrade(named + "Origin: https://evil.example\r\n"), 403);
+  EXPECT_NE(
+      WebClient(free_port).Get("/", own).find("connect-src 'self' blob: wss://lab.example.org;"),
+      std::string::npos);
+}
+
+TEST(PublicOrigin, HasNoPath) {
+  EXPECT_EQ(OriginOf("http://10.0.0.7:8080"), "http://10.0.0.7:8080");
+  for (const char* url :
+       {"lab.example.org", "https://", "https://lab.example.org/study", "https://a b",
+        "https://user@lab.example.org", "https://lab.example.org:port"}) {
+    EXPECT_THROW(OriginOf(url), std::invalid_argument) << url;
+  }
 }
 
 TEST_F(WebServerTest, ElsewhereThanOnThisMachineATokenIsNeeded) {

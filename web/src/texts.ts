@@ -363,6 +363,7 @@ export const texts = {
     analyze: "What mattered",
     rename: "Title and notes",
     name: "Title",
+    typeTitle: (title: string) => `${title}: click to change the title`,
     notes: "Notes",
     save: "Save",
     download: "Download",

@@ -10,6 +10,7 @@ import { refreshSets, sets } from "./datasets";
 import { analyzed, exported, generated, isTimelineOpen, renamed, sheet, showPanel, toImitate } from "./page";
 import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf } from "./recordings";
 import { JobList, SetsList } from "./sets_list";
+import { TitleInPlace } from "./title_in_place";
 
 const { library: words } = texts;
 
@@ -99,7 +100,9 @@ function RecordingCard({ recording }: { recording: LibraryEntry }) {
     <li class={`recording ${isOpen ? "is-open" : ""}`}>
       <Picture source={pictureOfRecording(id)} alt={words.picture(title)} />
       <div class="recording-words">
-        <strong title={title}>{title}</strong>
+        <strong>
+          <TitleInPlace id={id} isFixed={binned} />
+        </strong>
         {recording.error ? (
           <p class="trouble">{recording.error}</p>
         ) : (

@@ -579,7 +579,7 @@ export const texts = {
 
   measure: {
     title: "Measure",
-    why: "Measures distances and angles between points that you click (M)",
+    why: "Measures distances and angles between points that you click",
     hint: "Click two points; a third one adds an angle. The view turns as usual.",
     distance: (name: string, units: number, millimeters: number, along: number[]) =>
       `${name}: ${units.toFixed(2)} units (${millimeters.toFixed(0)} mm); along x, y, z: ${along.map((one) => one.toFixed(2).replace("-", "−")).join(", ")}`,

@@ -6,6 +6,7 @@ import { texts } from "../texts";
 import { mountWorld } from "../world/world";
 import { measured, switchMeasuring } from "../world/measured";
 import { canDraw } from "../world/signals";
+import { keyHint } from "./key_names";
 import { Measure } from "./measure";
 import { chosenObject, detail, world } from "./page";
 
@@ -16,13 +17,13 @@ function ViewPresets() {
   return (
     <div class="views" role="group" aria-label={texts.views.group}>
       {VIEWS.map((view) => (
-        <button key={view} type="button" onClick={() => world.value?.showPreset(view)}>
+        <button key={view} type="button" {...keyHint(`view.${view}`)} onClick={() => world.value?.showPreset(view)}>
           {texts.views[view]}
         </button>
       ))}
       <button
         type="button"
-        title={texts.views.focusWhy}
+        {...keyHint("view.focus", texts.views.focusWhy)}
         disabled={object === null}
         onClick={() => object !== null && world.value?.focus(object)}
       >
@@ -30,7 +31,7 @@ function ViewPresets() {
       </button>
       <button
         type="button"
-        title={texts.measure.why}
+        {...keyHint("measure", texts.measure.why)}
         aria-pressed={measured.value !== null}
         onClick={switchMeasuring}
       >

@@ -210,6 +210,8 @@ export const texts = {
     left: "Objects and library",
     right: "Hands, robot and brain",
     collapse: "Collapse the panel",
+    width: "Width of the panel",
+    widthWhy: "Drag it, or use the arrow keys, to resize the panel; a double click restores its width",
     all: "Panels",
   },
 
@@ -641,6 +643,8 @@ export const texts = {
     title: "Keys and mouse",
     open: "Help",
     tour: "Start the tour",
+    layout: "Default layout",
+    layoutWhy: "Panels, their sizes and the view as on a first visit",
     mouse: "Mouse and touch",
     mouseHelp: [
       ["Click an object", "take it"],

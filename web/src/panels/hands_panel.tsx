@@ -7,7 +7,7 @@ import { texts } from "../texts";
 import { Button, Chips } from "../ui/buttons";
 import { Card } from "../ui/card";
 import type { IconName } from "../ui/icons";
-import { choicePreference, switchPreference } from "../ui/preference";
+import { choicePreference, layoutSwitch } from "../ui/preference";
 import { NumberField } from "../ui/number_field";
 import { Slider } from "../ui/slider";
 import { turnFromTo } from "./fixed_axes";
@@ -17,10 +17,10 @@ import { guides } from "../world/signals";
 import { world } from "./page";
 
 const { hands: words } = texts;
-const isMoveOpen = switchPreference("move-open", true);
-const isTurnOpen = switchPreference("turn-open", true);
-const isPlaneOpen = switchPreference("plane-open", true);
-const isSnapOpen = switchPreference("snap-open", true);
+const isMoveOpen = layoutSwitch("move-open", true);
+const isTurnOpen = layoutSwitch("turn-open", true);
+const isPlaneOpen = layoutSwitch("plane-open", true);
+const isSnapOpen = layoutSwitch("snap-open", true);
 
 const STEPS = ["0.1", "1"] as const;
 const stepSize = choicePreference<(typeof STEPS)[number]>("step", "0.1", STEPS);

@@ -5,18 +5,16 @@ import { heldObject } from "../studio";
 import { texts } from "../texts";
 import { mountWorld } from "../world/world";
 import { measured, switchMeasuring } from "../world/measured";
-import { canDraw } from "../world/signals";
+import { canDraw, PRESETS } from "../world/signals";
 import { keyHint } from "./key_names";
 import { Measure } from "./measure";
 import { chosenObject, detail, world } from "./page";
-
-const VIEWS = ["front", "robot", "top", "left", "right"] as const;
 
 function ViewPresets() {
   const object = heldObject.value ?? chosenObject.value;
   return (
     <div class="views" role="group" aria-label={texts.views.group}>
-      {VIEWS.map((view) => (
+      {PRESETS.map((view) => (
         <button key={view} type="button" {...keyHint(`view.${view}`)} onClick={() => world.value?.showPreset(view)}>
           {texts.views[view]}
         </button>

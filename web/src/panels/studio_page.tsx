@@ -16,7 +16,7 @@ import { Help } from "./help";
 import { LibraryPanel } from "./library_panel";
 import { isRecording, isWatched, recordingId, shownRecording } from "./derived_signals";
 import { ObjectsPanel } from "./objects_panel";
-import { analyzed, editedScene, exported, generated, isHelpOpen, isLeftOpen, isRightOpen, leftTab, LEFT_TABS, openedSet, renamed, renamedSet, rightTab, RIGHT_TABS, sheet } from "./page";
+import { analyzed, editedScene, exported, generated, isHelpOpen, isLeftOpen, isRightOpen, leftTab, LEFT_TABS, openedSet, panelWidths, renamed, renamedSet, rightTab, RIGHT_TABS, sheet } from "./page";
 import { onRecordingFinished, onRecordingShown, refreshRecordings } from "./recordings";
 import { RenameDialog } from "./rename_dialog";
 import { RenameSetDialog } from "./rename_set_dialog";
@@ -72,6 +72,12 @@ function useTitle(): void {
   });
 }
 
+/** As the user made it, but the world keeps a third of the window. */
+function widthOf(side: "left" | "right", isOpen: boolean): Record<string, string> {
+  const width = panelWidths[side].value;
+  return isOpen && width !== null ? { [`--${side}`]: `min(${width}px, 33vw)` } : {};
+}
+
 export function StudioPage() {
   useRefresh();
   useTitle();
@@ -80,6 +86,7 @@ export function StudioPage() {
   return (
     <div
       class={`studio ${isWhole ? "" : "is-watched"} ${isSmall.value ? "is-small" : ""} ${isLeftOpen.value ? "" : "left-folded"} ${isRightOpen.value ? "" : "right-folded"}`}
+      style={{ ...widthOf("left", isLeftOpen.value), ...widthOf("right", isRightOpen.value) }}
       data-sheet={isSmall.value ? (sheet.value ?? "none") : undefined}
     >
       <TopBar />

@@ -77,6 +77,8 @@ export const analyzed = signal<string | null>(null);
 export const generated = signal<string | null>(null);
 /** The recording or generated set that is to be exported. */
 export const exported = signal<{ recording: string } | { set: string } | null>(null);
+/** The recording of which a film is to be made. */
+export const filmed = signal<string | null>(null);
 /** The generated set whose attempts are looked at. */
 export const openedSet = signal<string | null>(null);
 /** What is chosen to be imitated. */

@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/console_reporter.h"
@@ -25,6 +27,7 @@ struct RenderCommandOptions {
   recording::TimeRange range;
   double rate = 30, speed = 1;
   bool as_pictures = false;
+  bool prints_progress = false;
   RobotOptions robot;
   PathOptions path;
 };
@@ -106,6 +109,17 @@ void RenderMoment(const recording::Recording& recording, const RenderCommandOpti
                 recording.info.eye_camera, demonstrator.get());
 }
 
+/// Prints each second of the recording that has been filmed, for programs that read the output.
+recording::Progress PrintingProgress(recording::Progress progress) {
+  return [progress = std::move(progress), next = 0.0](double done, double total) mutable {
+    if (done >= next) {
+      std::fprintf(stderr, "filming: %.0f of %.0f s\n", std::floor(done), std::ceil(total));
+      next = std::floor(done) + 1;
+    }
+    return progress(done, total);
+  };
+}
+
 void RenderFilm(const recording::Recording& recording, const RenderCommandOptions& options,
                 Product product) {
   if (product == Product::kFilm && options.channels != "rgb") {
@@ -119,8 +133,10 @@ void RenderFilm(const recording::Recording& recording, const RenderCommandOption
                                   .range = options.range,
                                   .demonstrator = AppearanceOf(options)};
   ConsoleReporter console;
-  (product == Product::kFilm ? picture::Film : picture::FilmAsPictures)(
-      recording, options.out, film, console.callbacks().ProgressOf("filming"));
+  recording::Progress progress = console.callbacks().ProgressOf("filming");
+  if (options.prints_progress) progress = PrintingProgress(std::move(progress));
+  (product == Product::kFilm ? picture::Film : picture::FilmAsPictures)(recording, options.out,
+                                                                        film, progress);
   console.Clear();
   std::printf("%s\n", options.out.c_str());
 }
@@ -188,6 +204,8 @@ void AddRender(CLI::App* program, ExitAnswer answer) {
   render->add_option("--speed", options->speed, "speed of the film; 2 is twice real time")
       ->capture_default_str()
       ->check(NumberBetween(0.01, 100.0));
+  render->add_flag("--progress", options->prints_progress,
+                   "print each second of the film on stderr when it is done, a line each");
   AddRobotOptions(render, /*may_be_absent=*/true, &options->robot);
   AddPathOption(render, &options->path);
   render->callback([options, answer] { *answer = Render(*options); });

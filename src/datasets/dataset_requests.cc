@@ -1,8 +1,6 @@
 #include "datasets/dataset_requests.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <iterator>
 #include <optional>
 #include <string_view>
@@ -13,17 +11,20 @@
 #include "base/files.h"
 #include "base/wording.h"
 #include "datasets/dataset_formats.h"
+#include "datasets/film_job.h"
+#include "datasets/new_path.h"
+#include "datasets/picture_fields.h"
+#include "datasets/program_progress.h"
 #include "datasets/variations.h"
 #include "experiment/json_file.h"
 #include "layout/layout_level.h"
 #include "library/brain_choices.h"
 #include "library/scene_catalog.h"
 #include "page/request_fields.h"
-#include "recording/recording_names.h"
 
 // Handlers run in the session's thread and only look at a few files; programs do the work. Names in
-// requests come from anyone: they become paths only through recording::IsRecordingName(),
-// Library::DirectoryOf(), SceneCatalog and the list of brains.
+// requests come from anyone: they become paths only through NewPathIn(),
+// GeneratedSets, Library::DirectoryOf(), SceneCatalog and the list of brains.
 
 namespace smile::datasets {
 namespace {
@@ -32,14 +33,7 @@ namespace fs = std::filesystem;
 
 /// Up to here integers are exact in JSON numbers, and attempts have further seeds.
 constexpr std::uint64_t kMaxSeed = std::uint64_t{1} << 52;
-constexpr std::uint64_t kMinPixels = 16, kMaxPixels = 1920;
 constexpr std::size_t kMaxCameras = 8;
-
-/// Cameras of a robot, and views for people.
-constexpr std::array<std::string_view, 8> kCameras{"eye",   "head", "close", "nice",
-                                                   "front", "left", "right", "top"};
-/// Frames per second that divide the ticks of a second.
-constexpr std::array<std::uint64_t, 12> kRates{1, 2, 3, 4, 5, 6, 10, 12, 15, 20, 30, 60};
 
 /// Runs of a generation at a time: at most as many as there are cores.
 std::uint64_t MaxJobs() { return std::max(1u, std::thread::hardware_concurrency()); }
@@ -49,15 +43,6 @@ Json ListOf(const List& values) {
   Json list = Json::array();
   for (const auto& value : values) list.push_back(value);
   return list;
-}
-
-std::uint64_t WholeFrom(const page::RequestFields& fields, const char* name, std::uint64_t low,
-                        std::uint64_t high) {
-  const std::uint64_t number = fields.Whole(name, high);
-  if (number >= low) return number;
-  throw page::RequestError("\"" + std::string(name) + "\" is " + std::to_string(number) +
-                           ", expected a number from " + std::to_string(low) + " to " +
-                           std::to_string(high));
 }
 
 /// Returns the brain of this name, which reads demonstrations.
@@ -81,23 +66,16 @@ Json KeptOf(const Json& wanted) {
   return kept;
 }
 
-/// Returns the two numbers in `episode 3 of 10…`: what is done before it, and the total.
+/// Returns how far an export is that prints `episode 3 of 10…` when it begins the third one.
 Json ExportProgress(const std::string& line) {
-  constexpr std::string_view kBegin = "episode ", kOf = " of ";
-  if (!line.starts_with(kBegin)) return Json::object();
-  const char* const end = line.data() + line.size();
-  int number = 0, total = 0;
-  const auto [of, error] = std::from_chars(line.data() + kBegin.size(), end, number);
-  if (error != std::errc() || !std::string_view(of, end).starts_with(kOf)) return Json::object();
-  if (std::from_chars(of + kOf.size(), end, total).ec != std::errc()) return Json::object();
-  return {{"done", number - 1}, {"total", total}};
+  Json progress = ProgressIn(line, "episode ");
+  if (progress.contains("done")) progress["done"] = progress["done"].get<int>() - 1;
+  return progress;
 }
 
 /// Returns the cameras as arguments.
 std::vector<std::string> CameraArguments(const page::RequestFields& fields) {
-  const std::string size =
-      ":" + std::to_string(WholeFrom(fields, "width", kMinPixels, kMaxPixels)) + "x" +
-      std::to_string(WholeFrom(fields, "height", kMinPixels, kMaxPixels));
+  const std::string size = ":" + SizeArgument(fields);
   std::vector<std::string> arguments;
   (void)fields.List("cameras", kMaxCameras);
   for (const std::string& camera : fields.Words("cameras", kCameras)) {
@@ -122,6 +100,7 @@ void DatasetRequests::AddTo(page::RequestTable* table, const InBackground& in_ba
   add("generate", &DatasetRequests::Generate);
   add("continue_set", &DatasetRequests::Continue);
   add("export", &DatasetRequests::Export);
+  add("film", &DatasetRequests::Film);
   for (const char* name : {"generate", "continue_set"}) {
     table->requests[name].refuse = [this](const page::Request&) -> std::optional<std::string> {
       if (options_.has_robot) return std::nullopt;
@@ -259,17 +238,13 @@ std::vector<std::string> DatasetRequests::ExportArguments(const page::Request& r
   const auto recording = fields.OptionalText("recording");
   const fs::path run =
       recording ? library_->DirectoryOf(*recording) : sets_.FolderOf(fields.Text("set"));
-  const std::uint64_t rate = fields.Whole("rate", kRates.back());
-  if (std::ranges::find(kRates, rate) == kRates.end()) {
-    throw page::RequestError("\"rate\" is " + std::to_string(rate) + ", expected a divisor of 60");
-  }
   std::vector<std::string> arguments{options_.program.string(),
                                      "export",
                                      run.string(),
                                      "--to",
                                      fields.Word("format", kDatasetFormats),
                                      "--fps",
-                                     std::to_string(rate),
+                                     RateArgument(fields),
                                      "--out",
                                      to.string()};
   for (std::string& argument : CameraArguments(fields)) arguments.push_back(std::move(argument));
@@ -280,11 +255,8 @@ std::vector<std::string> DatasetRequests::ExportArguments(const page::Request& r
 
 Json DatasetRequests::Export(const page::Request& request) {
   const std::string name = page::RequestFields(request).Text("name");
-  const fs::path to = ExportFolderFor(name);
-  if (StateOf(to) != FileState()) {
-    throw page::RequestError("there is a dataset " + Quoted(name) +
-                             " already; choose another name");
-  }
+  const fs::path to =
+      NewPathIn(library_->root(), {.folder = kExportFolder, .kind = "dataset"}, name);
   const std::vector<std::string> doctor{options_.program.string(), "doctor", to.string()};
   const int job = jobs_.Add(
       {.what = "export",
@@ -296,23 +268,15 @@ Json DatasetRequests::Export(const page::Request& request) {
   return {{"job", job}};
 }
 
+Json DatasetRequests::Film(const page::Request& request) {
+  return {{"job", jobs_.Add(FilmJob(request, *library_, options_.program))}};
+}
+
 fs::path DatasetRequests::SceneNamed(const std::string& name) const {
   // The scene with which the studio began may be a file of the user, which is not among the others.
   if (options_.scene.stem() == name) return options_.scene;
   if (const auto file = library::SceneCatalog(options_.scene_folder).FileOf(name)) return *file;
   throw page::RequestError("there is no scene " + Quoted(name));
-}
-
-fs::path DatasetRequests::ExportFolderFor(const std::string& name) const {
-  if (!recording::IsRecordingName(name)) {
-    throw page::RequestError("\"name\" is " + Quoted(name) + ", expected " + recording::kNameForm);
-  }
-  const fs::path root = library_->root() / kExportFolder;
-  const FileState state = StateOf(root);
-  if ((state != FileState() && !state.is_directory) || StateOf(root / "demo.json").is_file) {
-    throw page::RequestError(root.string() + " is no folder of datasets; rename it");
-  }
-  return root / name;
 }
 
 std::vector<page::DeferredMessage> DatasetRequests::TakeChanges() {

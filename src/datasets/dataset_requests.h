@@ -46,13 +46,13 @@ class DatasetRequests {
   Json Generate(const page::Request& request);
   Json Continue(const page::Request& request);
   Json Export(const page::Request& request);
+  Json Film(const page::Request& request);
   /// @param wanted  the request with which a page asked for the set.
   Json Start(const Json& wanted);
   std::vector<std::string> GenerateArguments(const page::Request& request) const;
   std::vector<std::string> ExportArguments(const page::Request& request,
                                            const std::filesystem::path& to) const;
   std::filesystem::path SceneNamed(const std::string& name) const;
-  std::filesystem::path ExportFolderFor(const std::string& name) const;
   std::vector<page::DeferredMessage> TakeChanges();
 
   DatasetOptions options_;

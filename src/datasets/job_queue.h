@@ -27,8 +27,8 @@ struct JobProgram {
 
 /// Long work, done by programs one after another.
 struct Job {
-  std::string what;  ///< `generate` or `export`
-  std::string name;  ///< of the folder that it makes
+  std::string what;  ///< `generate`, `export` or `film`
+  std::string name;  ///< of the folder or file that it makes
   std::string set;   ///< generated set that it makes or reads; empty: none
   std::vector<JobProgram> programs;
   /// Returns how far it is: more members of the description. Called in the thread of the queue,

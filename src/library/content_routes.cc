@@ -13,11 +13,13 @@
 #include "base/file_state.h"
 #include "base/files.h"
 #include "library/thumbnail_renderer.h"
+#include "recording/recording_names.h"
 
 namespace smile::library {
 namespace {
 
 constexpr std::size_t kMaxSceneBytes = 32u << 20;
+constexpr std::size_t kMaxFilmBytes = 512u << 20;
 
 /// Returns the text between `begin` and `end`; nullopt if `text` does not begin and end with them.
 std::optional<std::string> Between(std::string_view begin, std::string_view text,
@@ -54,6 +56,7 @@ std::optional<web_server::HttpResponse> ContentRoutes::Get(const std::string& pa
     return web_server::HttpResponse{.type = "application/json", .body = ToText(answer)};
   }
   if (const auto scene = Between("/scenes/", path, "")) return GetScene(*scene);
+  if (const auto film = Between("/films/", path, ".mp4")) return GetFilm(*film);
   // The prefix decides; what follows it is split by the two functions below.
   const auto recording = Between("/recordings/", path, "");
   if (!recording) return std::nullopt;
@@ -98,6 +101,15 @@ std::optional<web_server::HttpResponse> ContentRoutes::GetRecording(const std::s
   const auto segment = number ? NumberIn(*number) : std::nullopt;
   if (!segment) return std::nullopt;
   return PictureOf(name.substr(0, slash), segment);
+}
+
+std::optional<web_server::HttpResponse> ContentRoutes::GetFilm(const std::string& name) {
+  if (!recording::IsRecordingName(name)) return std::nullopt;
+  const std::filesystem::path file = options_.recordings / kFilmFolder / (name + ".mp4");
+  if (!StateOf(file).is_file) return std::nullopt;
+  const std::lock_guard lock(packing_);
+  return web_server::HttpResponse{
+      .type = "video/mp4", .body = ReadFile(file, kMaxFilmBytes), .file_name = name + ".mp4"};
 }
 
 std::optional<web_server::HttpResponse> ContentRoutes::PictureOf(

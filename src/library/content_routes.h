@@ -34,6 +34,8 @@ class ContentRoutes {
  private:
   std::optional<web_server::HttpResponse> GetScene(const std::string& name);
   std::optional<web_server::HttpResponse> GetRecording(const std::string& name);
+  /// Returns a film that a page has made.
+  std::optional<web_server::HttpResponse> GetFilm(const std::string& name);
   std::optional<web_server::HttpResponse> PictureOf(const std::string& id,
                                                     std::optional<std::size_t> segment);
   /// Returns the end of a recording as the robot sees it.
@@ -42,7 +44,7 @@ class ContentRoutes {
   ContentRoutesOptions options_;
   SceneCatalog catalog_;
   Library library_;
-  std::mutex packing_;  ///< one ZIP file at a time: they are large
+  std::mutex packing_;  ///< one ZIP file or film at a time: they are large
   ThumbnailQueue thumbnails_;
 };
 

@@ -21,6 +21,9 @@ class LibraryError : public std::runtime_error {
 /// Folder in that of the recordings, with those that `smile generate` made (docs/generation.md).
 inline constexpr const char* kGeneratedFolder = "generated";
 
+/// Folder in that of the recordings, with the films that pages have made.
+inline constexpr const char* kFilmFolder = "films";
+
 /// Returns the id of the recording of an attempt: `towers:seed-0007`.
 /// @param set      folder in kGeneratedFolder.
 /// @param attempt  folder among its episodes or failures.

@@ -55,13 +55,13 @@ JsonShape VariationShape() {
 JsonShape JobShape() {
   const JsonShape verdict = ObjectShape({{"ok", FlagShape()}, {"lines", TextsShape()}});
   return ObjectShape({{"job", NumberShape()},
-                      {"do", JsonShape::Word({"generate", "export"})},
+                      {"do", JsonShape::Word({"generate", "export", "film"})},
                       {"name", TextShape(), true, "of what it makes"},
                       {"status", JsonShape::Word({"waiting", "running", "stopping", "done",
                                                   "failed", "stopped"})},
                       {"words", TextShape(), true, "last line of the output; why it failed"},
                       {"verdict", verdict.OrNull(), true, "of `smile doctor`"},
-                      {"done", NumberShape(), kOptional, "episodes"},
+                      {"done", NumberShape(), kOptional, "episodes, or seconds of a film"},
                       {"total", NumberShape(), kOptional, "wanted ones"},
                       {"attempts", NumberShape(), kOptional},
                       {"yield", NumberShape().OrNull(), kOptional},

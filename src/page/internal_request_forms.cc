@@ -218,7 +218,20 @@ RequestForm ExportForm() {
       "makes `datasets/NAME` in the folder of the recordings"};
 }
 
-/// Requests about generated sets, datasets and the jobs that make them.
+RequestForm FilmForm() {
+  return {"film",
+          {{"recording", TextShape()},
+           {"name", TextShape(), true, "of the new film"},
+           {"camera", TextShape(), true, "one of those that `jobs` lists"},
+           {"width", NumberShape()},
+           {"height", NumberShape(), true, "of the pictures, in pixels"},
+           {"rate", NumberShape(), true, "frames per second"}},
+          {{"job", NumberShape()}},
+          "starts `smile render` as soon as no other job runs; makes `films/NAME.mp4` in the "
+          "folder of the recordings, which is served at that path"};
+}
+
+/// Requests about generated sets, datasets, films and the jobs that make them.
 std::vector<RequestForm> DatasetRequests() {
   const JsonMember set{"set", TextShape()};
   return {
@@ -229,6 +242,7 @@ std::vector<RequestForm> DatasetRequests() {
        {{"job", NumberShape()}},
        "continues a set that `generate` began; what is there is kept"},
       ExportForm(),
+      FilmForm(),
       {"stop_job", {{"job", NumberShape()}}, {}, "what is done is kept"},
       {"rename_set", {set, {"name", TextShape()}}, {}, "while no job uses it"},
       {"bin_set", {set}, {set}, "moves it into a bin, while no job uses it; nothing is deleted"},

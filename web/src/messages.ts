@@ -191,7 +191,7 @@ export interface Variation {
 /** Long work that programs do, one after another. */
 export interface Job {
   job: number;
-  do: "generate" | "export";
+  do: "generate" | "export" | "film";
   /** of what it makes */
   name: string;
   status: "waiting" | "running" | "stopping" | "done" | "failed" | "stopped";
@@ -199,7 +199,7 @@ export interface Job {
   words: string;
   /** of `smile doctor` */
   verdict: { ok: boolean; lines: string[] } | null;
-  /** episodes */
+  /** episodes, or seconds of a film */
   done?: number;
   /** wanted ones */
   total?: number;
@@ -400,6 +400,7 @@ export interface Requests {
   generate: { fields: { recording: string; name: string; scene: string; brain: string; count: number; level: string; seed: number; jobs: number; variations?: Record<string, string> }; answer: { job: number } };
   continue_set: { fields: { set: string }; answer: { job: number } };
   export: { fields: { recording?: string; set?: string; name: string; format: string; cameras: string[]; width: number; height: number; rate: number; include_failed?: boolean; drop_constant?: boolean }; answer: { job: number } };
+  film: { fields: { recording: string; name: string; camera: string; width: number; height: number; rate: number }; answer: { job: number } };
   stop_job: { fields: { job: number }; answer: object };
   rename_set: { fields: { set: string; name: string }; answer: object };
   bin_set: { fields: { set: string }; answer: { set: string } };

@@ -210,6 +210,8 @@ export const texts = {
     left: "Objects and library",
     right: "Hands, robot and brain",
     collapse: "Collapse the panel",
+    width: "Width of the panel",
+    widthWhy: "Drag it, or use the arrow keys, to resize the panel; a double click restores its width",
     all: "Panels",
   },
 
@@ -363,6 +365,7 @@ export const texts = {
     analyze: "What mattered",
     rename: "Title and notes",
     name: "Title",
+    typeTitle: (title: string) => `${title}: click to change the title`,
     notes: "Notes",
     save: "Save",
     download: "Download",
@@ -404,7 +407,11 @@ export const texts = {
     jobs: "Runs at a time",
     stop: "Stop",
     stopWhy: ({ do: what }: Job) =>
-      what === "generate" ? "What is done is kept; the set can be continued" : "Nothing is kept of the dataset",
+      ({
+        generate: "What is done is kept; the set can be continued",
+        export: "Nothing is kept of the dataset",
+        film: "Nothing is kept of the film",
+      })[what],
     stopNamed: (name: string) => `Stop “${name}”`,
     stopping: "it is stopping",
     inBackground: "Continue in the background",
@@ -430,11 +437,17 @@ export const texts = {
         ...(yielded === null ? [] : [`yield ${percent(yielded)} %`]),
         ...(interval === null ? [] : [`95 %: ${percent(interval[0])} to ${percent(interval[1])} %`]),
       ].join(" · "),
-    jobTitle: ({ do: what, name }: Job) => (what === "generate" ? `Generate “${name}”` : `Export “${name}”`),
+    jobTitle: ({ do: what, name }: Job) =>
+      `${{ generate: "Generate", export: "Export", film: "Film" }[what]} “${name}”`,
     status: ({ do: what, status, done = 0, total }: Job): string =>
       ({
         waiting: "Waits for another job",
-        running: total === undefined ? "Starts" : `${done} of ${count(total, "episode", "episodes")}`,
+        running:
+          total === undefined
+            ? "Starts"
+            : what === "film"
+              ? `${done} of ${total} s`
+              : `${done} of ${count(total, "episode", "episodes")}`,
         stopping: "Stops",
         done: "Done",
         failed: "Failed",
@@ -500,6 +513,29 @@ export const texts = {
     withoutConstant: "Leave out joints that never move",
     place: (folder: string, name: string) => `Folder: ${folder}/datasets/${name}`,
     staysWhenClosed: "This continues when the dialog or the page is closed. At the end, the dataset is checked.",
+  },
+
+  filming: {
+    entry: "Film…",
+    title: (title: string) => `Film of “${title}”`,
+    film: "Make the film",
+    name: "Name",
+    camera: "Camera",
+    cameraOf: (camera: string) =>
+      ({
+        eye: "The recorded view",
+        head: "Head of the robot",
+        close: "Close: the objects at the beginning",
+        nice: "From the side",
+        front: "From the front",
+        left: "From the left",
+        right: "From the right",
+        top: "From above",
+      })[camera] ?? camera,
+    place: (folder: string, name: string) => `File: ${folder}/films/${name}.mp4`,
+    download: "Download",
+    downloadOf: (name: string) => `Save “${name}” on this computer`,
+    staysWhenClosed: "This continues when the dialog or the page is closed.",
   },
 
   timeline: {
@@ -578,7 +614,7 @@ export const texts = {
 
   measure: {
     title: "Measure",
-    why: "Measures distances and angles between points that you click (M)",
+    why: "Measures distances and angles between points that you click",
     hint: "Click two points; a third one adds an angle. The view turns as usual.",
     distance: (name: string, units: number, millimeters: number, along: number[]) =>
       `${name}: ${units.toFixed(2)} units (${millimeters.toFixed(0)} mm); along x, y, z: ${along.map((one) => one.toFixed(2).replace("-", "−")).join(", ")}`,
@@ -640,6 +676,8 @@ export const texts = {
     title: "Keys and mouse",
     open: "Help",
     tour: "Start the tour",
+    layout: "Default layout",
+    layoutWhy: "Panels, their sizes and the view as on a first visit",
     mouse: "Mouse and touch",
     mouseHelp: [
       ["Click an object", "take it"],

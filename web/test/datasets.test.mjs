@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -173,4 +173,35 @@ test("a recording is exported, as soon as the packages are there, and checked", 
   await page.locator(".job").filter({ hasText: "Done" }).waitFor();
   await person.press("Dismiss “shown”");
   await page.locator(".job").waitFor({ state: "detached" });
+});
+
+test("a film is made of a recording, downloaded, and another one stopped", async (t) => {
+  const { studio, page, person, choose } = await workplace(t);
+  const fill = async (dialog, name, size, rate) => {
+    await dialog.getByRole("textbox", { name: "Name" }).fill(name);
+    await dialog.getByRole("combobox", { name: "Camera" }).selectOption("From above");
+    await dialog.getByRole("combobox", { name: "Picture size" }).selectOption(size);
+    await dialog.getByRole("combobox", { name: "Frames per second" }).selectOption(rate);
+    await person.press("Make the film", dialog);
+  };
+  const dialog = await choose("shown", "Film…");
+  await fill(dialog, "from above", "320x240", "2");
+  await dialog.getByText("Done").waitFor({ timeout: 120_000 });
+  const [download] = await Promise.all([page.waitForEvent("download"), person.press("Download", dialog)]);
+  assert.equal(download.suggestedFilename(), "from above.mp4");
+  const film = readFileSync(await download.path());
+  assert.equal(film.subarray(4, 8).toString(), "ftyp");
+  assert.ok(film.equals(readFileSync(join(studio.recordings, "films/from above.mp4"))));
+  await person.press("Close", dialog.locator("footer"));
+  await page.locator(".job").filter({ hasText: "Film “from above”" }).getByRole("button", { name: "Download" }).waitFor();
+
+  const other = await choose("shown", "Film…");
+  await fill(other, "from above", "320x240", "2");
+  await other.getByRole("alert").getByText("there is a film \"from above\" already").waitFor();
+  await fill(other, "large", "1920x1080", "60");
+  await other.getByText(/^ ?\d+ of \d+ s$/).waitFor({ timeout: 60_000 });
+  await person.press("Stop", other);
+  await other.getByText("Stopped; nothing is kept").waitFor();
+  const left = readdirSync(join(studio.recordings, "films")).filter((name) => name.endsWith(".mp4"));
+  assert.deepEqual(left, ["from above.mp4"]);
 });

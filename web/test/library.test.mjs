@@ -84,6 +84,48 @@ test("a recording is shown, played, edited, renamed, binned and taken back", asy
   }
 });
 
+test("titles are changed where they stand", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: ["--no-robot", "--no-pictures"] });
+  const id = await person.record(async () => {
+    await person.grasp("RedBlock");
+    await person.release();
+  });
+  const { timeline } = person;
+  const titleIn = (place, title) => place.getByRole("button", { name: title, exact: true });
+  const before = await timeline.locator(".timeline-name").textContent();
+  const field = page.getByRole("textbox", { name: "Title" });
+  await person.showPanel("Library");
+  const card = page.locator(".recording");
+
+  await titleIn(timeline, before).click();
+  await page.keyboard.type("Pick up red"); // it replaces the whole title
+  await page.keyboard.press("Enter");
+  await titleIn(timeline, "Pick up red").waitFor();
+  await titleIn(card, "Pick up red").waitFor();
+  const focused = () => page.evaluate(() => document.activeElement.textContent);
+  assert.equal(await focused(), "Pick up red", "the keyboard continues where it was");
+
+  await titleIn(card, "Pick up red").click();
+  await page.keyboard.type("Something else");
+  await page.keyboard.press("Escape");
+  await field.waitFor({ state: "detached" });
+  await titleIn(card, "Pick up red").click();
+  await page.keyboard.press("End");
+  await page.keyboard.type(" twice");
+  await page.getByRole("heading", { name: "SMILE studio" }).click(); // it is left
+  await titleIn(card, "Pick up red twice").waitFor();
+
+  // 256 bytes may be fewer letters than the field takes: the program's reason is shown, and the text stays.
+  await titleIn(card, "Pick up red twice").click();
+  await page.keyboard.insertText("\u{1F916}".repeat(100));
+  await page.keyboard.press("Enter");
+  await page.getByRole("alert").getByText(/title/).waitFor();
+  assert.equal((await field.inputValue()).length, 200);
+  await page.keyboard.press("Escape");
+  const { title } = (await witness.request("library")).recordings.find((one) => one.id === id);
+  assert.equal(title, "Pick up red twice");
+});
+
 test("what mattered in a recording is found out, and kept", async (t) => {
   const { studio, page, person } = await browser.workplace(t, { studio: ["--no-robot", "--no-pictures"] });
   await person.record(async () => {

@@ -22,7 +22,7 @@ out=$2
 while [ $# -gt 0 ]; do [ "$1" = --out ] && out=$2; shift; done
 if [ -e "$here/error.txt" ]; then cat "$here/error.txt" >&2; exit 1; fi
 if [ $what = doctor ]; then echo "$out: 1 errors, 0 warnings"; exit 1; fi
-mkdir -p "$out"
+if [ $what = render ]; then echo "filming: 3 of 12 s" >&2; echo film > "$out"; else mkdir -p "$out"; fi
 if [ $what = export ]; then echo "episode 2 of 3: run, 9 frames" >&2; fi
 if [ $what = generate ]; then cp -r "$here/prepared/." "$out"; fi
 while [ ! -e "$here/go" ]; do sleep 0.02; done
@@ -79,6 +79,11 @@ class DatasetRequestsTest : public recorder::RecordingFixture {
     return {
         {"recording", "demo"}, {"name", "data"}, {"format", "zarr"}, {"cameras", {"eye", "top"}},
         {"width", 160},        {"height", 120},  {"rate", 10}};
+  }
+
+  static Json ToFilm() {
+    return {{"recording", "demo"}, {"name", "tower"}, {"camera", "nice"},
+            {"width", 640},        {"height", 480},   {"rate", 30}};
   }
 
   Json JobAt(std::size_t index) { return Ask("jobs")["jobs"].at(index); }
@@ -283,12 +288,14 @@ TEST_F(DatasetRequestsTest, NothingLeavesTheFolderAndLimitsHold) {
   for (const char* name : {"", ".", "..", "../x", "a/b", ".bin", "/tmp/x", "a:b", "a\nb"}) {
     expect_refused("generate", Wanted(), "name", name);
     expect_refused("export", ToExport(), "name", name);
+    expect_refused("film", ToFilm(), "name", name);
     EXPECT_FALSE(Ask("open_set", {{"set", name}})["ok"]) << name;
     EXPECT_FALSE(Ask("continue_set", {{"set", name}})["ok"]) << name;
   }
   for (const char* id : {"../demo", "none", "many:seed-0001", ".."}) {
     expect_refused("generate", Wanted(), "recording", id);
     expect_refused("export", ToExport(), "recording", id);
+    expect_refused("film", ToFilm(), "recording", id);
   }
   for (const Json& count : {Json(0), Json(10'001), Json(-1), Json(1.5), Json("9"), Json()}) {
     expect_refused("generate", Wanted(), "count", count);
@@ -300,9 +307,13 @@ TEST_F(DatasetRequestsTest, NothingLeavesTheFolderAndLimitsHold) {
     expect_refused("generate", Wanted(), "brain", brain);
   }
   for (const char* key : {"width", "height", "rate"}) {
-    for (const int value : {0, 7, 100'000}) expect_refused("export", ToExport(), key, value);
+    for (const int value : {0, 7, 100'000}) {
+      expect_refused("export", ToExport(), key, value);
+      expect_refused("film", ToFilm(), key, value);
+    }
   }
   expect_refused("export", ToExport(), "format", "--out");
+  expect_refused("film", ToFilm(), "camera", "1,1,1:0,0,0");
   expect_refused("export", ToExport(), "cameras", {"eye", "--out"});
   EXPECT_FALSE(fs::exists(root_ / "tools/calls.txt")) << "no program was started";
   // A recording of this name is not written into.
@@ -311,8 +322,8 @@ TEST_F(DatasetRequestsTest, NothingLeavesTheFolderAndLimitsHold) {
 }
 
 TEST_F(DatasetRequestsTest, WatchersOnlyLook) {
-  for (const char* what :
-       {"generate", "continue_set", "export", "stop_job", "rename_set", "bin_set", "unbin_set"}) {
+  for (const char* what : {"generate", "continue_set", "export", "film", "stop_job", "rename_set",
+                           "bin_set", "unbin_set"}) {
     EXPECT_FALSE(Ask(what, Wanted(), /*is_controller=*/false)["ok"]) << what;
   }
   EXPECT_TRUE(Ask("jobs", Json::object(), /*is_controller=*/false)["ok"]);
@@ -341,6 +352,26 @@ TEST_F(DatasetRequestsTest, AnExportEndsWithTheVerdict) {
                          " --camera eye:160x120 --camera top:160x120 --include-failed " +
                          "--drop-constant\ndoctor " + data + "\n");
   EXPECT_FALSE(Ask("export", ToExport())["ok"]) << "there is a dataset of this name";
+}
+
+TEST_F(DatasetRequestsTest, AFilmIsMadeOnceUnderItsName) {
+  ASSERT_EQ(Ask("film", ToFilm())["job"], 1);
+  const Json job = Until(0, [](const Json& now) { return now.contains("total"); });
+  EXPECT_EQ(job["do"], "film");
+  EXPECT_EQ(job["done"], 3);
+  EXPECT_EQ(job["total"], 12);
+  LetItEnd();
+  UntilStatus(0, "done");
+  const std::string film = (root_ / "films/tower.mp4").string();
+  EXPECT_EQ(Calls(), "render " + (root_ / "demo").string() + " --out " + film +
+                         " --camera nice --size 640x480 --rate 30 --progress\n");
+  EXPECT_EQ(Ask("film", ToFilm())["error"],
+            "there is a film \"tower\" already; choose another name");
+  // A recording of this name is not written into.
+  fs::remove_all(root_ / "films");
+  fs::copy(root_ / "demo", root_ / "films");
+  EXPECT_EQ(Ask("film", ToFilm())["error"],
+            (root_ / "films").string() + " is no folder of films; rename it");
 }
 
 TEST_F(DatasetRequestsTest, EndingTheStudioEndsItsPrograms) {

@@ -68,6 +68,22 @@ TEST_F(ContentRoutesTest, RefusesAllOtherPaths) {
   EXPECT_THROW(content_routes_.Get("/scenes/wrong.png"), InputError);
 }
 
+TEST_F(ContentRoutesTest, ServesFilmsFromTheirFolderOnly) {
+  std::filesystem::create_directories(root_ / "films/folder.mp4");
+  WriteFile(root_ / "films/a tower.mp4", "frames");
+  WriteFile(root_ / "secret.mp4", "secret");
+  WriteFile(root_ / "films/tower.log", "log");
+  const auto film = content_routes_.Get("/films/a tower.mp4");
+  ASSERT_TRUE(film);
+  EXPECT_EQ(film->type, "video/mp4");
+  EXPECT_EQ(film->body, "frames");
+  EXPECT_EQ(film->file_name, "a tower.mp4");
+  for (const char* path : {"/films/../secret.mp4", "/films/none.mp4", "/films/folder.mp4",
+                           "/films/tower.log", "/films/.mp4", "/films/", "/films"}) {
+    EXPECT_FALSE(content_routes_.Get(path)) << path;
+  }
+}
+
 TEST_F(ContentRoutesTest, ThumbnailsDependOnContent) {
   Record(kStackAOnB, /*with_robot=*/true);
   const Image scene = PictureAt("/scenes/pair.png");

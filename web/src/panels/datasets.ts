@@ -35,6 +35,11 @@ export function jobOfSet(name: string): Job | undefined {
   return jobs.value.find((job) => job.do === "generate" && job.name === name && isOpen(job));
 }
 
+/** Where a film is on the server. */
+export function filmOf(name: string): string {
+  return `/films/${encodeURIComponent(name)}.mp4`;
+}
+
 export function dismiss(job: Job): void {
   dismissed.value = [...dismissed.value, job.job];
 }

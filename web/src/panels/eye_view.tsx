@@ -1,12 +1,13 @@
-import { useEffect, useRef } from "preact/hooks";
+import { useEffect } from "preact/hooks";
 import { useSignal } from "@preact/signals";
 import { eyeView } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
+import { useResize } from "../ui/resize";
 import { isRecording } from "./derived_signals";
 import { eyeWidth, isEyeOpen } from "./page";
 
-const WIDTHS = { min: 120, max: 640, step: 20 };
+const WIDTHS = { min: 120, max: 640 };
 
 /** The newest picture as something an image element shows. */
 function usePicture(): string | null {
@@ -31,7 +32,6 @@ function resize(width: number): void {
 
 /** The corner at which the inset is made larger: it grows up and to the left. */
 function ResizeCorner() {
-  const start = useRef<{ x: number; width: number } | null>(null);
   return (
     <button
       type="button"
@@ -42,22 +42,7 @@ function ResizeCorner() {
       aria-valuemax={WIDTHS.max}
       aria-valuenow={eyeWidth.value}
       title={texts.eye.resize}
-      onPointerDown={(event) => {
-        event.currentTarget.setPointerCapture(event.pointerId);
-        start.current = { x: event.clientX, width: eyeWidth.value };
-      }}
-      onPointerMove={(event) => {
-        if (start.current) resize(start.current.width + start.current.x - event.clientX);
-      }}
-      onPointerUp={() => (start.current = null)}
-      onPointerCancel={() => (start.current = null)}
-      onKeyDown={(event) => {
-        const step = { ArrowLeft: 1, ArrowUp: 1, ArrowRight: -1, ArrowDown: -1 }[event.key];
-        if (step === undefined) return;
-        event.preventDefault();
-        event.stopPropagation();
-        resize(eyeWidth.value + step * WIDTHS.step);
-      }}
+      {...useResize({ edge: "left", width: () => eyeWidth.value, resize })}
     />
   );
 }

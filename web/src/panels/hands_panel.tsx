@@ -7,33 +7,33 @@ import { texts } from "../texts";
 import { Button, Chips } from "../ui/buttons";
 import { Card } from "../ui/card";
 import type { IconName } from "../ui/icons";
-import { choicePreference, switchPreference } from "../ui/preference";
+import { choicePreference, layoutSwitch } from "../ui/preference";
 import { NumberField } from "../ui/number_field";
 import { Slider } from "../ui/slider";
 import { turnFromTo } from "./fixed_axes";
-import { keyFor } from "./key_names";
+import { keyFor, keyHint } from "./key_names";
 import { attention, mayAct, snaps } from "./derived_signals";
 import { guides } from "../world/signals";
 import { world } from "./page";
 
 const { hands: words } = texts;
-const isMoveOpen = switchPreference("move-open", true);
-const isTurnOpen = switchPreference("turn-open", true);
-const isPlaneOpen = switchPreference("plane-open", true);
-const isSnapOpen = switchPreference("snap-open", true);
+const isMoveOpen = layoutSwitch("move-open", true);
+const isTurnOpen = layoutSwitch("turn-open", true);
+const isPlaneOpen = layoutSwitch("plane-open", true);
+const isSnapOpen = layoutSwitch("snap-open", true);
 
 const STEPS = ["0.1", "1"] as const;
 const stepSize = choicePreference<(typeof STEPS)[number]>("step", "0.1", STEPS);
 
 type Direction = keyof typeof words.directions;
-/** `along`: to the right of the picture, away, up. */
-const DIRECTIONS: Record<Direction, { icon: IconName; key: string; along: Point }> = {
-  left: { icon: "left", key: "ArrowLeft", along: [-1, 0, 0] },
-  right: { icon: "right", key: "ArrowRight", along: [1, 0, 0] },
-  away: { icon: "up", key: "ArrowUp", along: [0, 1, 0] },
-  nearer: { icon: "down", key: "ArrowDown", along: [0, -1, 0] },
-  higher: { icon: "higher", key: "PageUp", along: [0, 0, 1] },
-  lower: { icon: "lower", key: "PageDown", along: [0, 0, -1] },
+/** `key`: on the pad; `what`: of the key that works everywhere; `along`: to the right of the picture, away, up. */
+const DIRECTIONS: Record<Direction, { icon: IconName; key: string; what: string; along: Point }> = {
+  left: { icon: "left", key: "ArrowLeft", what: "move.left", along: [-1, 0, 0] },
+  right: { icon: "right", key: "ArrowRight", what: "move.right", along: [1, 0, 0] },
+  away: { icon: "up", key: "ArrowUp", what: "move.away", along: [0, 1, 0] },
+  nearer: { icon: "down", key: "ArrowDown", what: "move.nearer", along: [0, -1, 0] },
+  higher: { icon: "higher", key: "PageUp", what: "move.up", along: [0, 0, 1] },
+  lower: { icon: "lower", key: "PageDown", what: "move.down", along: [0, 0, -1] },
 };
 
 export function releaseHeld(): void {
@@ -101,10 +101,11 @@ function axisNearest([x, y]: readonly [number, number]): [x: number, y: number] 
 
 /** The four hands, each with what it holds. */
 export function HandChoice() {
+  const nextHand = keyHint("hand.next");
   return (
-    <div class="hands" role="radiogroup" aria-label={words.current}>
+    <div class="hands" role="radiogroup" aria-label={words.current} aria-keyshortcuts={nextHand["aria-keyshortcuts"]}>
       {HANDS.map((hand: HandName) => (
-        <label key={hand} class="hand" style={{ "--hand": handColors[hand] }} title={words.meanings[hand]}>
+        <label key={hand} class="hand" style={{ "--hand": handColors[hand] }} title={`${words.meanings[hand]}. ${nextHand.title}`}>
           <input
             type="radio"
             name="hand"
@@ -148,7 +149,9 @@ function Held({ object }: { object: string }) {
           label={words.destroy}
           kind="danger"
           icon="trash"
-          title={`${words.destroyWhy} (${keyFor("hand.destroy")})`}
+          keys={keyFor("hand.destroy")}
+          isKeyHidden
+          title={words.destroyWhy}
           disabled={!mayAct.value}
           onClick={() => void command({ do: "destroy", hand: currentHand.value })}
         />
@@ -190,6 +193,7 @@ function NudgePad() {
       label={words.directions[direction]}
       icon={DIRECTIONS[direction].icon}
       isIconOnly
+      keys={keyFor(DIRECTIONS[direction].what)}
       class={`nudge-${direction}`}
       disabled={!mayAct.value}
       onClick={() => nudge(direction, length)}
@@ -313,13 +317,17 @@ function Plane() {
   );
 }
 
+const PLANE_KEYS: Record<number, string> = { [-5]: "plane.right", 5: "plane.left", 90: "plane.quarter" };
+
 function planeButton(degrees: number) {
+  const what = PLANE_KEYS[degrees];
   return (
     <button
       key={degrees}
       type="button"
       class="button plain small"
       aria-label={words.planeBy(degrees)}
+      {...(what === undefined ? { title: words.planeBy(degrees) } : keyHint(what, words.planeBy(degrees)))}
       disabled={!mayAct.value}
       onClick={() => world.value?.turnPlane(degrees)}
     >
@@ -342,7 +350,7 @@ function Snapping() {
     <>
       <Chips label={words.snap} choices={choices} chosen={snaps.value} disabled={!mayAct.value} onToggle={toggle} />
       {snaps.value.length > 0 && <p class="hint">{words.snapHint}</p>}
-      <label class="switch">
+      <label class="switch" {...keyHint("guides")}>
         <input
           type="checkbox"
           role="switch"

@@ -3,7 +3,7 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Dialog } from "../ui/dialog";
 import { keyName } from "./key_names";
-import { isHelpOpen } from "./page";
+import { isHelpOpen, returnToDefaultLayout } from "./page";
 import { startTour } from "./tour";
 
 export function Help() {
@@ -52,6 +52,16 @@ export function Help() {
         </section>
       </div>
       <p>{texts.help.everywhere}</p>
+      <div class="row">
+        <Button
+          label={texts.help.layout}
+          title={texts.help.layoutWhy}
+          onClick={() => {
+            close();
+            returnToDefaultLayout();
+          }}
+        />
+      </div>
     </Dialog>
   );
 }

@@ -1,6 +1,8 @@
 import type { Job } from "../protocol";
 import { texts } from "../texts";
-import { isOpen } from "./datasets";
+import { Button } from "../ui/buttons";
+import { downloadFile } from "../ui/download";
+import { filmOf, isOpen } from "./datasets";
 
 const { datasets: words } = texts;
 
@@ -35,6 +37,11 @@ export function JobProgress({ job }: { job: Job }) {
       <Causes causes={job.causes ?? {}} />
       {job.status === "failed" && <Said text={job.words} isTrouble />}
       {job.status === "running" && job.do === "export" && <p class="hint said">{job.words}</p>}
+      {job.do === "film" && job.status === "done" && (
+        <div class="row">
+          <Button label={texts.filming.download} icon="download" title={texts.filming.downloadOf(job.name)} onClick={() => downloadFile(filmOf(job.name))} />
+        </div>
+      )}
       {job.verdict && <Said text={job.verdict.lines.join("\n")} isTrouble={!job.verdict.ok} />}
     </div>
   );

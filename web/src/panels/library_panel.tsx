@@ -4,12 +4,14 @@ import type { Allowed, LibraryEntry, Timeline } from "../protocol";
 import { ask, notify, state } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
+import { downloadFile } from "../ui/download";
 import { Empty, isFound, Picture, SearchField } from "../ui/card";
 import { MenuButton, type MenuEntry } from "../ui/menu";
 import { refreshSets, sets } from "./datasets";
-import { analyzed, exported, generated, isTimelineOpen, renamed, sheet, showPanel, toImitate } from "./page";
+import { analyzed, exported, filmed, generated, isTimelineOpen, renamed, sheet, showPanel, toImitate } from "./page";
 import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf } from "./recordings";
 import { JobList, SetsList } from "./sets_list";
+import { TitleInPlace } from "./title_in_place";
 
 const { library: words } = texts;
 
@@ -38,10 +40,7 @@ async function takeBack(id: string): Promise<void> {
 }
 
 function download(id: string): void {
-  const link = document.createElement("a");
-  link.href = `/recordings/${encodeURIComponent(id)}.zip`;
-  link.download = `${id}.zip`;
-  link.click();
+  downloadFile(`/recordings/${encodeURIComponent(id)}.zip`);
 }
 
 /** Its timeline comes to the front, wherever it is; null if it cannot be opened. */
@@ -78,9 +77,10 @@ function entriesOf(recording: LibraryEntry): MenuEntry[] {
       ...unless(may("generate")),
       onChoose: () => (generated.value = id),
     },
+    { label: texts.filming.entry, icon: "film", ...unless(may("film")), onChoose: () => (filmed.value = id) },
     {
       label: texts.exporting.entry,
-      icon: "film",
+      icon: "library",
       ...unless(may("export")),
       onChoose: () => (exported.value = { recording: id }),
     },
@@ -99,7 +99,9 @@ function RecordingCard({ recording }: { recording: LibraryEntry }) {
     <li class={`recording ${isOpen ? "is-open" : ""}`}>
       <Picture source={pictureOfRecording(id)} alt={words.picture(title)} />
       <div class="recording-words">
-        <strong title={title}>{title}</strong>
+        <strong>
+          <TitleInPlace id={id} isFixed={binned} />
+        </strong>
         {recording.error ? (
           <p class="trouble">{recording.error}</p>
         ) : (

@@ -8,16 +8,16 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Card, Empty, isFound, Picture, SearchField } from "../ui/card";
 import { NumberField } from "../ui/number_field";
-import { switchPreference } from "../ui/preference";
+import { layoutSwitch } from "../ui/preference";
 import { sceneCatalog, isSceneCatalogLost, pictureOfScene, refreshSceneCatalog, textOfScene } from "./scene_catalog";
 import { fallen, holders, isPlayback, objectsHere } from "./derived_signals";
 import { chosenObject, draft, editedScene, showPanel, world } from "./page";
 import { useAllowed } from "./use_allowed";
 
 const { objects: words } = texts;
-const isListOpen = switchPreference("list-open", true);
-const isAddOpen = switchPreference("add-open", true);
-const isSceneListOpen = switchPreference("gallery-open", true);
+const isListOpen = layoutSwitch("list-open", true);
+const isAddOpen = layoutSwitch("add-open", true);
+const isSceneListOpen = layoutSwitch("gallery-open", true);
 const MAX_FILE_BYTES = 1e6;
 
 async function take(object: string): Promise<void> {

@@ -1,5 +1,5 @@
 import { computed, effect, signal } from "@preact/signals";
-import { choicePreference, numberPreference, preference, switchPreference } from "../ui/preference";
+import { choicePreference, inLayout, layoutSwitch, numberPreference, preference, resetLayout, switchPreference } from "../ui/preference";
 import { prefersDark } from "../ui/media";
 import type { World } from "../world/world";
 
@@ -11,14 +11,25 @@ export type LeftTab = (typeof LEFT_TABS)[number];
 export type RightTab = (typeof RIGHT_TABS)[number];
 export type Sheet = LeftTab | RightTab | "timeline";
 
-export const leftTab = choicePreference<LeftTab>("left", "objects", LEFT_TABS);
-export const rightTab = choicePreference<RightTab>("right", "hands", RIGHT_TABS);
-export const isLeftOpen = switchPreference("left-open", true);
-export const isRightOpen = switchPreference("right-open", true);
-export const isTimelineOpen = switchPreference("timeline-open", true);
-export const eyeWidth = numberPreference("eye-width", 200, 120, 640);
-export const isEyeOpen = switchPreference("eye-open", true);
+export const leftTab = inLayout(choicePreference<LeftTab>("left", "objects", LEFT_TABS));
+export const rightTab = inLayout(choicePreference<RightTab>("right", "hands", RIGHT_TABS));
+export const isLeftOpen = layoutSwitch("left-open", true);
+export const isRightOpen = layoutSwitch("right-open", true);
+/** Widths that panels may have [px]. */
+export const PANEL_WIDTHS = { min: 220, max: 560 };
+/** Widths of the panels at the sides [px]; null: as wide as the style has them. */
+export const panelWidths = {
+  left: inLayout(preference<number | null>("left-width", null, isPanelWidth)),
+  right: inLayout(preference<number | null>("right-width", null, isPanelWidth)),
+};
+export const isTimelineOpen = layoutSwitch("timeline-open", true);
+export const eyeWidth = inLayout(numberPreference("eye-width", 200, 120, 640));
+export const isEyeOpen = layoutSwitch("eye-open", true);
 export const isTourKnown = switchPreference("tour-known", false);
+function isPanelWidth(value: unknown): value is number | null {
+  return value === null || (typeof value === "number" && value >= PANEL_WIDTHS.min && value <= PANEL_WIDTHS.max);
+}
+
 /** Where the screen is small, one panel at a time is a sheet; null: none. */
 export const sheet = signal<Sheet | null>(null);
 
@@ -66,10 +77,18 @@ export const analyzed = signal<string | null>(null);
 export const generated = signal<string | null>(null);
 /** The recording or generated set that is to be exported. */
 export const exported = signal<{ recording: string } | { set: string } | null>(null);
+/** The recording of which a film is to be made. */
+export const filmed = signal<string | null>(null);
 /** The generated set whose attempts are looked at. */
 export const openedSet = signal<string | null>(null);
 /** What is chosen to be imitated. */
 export const toImitate = signal<string | null>(null);
+
+/** Panels, their sizes and the view are as on a first visit. */
+export function returnToDefaultLayout(): void {
+  resetLayout();
+  world.value?.showFirstView();
+}
 
 /** Brings a panel to the front, wherever it is. */
 export function showPanel(tab: LeftTab | RightTab): void {

@@ -44,6 +44,16 @@ export function titleOf(id: string): string {
   return recording?.binned ? id.replace(/~\d+$/, "") : id;
 }
 
+/** As many letters as a title may have. */
+export const MAX_TITLE_LENGTH = 200;
+
+/** Returns whether the program took the new title or notes; if not, it shows why. */
+export async function renameRecording(id: string, to: { title?: string; notes?: string }): Promise<boolean> {
+  if ((await ask("rename", { recording: id, ...to })) === null) return false;
+  await refreshRecordings();
+  return true;
+}
+
 /** Null if it cannot be opened. */
 export async function openRecording(id: string): Promise<Timeline | null> {
   const reply = await ask("open", { recording: id });

@@ -1,10 +1,9 @@
 import { useSignal } from "@preact/signals";
-import { ask } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Dialog } from "../ui/dialog";
 import { renamed } from "./page";
-import { recordingOf, refreshRecordings, titleOf } from "./recordings";
+import { MAX_TITLE_LENGTH, recordingOf, renameRecording, titleOf } from "./recordings";
 
 const { library: words } = texts;
 
@@ -14,10 +13,7 @@ export function RenameDialog({ id }: { id: string }) {
   const notes = useSignal(recordingOf(id)?.notes ?? "");
   const close = () => (renamed.value = null);
   const save = async () => {
-    const reply = await ask("rename", { recording: id, title: title.value, notes: notes.value });
-    if (reply === null) return;
-    close();
-    await refreshRecordings();
+    if (await renameRecording(id, { title: title.value, notes: notes.value })) close();
   };
   return (
     <Dialog
@@ -41,7 +37,7 @@ export function RenameDialog({ id }: { id: string }) {
           <input
             type="text"
             value={title.value}
-            maxLength={200}
+            maxLength={MAX_TITLE_LENGTH}
             onInput={(event) => (title.value = event.currentTarget.value)}
           />
         </label>

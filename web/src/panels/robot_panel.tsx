@@ -7,7 +7,7 @@ import { texts } from "../texts";
 import { Button, HoldButton } from "../ui/buttons";
 import { Card, Empty } from "../ui/card";
 import { Slider } from "../ui/slider";
-import { switchPreference } from "../ui/preference";
+import { layoutSwitch } from "../ui/preference";
 import { isBrainAtWork, isPlayback, mayAct } from "./derived_signals";
 
 type Joint = RobotDescription["joints"][number];
@@ -21,7 +21,7 @@ const GRIPPER_SPEED = 1;
 
 const openCards: Record<string, Signal<boolean>> = {};
 function isCardOpen(name: string): Signal<boolean> {
-  return (openCards[name] ??= switchPreference(`robot-${name}-open`, name !== "others"));
+  return (openCards[name] ??= layoutSwitch(`robot-${name}-open`, name !== "others"));
 }
 
 /** Joints of arms turn, for people in degrees; rails go so far, in units. */

@@ -5,7 +5,8 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Icon, type IconName } from "../ui/icons";
 import { isSmall } from "../ui/media";
-import { sheet, type LeftTab, type RightTab } from "./page";
+import { useResize } from "../ui/resize";
+import { PANEL_WIDTHS, panelWidths, sheet, type LeftTab, type RightTab } from "./page";
 
 export const TAB_ICONS: Record<LeftTab | RightTab, IconName> = {
   objects: "block",
@@ -22,6 +23,31 @@ interface SidebarProps<Tab extends LeftTab | RightTab> {
   chosen: Signal<Tab>;
   isOpen: Signal<boolean>;
   panels: Record<Tab, ComponentType>;
+}
+
+/** The edge between a panel and the world; a double click returns it to its place. */
+function Edge({ side }: { side: "left" | "right" }) {
+  const edge = useRef<HTMLDivElement>(null);
+  const wanted = panelWidths[side];
+  const width = () => edge.current?.parentElement?.offsetWidth ?? PANEL_WIDTHS.min;
+  const resize = (to: number) =>
+    (wanted.value = Math.round(Math.min(PANEL_WIDTHS.max, Math.max(PANEL_WIDTHS.min, to))));
+  return (
+    <div
+      ref={edge}
+      class="sidebar-edge"
+      role="separator"
+      aria-orientation="vertical"
+      aria-label={texts.panels.width}
+      aria-valuemin={PANEL_WIDTHS.min}
+      aria-valuemax={PANEL_WIDTHS.max}
+      aria-valuenow={wanted.value ?? width()}
+      tabIndex={0}
+      title={texts.panels.widthWhy}
+      onDblClick={() => (wanted.value = null)}
+      {...useResize({ edge: side === "left" ? "right" : "left", width, resize })}
+    />
+  );
 }
 
 /** Panels behind tabs; folded it is a strip of the tabs' icons, and a sheet where the screen is small. */
@@ -93,6 +119,7 @@ export function Sidebar<Tab extends LeftTab | RightTab>(props: SidebarProps<Tab>
           </>
         )}
       </div>
+      {Panel && !isSmall.value && <Edge side={side} />}
       {Panel && (
         <div class="sidebar-body" role="tabpanel" id={`panel-${side}`} aria-label={texts[shown!].tab}>
           <Panel />

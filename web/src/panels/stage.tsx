@@ -5,24 +5,23 @@ import { heldObject } from "../studio";
 import { texts } from "../texts";
 import { mountWorld } from "../world/world";
 import { measured, switchMeasuring } from "../world/measured";
-import { canDraw } from "../world/signals";
+import { canDraw, PRESETS } from "../world/signals";
+import { keyHint } from "./key_names";
 import { Measure } from "./measure";
 import { chosenObject, detail, world } from "./page";
-
-const VIEWS = ["front", "robot", "top", "left", "right"] as const;
 
 function ViewPresets() {
   const object = heldObject.value ?? chosenObject.value;
   return (
     <div class="views" role="group" aria-label={texts.views.group}>
-      {VIEWS.map((view) => (
-        <button key={view} type="button" onClick={() => world.value?.showPreset(view)}>
+      {PRESETS.map((view) => (
+        <button key={view} type="button" {...keyHint(`view.${view}`)} onClick={() => world.value?.showPreset(view)}>
           {texts.views[view]}
         </button>
       ))}
       <button
         type="button"
-        title={texts.views.focusWhy}
+        {...keyHint("view.focus", texts.views.focusWhy)}
         disabled={object === null}
         onClick={() => object !== null && world.value?.focus(object)}
       >
@@ -30,7 +29,7 @@ function ViewPresets() {
       </button>
       <button
         type="button"
-        title={texts.measure.why}
+        {...keyHint("measure", texts.measure.why)}
         aria-pressed={measured.value !== null}
         onClick={switchMeasuring}
       >

@@ -9,6 +9,7 @@ import { BrainPanel } from "./brain_panel";
 import { ContextMenu } from "./context_menu";
 import { ExportDialog } from "./export_dialog";
 import { EyeView } from "./eye_view";
+import { FilmDialog } from "./film_dialog";
 import { GenerateDialog } from "./generate_dialog";
 import { refreshSceneCatalog } from "./scene_catalog";
 import { HandsPanel } from "./hands_panel";
@@ -16,7 +17,7 @@ import { Help } from "./help";
 import { LibraryPanel } from "./library_panel";
 import { isRecording, isWatched, recordingId, shownRecording } from "./derived_signals";
 import { ObjectsPanel } from "./objects_panel";
-import { analyzed, editedScene, exported, generated, isHelpOpen, isLeftOpen, isRightOpen, leftTab, LEFT_TABS, openedSet, renamed, renamedSet, rightTab, RIGHT_TABS, sheet } from "./page";
+import { analyzed, editedScene, exported, filmed, generated, isHelpOpen, isLeftOpen, isRightOpen, leftTab, LEFT_TABS, openedSet, panelWidths, renamed, renamedSet, rightTab, RIGHT_TABS, sheet } from "./page";
 import { onRecordingFinished, onRecordingShown, refreshRecordings } from "./recordings";
 import { RenameDialog } from "./rename_dialog";
 import { RenameSetDialog } from "./rename_set_dialog";
@@ -72,6 +73,12 @@ function useTitle(): void {
   });
 }
 
+/** As the user made it, but the world keeps a third of the window. */
+function widthOf(side: "left" | "right", isOpen: boolean): Record<string, string> {
+  const width = panelWidths[side].value;
+  return isOpen && width !== null ? { [`--${side}`]: `min(${width}px, 33vw)` } : {};
+}
+
 export function StudioPage() {
   useRefresh();
   useTitle();
@@ -80,6 +87,7 @@ export function StudioPage() {
   return (
     <div
       class={`studio ${isWhole ? "" : "is-watched"} ${isSmall.value ? "is-small" : ""} ${isLeftOpen.value ? "" : "left-folded"} ${isRightOpen.value ? "" : "right-folded"}`}
+      style={{ ...widthOf("left", isLeftOpen.value), ...widthOf("right", isRightOpen.value) }}
       data-sheet={isSmall.value ? (sheet.value ?? "none") : undefined}
     >
       <TopBar />
@@ -117,6 +125,7 @@ export function StudioPage() {
       {renamedSet.value !== null && <RenameSetDialog name={renamedSet.value} />}
       {analyzed.value !== null && <AnalysisDialog recording={analyzed.value} />}
       {exported.value !== null && <ExportDialog source={exported.value} />}
+      {filmed.value !== null && <FilmDialog recording={filmed.value} />}
       {openedSet.value !== null && <SetDialog key={openedSet.value} name={openedSet.value} />}
       {generated.value !== null && <GenerateDialog recording={generated.value} />}
     </div>

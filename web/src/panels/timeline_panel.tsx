@@ -13,7 +13,8 @@ import { EditDialog, type EditKind } from "./edit_dialog";
 import { isRecording, liveSegments, mayControl, recordingId } from "./derived_signals";
 import { isTimelineOpen, renamed, sheet } from "./page";
 import { Over, RecordOverButton } from "./record_over";
-import { attemptOf, chosenSegment, opened, pictureOfSegment, titleOf } from "./recordings";
+import { attemptOf, chosenSegment, opened, pictureOfSegment } from "./recordings";
+import { TitleInPlace } from "./title_in_place";
 import { Tracks } from "./tracks";
 
 const { timeline: words } = texts;
@@ -307,7 +308,6 @@ function EditOf({ id, timeline }: { id: string; timeline: Timeline }) {
 function Head() {
   const recording = state.value?.recording;
   const open = isRecording.value ? null : opened.value;
-  const name = recording ? recording.title || recording.id : open ? titleOf(open.id) : null;
   return (
     <header class="timeline-head">
       <h2>
@@ -319,7 +319,12 @@ function Head() {
           {words.title}
         </button>
       </h2>
-      {name !== null && <span class="timeline-name">{name}</span>}
+      {recording && <span class="timeline-name">{recording.title || recording.id}</span>}
+      {open && (
+        <span class="timeline-name">
+          <TitleInPlace key={open.id} id={open.id} isFixed={attemptOf(open.id) !== null} />
+        </span>
+      )}
       {recording && (
         <span class="eye-records">
           {words.recording} · {texts.seconds(recording.seconds)}

@@ -9,8 +9,10 @@ export interface ButtonProps {
   kind?: "plain" | "accent" | "danger" | "quiet";
   /** Shows the icon only; the label is its tooltip and its accessible name. */
   isIconOnly?: boolean;
-  /** The key that does the same; shown in small, and announced. */
+  /** The key that does the same; shown in small, in the tooltip, and announced. */
   keys?: string | undefined;
+  /** The key stands in the tooltip only. */
+  isKeyHidden?: boolean;
   title?: string | undefined;
   disabled?: boolean;
   /** A button that stays down. */
@@ -22,7 +24,7 @@ export interface ButtonProps {
 }
 
 export function Button(props: ButtonProps) {
-  const hint = props.title ?? (props.isIconOnly ? props.label : undefined);
+  const hint = props.title ?? (props.isIconOnly || props.keys ? props.label : undefined);
   const title = hint !== undefined && props.keys ? `${hint} (${props.keys})` : hint;
   return (
     <button
@@ -39,7 +41,7 @@ export function Button(props: ButtonProps) {
     >
       {props.isBusy ? <span class="spinner" /> : props.icon && <Icon name={props.icon} />}
       {!props.isIconOnly && <span class="button-label">{props.label}</span>}
-      {props.keys && !props.isIconOnly && <kbd aria-hidden="true">{props.keys}</kbd>}
+      {props.keys && !props.isIconOnly && !props.isKeyHidden && <kbd aria-hidden="true">{props.keys}</kbd>}
       {props.children}
     </button>
   );

@@ -11,9 +11,14 @@ function stored<T>(name: string, otherwise: T, isValid: (value: unknown) => valu
   }
 }
 
+/** For each preference, how it returns to what a first visit shows. */
+const returns = new WeakMap<object, () => void>();
+const layout = new Set<() => void>();
+
 /** What this browser's user likes or has begun; kept from visit to visit where the browser allows it. */
 export function preference<T>(name: string, otherwise: T, isValid: (value: unknown) => value is T): Signal<T> {
   const liked = signal(stored(name, otherwise, isValid));
+  returns.set(liked, () => (liked.value = otherwise));
   effect(() => {
     const text = JSON.stringify(liked.value);
     try {
@@ -39,4 +44,20 @@ export function numberPreference(name: string, otherwise: number, lower: number,
 
 export function choicePreference<T extends string>(name: string, otherwise: T, choices: readonly T[]): Signal<T> {
   return preference(name, otherwise, (value): value is T => choices.some((choice) => choice === value));
+}
+
+/** A preference that is a part of the page's layout. */
+export function inLayout<T>(liked: Signal<T>): Signal<T> {
+  layout.add(returns.get(liked)!);
+  return liked;
+}
+
+/** A part of the layout that is open or folded. */
+export function layoutSwitch(name: string, otherwise: boolean): Signal<boolean> {
+  return inLayout(switchPreference(name, otherwise));
+}
+
+/** The layout is that of a first visit again. */
+export function resetLayout(): void {
+  for (const toDefault of layout) toDefault();
 }

@@ -3,12 +3,11 @@ import { heldObject } from "../studio";
 import type { Hands } from "./hands";
 import { switchMeasuring } from "./measured";
 import type { Pointers } from "./pointers";
-import { areAidsFixed, contextMenu, guides, hovered, type Preset } from "./signals";
+import { areAidsFixed, contextMenu, guides, hovered, PRESETS, type Preset } from "./signals";
 import type { ViewCamera } from "./view_camera";
 
 const PLANE_STEP = 5;
 const QUARTER = 90; // [degrees]
-const PRESETS: Preset[] = ["front", "robot", "top", "left", "right"];
 
 /** What the keys of the table do in the world. */
 export function actionsOf(
@@ -16,6 +15,7 @@ export function actionsOf(
   camera: ViewCamera,
   pointers: Pointers,
   focus: (object: string) => void,
+  showPreset: (preset: Preset) => void,
 ): KeyActions {
   const actions: KeyActions = {
     "view.focus": () => {
@@ -56,6 +56,6 @@ export function actionsOf(
       if (!areAidsFixed.value) guides.value = !guides.value;
     },
   };
-  for (const preset of PRESETS) actions[`view.${preset}`] = () => camera.show(preset);
+  for (const preset of PRESETS) actions[`view.${preset}`] = () => showPreset(preset);
   return actions;
 }

@@ -1,8 +1,12 @@
 import { computed, signal } from "@preact/signals";
 import type { Point } from "../protocol";
 import { currentHand, state } from "../studio";
+import { choicePreference, inLayout } from "../ui/preference";
 
-export type Preset = "front" | "robot" | "top" | "left" | "right";
+export const PRESETS = ["front", "robot", "top", "left", "right"] as const;
+export type Preset = (typeof PRESETS)[number];
+/** The view that was chosen last, with which the next visit begins; "default": none, so the scene decides. */
+export const chosenView = inLayout(choicePreference<Preset | "default">("view", "default", ["default", ...PRESETS]));
 
 /** How fast pictures come while something moves [1/s]. */
 export const fps = signal(0);

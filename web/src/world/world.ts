@@ -16,7 +16,7 @@ import { DropShadow } from "./drop_shadow";
 import { Picker, type PointerAt } from "./pick";
 import { Pointers } from "./pointers";
 import { nameOf, Rings } from "./rings";
-import { canDraw, contextMenu, guides, hovered, isLowDetail, type Preset } from "./signals";
+import { areAidsFixed, canDraw, chosenView, contextMenu, guides, hovered, isLowDetail, type Preset } from "./signals";
 import { Stage } from "./stage";
 import { provideTestHook } from "./test_hook";
 import { ToolHint } from "./tool_hint";
@@ -27,6 +27,8 @@ export * from "./signals";
 /** The world as the rest of the page has it. */
 export interface World {
   showPreset(name: Preset): void;
+  /** The view that was chosen last, or the one that suits the scene. */
+  showFirstView(): void;
   /** The id of an object, or "robot". */
   focus(objectId: string): void;
   setLowDetail(mode: "auto" | "low" | "high"): void;
@@ -45,7 +47,7 @@ export interface World {
 export function mountWorld(host: HTMLElement): World {
   canDraw.value = document.createElement("canvas").getContext("webgl2") !== null;
   if (canDraw.value) return new DrawnWorld(host);
-  return { showPreset() {}, focus() {}, setLowDetail() {}, turnPlane() {}, placeOf: () => null, right: [1, 0], cameraPlace: [], dispose() {} };
+  return { showPreset() {}, showFirstView() {}, focus() {}, setLowDetail() {}, turnPlane() {}, placeOf: () => null, right: [1, 0], cameraPlace: [], dispose() {} };
 }
 
 class DrawnWorld implements World {
@@ -106,7 +108,15 @@ class DrawnWorld implements World {
   }
 
   showPreset(name: Preset): void {
+    chosenView.value = name;
     this.camera.show(name);
+  }
+
+  showFirstView(isSudden = false): void {
+    // In a study, all participants begin with the same view.
+    const chosen = areAidsFixed.peek() ? "default" : chosenView.peek();
+    const usual = scene.peek()?.robotFrame === null ? "robot" : "front";
+    this.camera.show(chosen === "default" ? usual : chosen, isSudden);
   }
 
   focus(objectId: string): void {
@@ -168,7 +178,13 @@ class DrawnWorld implements World {
         this.redraw();
       }),
       listenToKeys(
-        actionsOf(this.hands, this.camera, this.pointers, (object) => this.focus(object)),
+        actionsOf(
+          this.hands,
+          this.camera,
+          this.pointers,
+          (object) => this.focus(object),
+          (preset) => this.showPreset(preset),
+        ),
       ),
       listenToControl((isDown) => this.hands.setControl(isDown)),
     );
@@ -184,7 +200,7 @@ class DrawnWorld implements World {
     hovered.value = null;
     contextMenu.value = null;
     if (measured.peek() !== null) measured.value = [];
-    if (!this.isStarted) this.camera.show(message.robotFrame === null ? "robot" : "front", true);
+    if (!this.isStarted) this.showFirstView(true);
     this.isStarted = true;
   }
 

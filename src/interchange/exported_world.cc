@@ -197,6 +197,10 @@ class Collector {
 
 }  // namespace
 
+Vector3 LightDirectionOf(const scene::Lighting& lighting) {
+  return Eigen::AngleAxisd(lighting.turn, Vector3::UnitZ()) * Vector3(0.3, 0.4, -1);
+}
+
 ExportedWorld WorldOf(const sim::RunningModel& running) { return Collector(running).Take(); }
 
 }  // namespace smile::interchange

@@ -15,6 +15,7 @@
 #include "base/files.h"
 #include "base/wording.h"
 #include "datasets/dataset_formats.h"
+#include "interchange/world_formats.h"
 #include "motion/limit_check.h"
 #include "motion/trajectory_files.h"
 #include "motion/trajectory_shape.h"
@@ -86,7 +87,8 @@ const Format& FormatOf(const ExportOptions& options) {
     names.emplace_back(format.name);
   }
   names.insert(names.end(), datasets::kDatasetFormats.begin(), datasets::kDatasetFormats.end());
-  names.emplace_back(kWorldFormat);
+  const std::vector<std::string_view> worlds = interchange::WorldFormatNames();
+  names.insert(names.end(), worlds.begin(), worlds.end());
   throw std::invalid_argument("--to is " + Quoted(options.format) + ", expected " + OneOf(names));
 }
 
@@ -218,7 +220,8 @@ int Export(const ExportOptions& options, const DatasetOptions& dataset, const Wo
     throw std::invalid_argument(arguments.front() + " is for datasets, and --to is " +
                                 Quoted(options.format));
   }
-  if (options.format == kWorldFormat) {
+  const std::vector<std::string_view> worlds = interchange::WorldFormatNames();
+  if (std::ranges::find(worlds, options.format) != worlds.end()) {
     RequireOne(options, "scene");
     return ExportWorld(options.runs.front(), options.format, options.out, world);
   }
@@ -270,7 +273,9 @@ void AddExport(CLI::App* program, ExitAnswer answer) {
   formats += "; datasets:";
   for (const std::string_view format : datasets::kDatasetFormats)
     formats += " " + std::string(format);
-  formats += std::string("; another simulator, of a scene file: ") + kWorldFormat;
+  formats += "; another simulator, of a scene file:";
+  for (const std::string_view format : interchange::WorldFormatNames())
+    formats += " " + std::string(format);
   command->add_option("--to", options->format, formats)->required();
   command->add_option("--out", options->out, "file to write, or directory of the dataset")
       ->required()

@@ -5,8 +5,7 @@
 #include <memory>
 
 #include "app/exit_code.h"
-#include "base/files.h"
-#include "interchange/mjcf.h"
+#include "interchange/world_formats.h"
 #include "scene_xml/scene_reader.h"
 #include "sim/running_model.h"
 
@@ -32,9 +31,7 @@ int ExportWorld(const std::string& scene, const std::string& format, const std::
   for (long tick = std::lround(options.after * sim::kTicksPerSecond); tick > 0; --tick) {
     running.Tick();
   }
-  const interchange::ExportedText exported = interchange::ToMjcf(interchange::WorldOf(running));
-  WriteFile(out, exported.text);
-  for (const std::string& words : exported.left_out) {
+  for (const std::string& words : WriteWorld(interchange::WorldOf(running), format, out)) {
     std::fprintf(stderr, "left out: %s\n", words.c_str());
   }
   std::printf("%s: %s, %zu objects\n", out.c_str(), format.c_str(), model->objects().size());

@@ -17,9 +17,6 @@ struct WorldExport {
 /// Adds the options of such an export, in a group of their own.
 void AddWorldExportOptions(CLI::App* command, WorldExport* options);
 
-/// Format of another simulator.
-inline constexpr const char* kWorldFormat = "mjcf";
-
 /// Writes a scene for another simulator, and says what is left out.
 /// @returns the exit code.
 int ExportWorld(const std::string& scene, const std::string& format, const std::string& out,

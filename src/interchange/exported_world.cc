@@ -2,33 +2,17 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "base/overloaded.h"
 #include "base/wording.h"
+#include "interchange/unique_names.h"
 #include "model/eye.h"
 
 namespace smile::interchange {
 namespace {
 
 using mechanics::BodyId;
-
-/// Names that are given once each.
-class Names {
- public:
-  /// Returns a name like the wanted one that no other has.
-  std::string Take(const std::string& wanted) {
-    std::string name = wanted;
-    for (int number = 2; !taken_.insert(name).second; ++number) {
-      name = wanted + "_" + std::to_string(number);
-    }
-    return name;
-  }
-
- private:
-  std::set<std::string> taken_;
-};
 
 /// Returns what is drawn of a frame now.
 std::vector<scene::Visual> VisualsOfFrame(const scene::VisualModel& model,
@@ -192,10 +176,14 @@ class Collector {
   const scene::VisualState& state_;
   ExportedWorld world_;
   std::map<BodyId, int> index_of_;
-  Names names_;
+  UniqueNames names_;
 };
 
 }  // namespace
+
+Vector3 LightDirectionOf(const scene::Lighting& lighting) {
+  return Eigen::AngleAxisd(lighting.turn, Vector3::UnitZ()) * Vector3(0.3, 0.4, -1);
+}
 
 ExportedWorld WorldOf(const sim::RunningModel& running) { return Collector(running).Take(); }
 

@@ -66,6 +66,9 @@ struct ExportedWorld {
   std::vector<std::string> left_out;
 };
 
+/// Returns the direction in which the light of a world shines, not of unit length.
+Vector3 LightDirectionOf(const scene::Lighting& lighting);
+
 /// Returns the present world of a simulation.
 ExportedWorld WorldOf(const sim::RunningModel& running);
 

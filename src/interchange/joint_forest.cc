@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 
 namespace smile::interchange {
 namespace {
@@ -63,5 +64,31 @@ class Forester {
 }  // namespace
 
 JointForest ForestOf(const ExportedWorld& world) { return Forester(world).Take(); }
+
+std::vector<std::vector<int>> GroupsOf(const ExportedWorld& world) {
+  // Each body leads to an earlier one of its group; the first one leads to itself.
+  std::vector<std::size_t> earlier(world.bodies.size());
+  std::iota(earlier.begin(), earlier.end(), 0);
+  const auto first_of = [&](std::size_t body) {
+    while (earlier[body] != body) body = earlier[body] = earlier[earlier[body]];
+    return body;
+  };
+  for (const ExportedJoint& joint : world.joints) {
+    const std::size_t a = first_of(static_cast<std::size_t>(joint.a));
+    const std::size_t b = first_of(static_cast<std::size_t>(joint.b));
+    earlier[std::max(a, b)] = std::min(a, b);
+  }
+  std::vector<std::vector<int>> groups;
+  std::vector<std::size_t> group_of(world.bodies.size());
+  for (std::size_t body = 0; body < world.bodies.size(); ++body) {
+    const std::size_t first = first_of(body);
+    if (first == body) {
+      group_of[body] = groups.size();
+      groups.emplace_back();
+    }
+    groups[group_of[first]].push_back(static_cast<int>(body));
+  }
+  return groups;
+}
 
 }  // namespace smile::interchange

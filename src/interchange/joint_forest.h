@@ -22,4 +22,8 @@ struct JointForest {
 /// Returns the trees of a world's bodies. Static bodies are roots; then, bodies in their order.
 JointForest ForestOf(const ExportedWorld& world);
 
+/// Returns the bodies in groups that joints hold together, each group and the bodies within it in
+/// the order of the world. Most bodies are a group by themselves.
+std::vector<std::vector<int>> GroupsOf(const ExportedWorld& world);
+
 }  // namespace smile::interchange

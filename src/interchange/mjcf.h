@@ -1,18 +1,8 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "interchange/exported_world.h"
+#include "interchange/exported_text.h"
 
 namespace smile::interchange {
-
-/// A world in the format of one simulator.
-struct ExportedText {
-  std::string text;
-  /// What has no counterpart in the format, in words; ExportedWorld::left_out among it.
-  std::vector<std::string> left_out;
-};
 
 /// Returns the world as MJCF, the format of MuJoCo
 /// (https://mujoco.readthedocs.io/en/stable/XMLreference.html), in one file with all meshes.

@@ -18,7 +18,7 @@ struct StudyServerOptions {
   int port = 0;  ///< 0: the first free one from 8480 on
   std::optional<web_server::TlsFiles> tls;
   std::string public_origin;  ///< where browsers find the server behind a proxy; empty without one
-  int max_sessions = 20;                                ///< at a time; further participants wait
+  int max_sessions = 20;      ///< at a time; further participants wait
   std::uint64_t memory_bytes = std::uint64_t{2} << 30;  ///< of each session
   std::uint64_t disk_bytes = std::uint64_t{1} << 30;    ///< of each participant
 };

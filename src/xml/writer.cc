@@ -54,10 +54,22 @@ void Writer::Close() {
   if (is_tag_open_) {
     text_ += "/>\n";
   } else {
-    Indent();
+    if (!has_text_) Indent();
     text_ += "</" + name + ">\n";
   }
+  is_tag_open_ = has_text_ = false;
+}
+
+void Writer::Text(std::string_view text) {
+  text_ += ">" + Escaped(text);
   is_tag_open_ = false;
+  has_text_ = true;
+}
+
+void Writer::TextElement(std::string_view name, std::string_view text) {
+  Open(name);
+  Text(text);
+  Close();
 }
 
 void Writer::Comment(std::string_view text) {

@@ -14,6 +14,10 @@ class Writer {
 
   void Open(std::string_view name);
   void Close();
+  /// Writes text as the only content of the present element.
+  void Text(std::string_view text);
+  /// Writes an element that contains only text.
+  void TextElement(std::string_view name, std::string_view text);
   /// Writes a comment. Two hyphens, which would end the comment or break it, are separated.
   void Comment(std::string_view text);
 
@@ -32,6 +36,7 @@ class Writer {
 
   std::vector<std::string> open_;
   bool is_tag_open_ = false;
+  bool has_text_ = false;  ///< the present element is text, and ends on the same line
   std::string text_;
 };
 

@@ -21,5 +21,14 @@ TEST(JointForest, AChainBetweenFixedEndsIsCutInItsMiddle) {
   EXPECT_EQ(forest.closing, std::vector<int>{2}) << "that between the second and the third link";
 }
 
+TEST(JointForest, GroupsAreWhatJointsHoldTogether) {
+  ExportedWorld world;
+  world.bodies.resize(6);
+  for (const auto& [a, b] : {std::pair{4, 5}, {1, 3}, {5, 1}}) {
+    world.joints.push_back({.a = a, .b = b});
+  }
+  EXPECT_EQ(GroupsOf(world), (std::vector<std::vector<int>>{{0}, {1, 3, 4, 5}, {2}}));
+}
+
 }  // namespace
 }  // namespace smile::interchange

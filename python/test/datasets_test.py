@@ -469,7 +469,7 @@ class MapsTest(unittest.TestCase):
         self.assertEqual(stats["max"], [[[max(int(levels.max()) for _, levels in frames)]]])
 
     def test_films_keep_no_numbers_of_objects(self):
-        with self.assertRaisesRegex(ValueError, "expected robomimic or zarr or mcap for id: readers of the others"):
+        with self.assertRaisesRegex(ValueError, "expected robomimic or zarr or mcap or rrd for id: readers of the others"):
             export([ROBOT], Path(SHARED.name) / "no", maps=["depth", "id"])
         with self.assertRaisesRegex(ValueError, "expected .* or lerobot-v3.0 for depth"):
             export([ROBOT], Path(SHARED.name) / "no", maps=["depth"], format="lerobot-v2.1")

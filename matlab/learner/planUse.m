@@ -20,16 +20,26 @@ function [actions, state, problem] = planUse(use, alignment, surface, state, arm
   fixed = around(~isChanged(use, alignment, around, state.shown), :);
   avoided = [surroundingsOf(around), surroundingsOf(fixed)];
   problem = 'no arm brings it there and back';
-  for arm = nearestFirst(arms(arrayfun(@(arm) canHold(arm, tool.size(2)), arms)), tool.position(1))
-    q = sensor.arms(arm.index).joints(:)';
-    for across = graspYaws(tool, others)
-      attempt = newGrasp(tool.position, arm, across);
-      if hasFailed(attempt, state.failures), continue; end
-      actions = planArmUse(arm, tool, looks, across, way, turn, avoided, q);
-      if isempty(actions), continue; end
-      state.grasp = attempt;
-      problem = '';
-      return
+  able = arms(arrayfun(@(arm) canHold(arm, tool.size(2)), arms));
+  for ways = waysPast(avoided(1))
+    for arm = nearestFirst(able, tool.position(1))
+      q = sensor.arms(arm.index).joints(:)';
+      for across = graspYaws(tool, others)
+        attempt = newGrasp(tool.position, arm, across);
+        if hasFailed(attempt, state.failures), continue; end
+        actions = planArmUse(arm, tool, looks, across, way, turn, avoided, ways{1}, q);
+        if isempty(actions), continue; end
+        state.grasp = attempt;
+        problem = '';
+        return
+      end
     end
   end
+end
+
+function ways = waysPast(around)
+% Returns the ways there and back (see planThereAndBack), 1x2 cell in the order in which they are tried: first those beside what
+% surroundings contain; where none is clear, those over all of it, as high as necessary.
+  heights = max([0; around.ofLoad.heights(:)]) + constants().uses.heights_over';
+  ways = {struct('is_line', {true, false}, 'height', {0, 0}), struct('is_line', false, 'height', num2cell(heights))};
 end

@@ -1,5 +1,7 @@
 function q = samplesOf(path)
-% Returns some of the joint angles along a path, Nxn [rad].
-  step = max(floor(rows(path.positions) / constants().motion_planning.samples_per_path), 1);
-  q = path.positions(1:step:end, :);
+% Returns the joint angles at evenly spaced times of a path, Nxn [rad], far from each other first: so what is in the way is found
+% soon. (The path's own points may be only its ends.)
+  c = constants().motion_planning;
+  n = c.samples_per_path;
+  q = smileSample(path, path.duration / (n - 1) * mod((0:n - 1) * c.sample_stride, n));
 end

@@ -47,7 +47,7 @@ CASES = {
                ("lid", ["--seed", "1", "--level", "piles"]), ("plank", ["--seed", "1"]),
                ("plank", ["--seed", "4"]), ("drive", ["--seed", "1", "--level", "fixtures"]),
                ("drive", ["--seed", "3", "--level", "fixtures"], 'brightness="0.8" color="#fff0d8"'), ("scissors", []),
-               ("scissors", ["--seed", "2", "--level", "fixtures"]),
+               ("scissors", ["--seed", "2", "--level", "fixtures"]), ("scissors", ["--seed", "1004", "--level", "fixtures"]),
                ("cover", ["--seed", "1", "--level", "fixtures"]),
                ("tower", ["--seed", "2", "--level", "distractors"], 'brightness="0.75"'),
                ("um", ["--seed", "3", "--level", "mixed"], 'brightness="0.8" color="#ffd8b0"'),

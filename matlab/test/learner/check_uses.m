@@ -39,14 +39,48 @@ function checkCarrying(eye)
   around = surroundingsOf(points(~is_tool, :));
   eval('function pose = smileForward(~, ~, q), pose = [diag([1, -1, -1]), q(:); 0, 0, 0, 1]; end');
   eval('function points = armPoints(~, q), points = [q; q + [0, -1, 3]]; end');
-  remove = onCleanup(@() clear('-f', 'smileForward', 'armPoints'));
+  % A path along straight lines through joint waypoints, which contains no other points: a second for each.
+  eval('function q = smileSample(path, times), q = interp1(0:path.duration, path.positions, times); end');
+  remove = onCleanup(@() clear('-f', 'smileForward', 'armPoints', 'smileSample'));
   arm = struct('robot', [], 'name', '', 'reach', 0.75);
   load = loadOf(points(is_tool, :), 0.4, smileForward([], '', [-2, -3, 0.6]));
   for k = [0.5, 1.5, 1.5, 2.5; 2, 2, 4, 3.5; 1, 0, 1, 0; 1, 1, 1, 0]
-    path.positions = [k(1), -3, k(2)];
+    path = straightPath([1; 1] * [k(1), -3, k(2)]);
     check(avoids(around, arm, path, load) == k(3), 'the tip passes over the post');
     check(avoids(around, arm, path) == k(4), 'the empty hand also beside it');
   end
+  check(~avoids(around, arm, straightPath([0.5, -3, 2; 5.5, -3, 2])), 'a post between the ends of a path is in the way');
+  checkWayOver(eye, arm);
+end
+
+function checkWayOver(eye, arm)
+% The way leads over what is between a tool and its work, and back over it. Three joint angles are the place of the tool.
+  [picture, heights] = pictureOf(block([0.5, 0.3, 0.2], [0.5, 0.5, 3], 0, -3, 0, 0));
+  around = surroundingsOf(surfaceOf(picture, heights, eye).points);
+  eval('function q = smileInverse(~, ~, pose, varargin), q = pose(1:3, 4).''; end');
+  eval('function path = smileMoveJoints(~, ~, waypoints, varargin), path = straightPathOf(waypoints); end');
+  eval('function path = smileMoveLine(~, ~, q, goal, varargin), path = straightPathOf([q; goal(1:3, 4).'']); end');
+  eval('function path = straightPathOf(q), path = struct(''positions'', q, ''duration'', rows(q) - 1); end');
+  eval('function moment = smileFirstInvalid(varargin), moment = []; end');
+  remove = onCleanup(@() clear('-f', 'smileInverse', 'smileMoveJoints', 'smileMoveLine', 'straightPathOf', 'smileFirstInvalid'));
+  parked = [-5, -5, 5];
+  arm = setfield(setfield(setfield(setfield(arm, 'hasTorso', false), 'parked', parked), 'starts', parked), 'allParked', []);
+  arm = setfield(setfield(arm, 'lower', [-10, -10, -10]), 'upper', [10, 10, 10]);
+  poseAt = @(q) smileForward([], '', q);
+  over = poseAt([-3, -3, 2]);
+  high = max(around.ofArm.heights(:)) + arm.reach + 0.1;
+  ways = struct('is_line', {true, false, false}, 'height', {0, 0, high});
+  isClear = @(path) all(cellfun(@(it) avoids(around, arm, it), path(4:5)));
+  plan = @(ways) planThereAndBack(arm, {over, poseAt([-3, -3, 1]), over}, {poseAt([3, -3, 2])}, {over, over}, ways, parked, isClear);
+  check(isempty(plan(ways(1:2))), 'a post between a tool and its work is in the way');
+  path = plan(ways);
+  check(max(max(abs(path{4}.positions - flipud(path{5}.positions)))) < 1e-9, 'the way back is the way there');
+  check(isequal(path{4}.positions([1, end], :), [-3, -3, 2; 3, -3, 2]), 'it leads from the tool to its work');
+  check(abs(max(path{4}.positions(:, 3)) - high) < 1e-9, 'it leads over the post');
+end
+
+function path = straightPath(waypoints)
+  path = struct('positions', waypoints, 'duration', rows(waypoints) - 1);
 end
 
 function blocks = knife(x, y, yaw)

@@ -58,5 +58,7 @@ def are_fingers_clear(arm, path, blocks):
 
 
 def samples(path):
-    """Returns some of the joint angles along a path."""
-    return path.positions[::max(len(path.positions) // C.samples_per_path, 1)]
+    """Returns the joint angles at evenly spaced times of a path, Nxn [rad], far from each other first: so what is in the
+    way is found soon. (The path's own points may be only its ends.)"""
+    n = C.samples_per_path
+    return path.at(path.duration / (n - 1) * (np.arange(n) * C.sample_stride % n))[0]

@@ -56,11 +56,10 @@ class Arm:
         Jacobian: a joint with axis w moves the tool by v = w x r, r from the axis to the tool."""
         tool = self.forward(q)[:3, 3]
         points = [tool]
-        for column in self.robot.jacobian(self.name, q).T[::-1]:
-            v, w = column[:3], column[3:]
-            if w.any():
-                on_axis = tool - np.cross(v, w)
-                points.append(on_axis + w * (w @ (points[-1] - on_axis)))
+        v, w = np.split(self.robot.jacobian(self.name, q).T[::-1], 2, axis=1)
+        for axis, on_axis in zip(w, tool - np.cross(v, w)):
+            if axis.any():
+                points.append(on_axis + axis * (axis @ (points[-1] - on_axis)))
         return np.array(points)
 
     def is_valid_at(self, q):

@@ -1,16 +1,20 @@
 """Plans uses of tools: take one, bring it to where it works, close the gripper again, and put it back."""
 
+from itertools import product
+
 import numpy as np
 
 from act.actions import Grasp
 from act.finger_room import grasp_yaws
 from act.grippers import can_hold, nearest_first
 from check.failures import has_failed
+from constants import USES as C
 from match.pressing import is_changed
 from match.tools import find_tool
 from plan.carrying import surroundings_of
 from plan.loads import belongs_to
 from plan.use_paths import plan_arm_use
+from plan.ways import Way
 from things.areas import rotated
 
 
@@ -32,13 +36,20 @@ def plan_use(use, alignment, surface, state, arms, sensor):
     # On the straight way to its work, the tool passes as in the demonstration, and may touch what it changes.
     fixed = around[~is_changed(use, alignment, around, state.shown)]
     avoided = surroundings_of(around), surroundings_of(fixed)
-    for arm in nearest_first([it for it in arms if can_hold(it, tool.size[1])], tool.position[0]):
-        for across in grasp_yaws(tool, others):
-            attempt = Grasp(tool.position, arm.index, across)
-            if has_failed(attempt, state.failures):
-                continue
-            actions = plan_arm_use(arm, tool, looks, across, (begin, end), turn, avoided,
-                                   sensor.arms[arm.index].joints)
-            if actions:
-                return actions, attempt, None
+    able = nearest_first([it for it in arms if can_hold(it, tool.size[1])], tool.position[0])
+    for ways, arm, across in product(ways_past(avoided[0]), able, grasp_yaws(tool, others)):
+        attempt = Grasp(tool.position, arm.index, across)
+        if has_failed(attempt, state.failures):
+            continue
+        actions = plan_arm_use(arm, tool, looks, across, (begin, end), turn, avoided, ways,
+                               sensor.arms[arm.index].joints)
+        if actions:
+            return actions, attempt, None
     return [], None, "no arm brings it there and back"
+
+
+def ways_past(around):
+    """Returns the Ways there and back, lists in the order in which they are tried: first those beside what Surroundings
+    contain; where none is clear, those over all of it, as high as necessary."""
+    highest = around.of_load.heights.max(initial=0)
+    return [[Way(True, 0), Way(False, 0)], [Way(False, highest + over) for over in C.heights_over]]

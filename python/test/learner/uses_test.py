@@ -14,6 +14,7 @@ from explain.task_model import infer_task
 from match.tools import find_tool
 from plan.carrying import surroundings_of
 from plan.loads import belongs_to, load_of
+from plan.ways import Way, plan_there_and_back
 from recordings import RecordingTest
 from scenes import BLUE, BROWN, EYE, GREEN, RED, block, picture_of, view_of
 from see.surfaces import surface_of
@@ -65,17 +66,62 @@ class UseTest(RecordingTest):
         self.assertAlmostEqual(points[is_tool, 0].max(), -0.3, delta=0.05)  # the blue tip
         self.assertTrue((points[~is_tool, 0] > 2).all(), "the post is no part of it")
         around = surroundings_of(points[~is_tool])
-
-        def pose_at(q):  # the tool points down
-            return np.array([[1, 0, 0, q[0]], [0, -1, 0, q[1]], [0, 0, -1, q[2]], [0, 0, 0, 1.0]])
-
-        arm = SimpleNamespace(forward=pose_at, reach=0.75, points=lambda q: np.array([q, q + [0, -1, 3]]))
+        arm = cartesian_arm()
         load = load_of(points[is_tool], 0.4, pose_at([-2, -3, 0.6]))
         for x, z, is_clear, is_hand_clear in ((0.5, 2, True, True), (1.5, 2, False, True), (1.5, 4, True, True),
                                               (2.5, 3.5, True, False)):
-            path = SimpleNamespace(positions=np.linspace([-2.0, -3, 2], [x, -3, z], 20)[-1:])
+            path = straight_path([[x, -3, z], [x, -3, z]])
             self.assertEqual(around.avoids(arm, path, load), is_clear and is_hand_clear, (x, z))
             self.assertEqual(around.avoids(arm, path), is_hand_clear, (x, z))
+        # Both ends of that path are clear, but not what is between them.
+        self.assertFalse(around.avoids(arm, straight_path([[0.5, -3, 2], [5.5, -3, 2]])))
+
+    def test_the_way_leads_over_what_is_between_a_tool_and_its_work_and_back_over_it(self):
+        picture, heights = view_of([block(BROWN, np.array([0.5, 0.5, 3]), 0, -3)])
+        around = surroundings_of(surface_of(picture, heights, EYE).points)
+        highest = around.of_arm.heights.max()
+        arm = cartesian_arm()
+        over, work = pose_at([-3, -3, 2]), pose_at([3, -3, 2])
+        straight, any_way, high = Way(True, 0), Way(False, 0), Way(False, highest + arm.reach + 0.1)
+
+        def plan(*ways):
+            return plan_there_and_back(arm, [over, pose_at([-3, -3, 1]), over], [work], [over, over], ways, arm.parked,
+                                       lambda path: all(around.avoids(arm, it) for it in path[3:5]))
+
+        self.assertEqual(plan(straight, any_way), [])
+        path = plan(straight, any_way, high)
+        for there, back in zip(path[3].positions, path[4].positions[::-1]):
+            np.testing.assert_allclose(there, back)
+        np.testing.assert_allclose(path[3].positions[[0, -1]], [[-3, -3, 2], [3, -3, 2]])
+        self.assertAlmostEqual(path[3].positions[:, 2].max(), high.height)
+
+
+def pose_at(q):
+    """Returns a pose of a tool that points down, 4x4."""
+    return np.array([[1, 0, 0, q[0]], [0, -1, 0, q[1]], [0, 0, -1, q[2]], [0, 0, 0, 1.0]])
+
+
+def straight_path(waypoints):
+    """Returns a path along straight lines through joint waypoints, which contains no other points: a second for each."""
+    waypoints = np.array(waypoints, dtype=float)
+    times = np.arange(len(waypoints))
+
+    def at(seconds):
+        return np.column_stack([np.interp(seconds, times, joint) for joint in waypoints.T]), None
+
+    return SimpleNamespace(positions=waypoints, duration=times[-1], at=at)
+
+
+def cartesian_arm():
+    """Returns an arm whose three joint angles are the place of its tool, with its forearm above it."""
+    robot = SimpleNamespace(first_invalid=lambda path, q_both: None,
+                            move_joints=lambda name, waypoints, speed: straight_path(waypoints),
+                            move_line=lambda name, q, goal, speed: (straight_path([q, goal[:3, 3]]), None),
+                            limits=lambda name: (np.full(3, -10.0), np.full(3, 10.0)))
+    parked = np.array([-5.0, -5, 5])
+    return SimpleNamespace(robot=robot, name="left", forward=pose_at, reach=0.75, has_torso=False, parked=parked,
+                           all_parked=None, starts=[parked], inverse=lambda pose, q, max_iterations: pose[:3, 3],
+                           points=lambda q: np.array([q, q + [0, -1, 3]]))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,63 @@
+"""Paths of an arm that takes something, works with it elsewhere, and puts it back, with a choice of ways between."""
+
+from collections import namedtuple
+
+from act.reach import solve, solve_pose_sequence
+from act.segments import at_height, is_path_valid, move_joints, move_line
+
+# How an arm comes from one pose to another: on a straight line, or in any way, which passes over both at a height of
+# the tool [units]; 0 for no such height.
+Way = namedtuple("Way", "is_line height")
+
+
+def plan_there_and_back(arm, take, work, put, ways, q, is_clear):
+    """Plans the paths of an arm to the first of some tool poses and along straight lines through the others, on the
+    first possible Way to its work and back, and to its parking pose: a list; [] if there is none.
+
+    take, work, put: lists of tool poses, 4x4 [units]; put begins where take ended
+    ways:            Ways, in the order in which they are tried
+    q:               its joint angles [rad]
+    is_clear:        function of that list: whether nothing is in the way
+    """
+    for first in arm.starts:
+        above = solve_pose_sequence(arm, take, first)
+        taken = above is not None and lines(arm, [move_joints(arm, [q, above])], take[1:])
+        if not taken or not all(is_path_valid(arm, it) for it in taken):
+            continue
+        for way in ways:
+            path = there_and_back(arm, taken, work, put, way)
+            if not path:
+                continue
+            path.append(move_joints(arm, [path[-1].positions[-1], arm.parked]))
+            if all(is_path_valid(arm, it) for it in path[len(taken):]) and is_clear(path):
+                return path
+    return []
+
+
+def there_and_back(arm, taken, work, put, way):
+    """Returns some paths, and those that follow on a Way to the first pose of some work, through the others, and back;
+    [] if there are none."""
+    if way.is_line:
+        return lines(arm, taken, [*work, *put])
+    here = taken[-1].positions[-1]
+    via = [here]
+    if way.height:
+        via += solve(arm, [at_height(it, way.height) for it in (arm.forward(here), work[0])], here, 0)
+        if len(via) == 1:
+            return []
+    first = solve_pose_sequence(arm, work, via[-1])
+    path = first is not None and lines(arm, [*taken, move_joints(arm, [*via, first])], work[1:])
+    if not path:
+        return []
+    back = move_joints(arm, [path[-1].positions[-1], *via[::-1]])
+    return lines(arm, [*path, back], put[1:])
+
+
+def lines(arm, path, poses):
+    """Returns paths, and straight lines from the last of them through tool poses; [] if there are none."""
+    path = list(path)
+    for pose in poses:
+        path.append(move_line(arm, path[-1], pose))
+        if not path[-1]:
+            return []
+    return path

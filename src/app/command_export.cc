@@ -10,7 +10,7 @@
 #include "app/export_world.h"
 #include "app/open_recording.h"
 #include "app/options.h"
-#include "app/python_datasets.h"
+#include "app/python_program.h"
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/wording.h"

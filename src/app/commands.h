@@ -24,6 +24,7 @@ void AddEdit(CLI::App* program, ExitAnswer answer);
 void AddImport(CLI::App* program, ExitAnswer answer);
 void AddExport(CLI::App* program, ExitAnswer answer);
 void AddDoctor(CLI::App* program, ExitAnswer answer);
+void AddRos(CLI::App* program, ExitAnswer answer);
 void AddRerender(CLI::App* program, ExitAnswer answer);
 void AddRender(CLI::App* program, ExitAnswer answer);
 void AddLayout(CLI::App* program, ExitAnswer answer);

@@ -57,6 +57,7 @@ int main(int argc, char** argv) {
   app::AddImport(&program, &answer);
   app::AddExport(&program, &answer);
   app::AddDoctor(&program, &answer);
+  app::AddRos(&program, &answer);
   app::AddRender(&program, &answer);
   app::AddLayout(&program, &answer);
   app::AddRerender(&program, &answer);

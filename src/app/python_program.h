@@ -10,4 +10,7 @@ namespace smile::app {
 /// @throws std::runtime_error if there is no Python.
 [[noreturn]] void ContinueAsPythonDatasets(const std::vector<std::string>& arguments);
 
+/// The same for `python3 -m smile.ros`.
+[[noreturn]] void ContinueAsPythonRos(const std::vector<std::string>& arguments);
+
 }  // namespace smile::app

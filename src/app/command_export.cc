@@ -265,7 +265,7 @@ void AddExport(CLI::App* program, ExitAnswer answer) {
   command
       ->add_option("DEMO", options->runs,
                    "directory of a recording; for a dataset several, also of imitations, and "
-                   "generations; for another simulator a scene file, for gltf either")
+                   "generations; for another simulator a scene file, for gltf and usd either")
       ->required();
   std::string formats;
   for (const Format& format : kFormats) {

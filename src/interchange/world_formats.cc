@@ -8,6 +8,7 @@
 #include "interchange/gltf.h"
 #include "interchange/mjcf.h"
 #include "interchange/sdf.h"
+#include "interchange/usd.h"
 
 namespace smile::interchange {
 namespace {
@@ -26,7 +27,9 @@ constexpr std::array kFormats{
                   return ToSdf(scene.world, folder);
                 }},
     WorldFormat{"gltf", true,
-                [](const ExportedScene& scene, const std::string&) { return ToGltf(scene); }}};
+                [](const ExportedScene& scene, const std::string&) { return ToGltf(scene); }},
+    WorldFormat{"usd", true,
+                [](const ExportedScene& scene, const std::string&) { return ToUsd(scene); }}};
 
 const WorldFormat& FormatOf(std::string_view name) {
   const auto* found = std::ranges::find(kFormats, name, &WorldFormat::name);

@@ -222,8 +222,9 @@ int Export(const ExportOptions& options, const DatasetOptions& dataset, const Wo
   }
   const std::vector<std::string_view> worlds = interchange::WorldFormatNames();
   if (std::ranges::find(worlds, options.format) != worlds.end()) {
-    RequireOne(options, "scene");
-    return ExportWorld(options.runs.front(), options.format, options.out, world);
+    RequireOne(options, "scene or recording");
+    return ExportWorld(options.runs.front(), options.format, options.out, world, options.range,
+                       options.rate);
   }
   return ExportMotion(options);
 }
@@ -264,7 +265,7 @@ void AddExport(CLI::App* program, ExitAnswer answer) {
   command
       ->add_option("DEMO", options->runs,
                    "directory of a recording; for a dataset several, also of imitations, and "
-                   "generations; for another simulator a scene file")
+                   "generations; for another simulator a scene file, for gltf and usd either")
       ->required();
   std::string formats;
   for (const Format& format : kFormats) {
@@ -273,7 +274,7 @@ void AddExport(CLI::App* program, ExitAnswer answer) {
   formats += "; datasets:";
   for (const std::string_view format : datasets::kDatasetFormats)
     formats += " " + std::string(format);
-  formats += "; another simulator, of a scene file:";
+  formats += "; other simulators and viewers:";
   for (const std::string_view format : interchange::WorldFormatNames())
     formats += " " + std::string(format);
   command->add_option("--to", options->format, formats)->required();

@@ -26,6 +26,7 @@ struct PathOptions {
   scene_xml::SceneReaderOptions reader() const {
     return {.search_roots = {roots.begin(), roots.end()}};
   }
+  bool operator==(const PathOptions&) const = default;
 };
 void AddPathOption(CLI::App* command, PathOptions* options);
 

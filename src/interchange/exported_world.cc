@@ -77,13 +77,17 @@ class Collector {
       body.spec.X_WB = running_.physics().body(entry.id).pose_in_world();
       if (object != nullptr) {
         body.name = names_.Take(model_.id(object->index));
+        body.frame = static_cast<int>(model_.frame_of(object->index));
         body.visuals =
             VisualsOfFrame(model_.visual_model(), state_, model_.frame_of(object->index));
       } else {
         // The ground comes first: the table, which is drawn in the world's frame, then the floor.
         const bool is_table = world_.bodies.empty();
         body.name = names_.Take(is_table ? "table" : "floor");
-        if (is_table) body.visuals = VisualsOfFrame(model_.visual_model(), state_, 0);
+        if (is_table) {
+          body.frame = 0;
+          body.visuals = VisualsOfFrame(model_.visual_model(), state_, 0);
+        }
       }
       world_.bodies.push_back(std::move(body));
     }
@@ -113,6 +117,7 @@ class Collector {
     auto frame = frames.begin();
     const auto link_at = [&](const std::string& name) {
       return ExportedLink{.name = names_.Take(name),
+                          .frame = static_cast<int>(*frame),
                           .visuals = VisualsOfFrame(model_.visual_model(), state_, *frame)};
     };
     robot.base = link_at("robot_base");

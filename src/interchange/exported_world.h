@@ -17,6 +17,7 @@ namespace smile::interchange {
 /// A rigid body B and what is drawn of it.
 struct ExportedBody {
   std::string name;
+  int frame = -1;                      ///< of scene::VisualModel; 0: the table; -1: not seen
   mechanics::BodySpec spec;            ///< as simulated; its pose is the present one
   std::vector<scene::Visual> visuals;  ///< X_FV is X_BV; only what is visible now
 
@@ -33,6 +34,7 @@ struct ExportedJoint {
 /// A link of the robot, or its base, and what is drawn of it.
 struct ExportedLink {
   std::string name;
+  int frame = -1;                      ///< of scene::VisualModel
   std::vector<scene::Visual> visuals;  ///< X_FV is X_LV
 };
 

@@ -5,20 +5,37 @@
 
 #include "base/demand.h"
 #include "base/files.h"
+#include "interchange/gltf.h"
 #include "interchange/mjcf.h"
 #include "interchange/sdf.h"
+#include "interchange/usd.h"
 
 namespace smile::interchange {
 namespace {
 
 struct WorldFormat {
   std::string_view name;
+  bool is_animated = false;
   /// @param mesh_folder  for files beside the exported one.
-  ExportedText (*text_of)(const ExportedWorld& world, const std::string& mesh_folder);
+  ExportedText (*text_of)(const ExportedScene& scene, const std::string& mesh_folder) = nullptr;
 };
-constexpr std::array kFormats{WorldFormat{"mjcf", [](const ExportedWorld& world,
-                                                     const std::string&) { return ToMjcf(world); }},
-                              WorldFormat{"sdf", &ToSdf}};
+constexpr std::array kFormats{
+    WorldFormat{"mjcf", false,
+                [](const ExportedScene& scene, const std::string&) { return ToMjcf(scene.world); }},
+    WorldFormat{"sdf", false,
+                [](const ExportedScene& scene, const std::string& folder) {
+                  return ToSdf(scene.world, folder);
+                }},
+    WorldFormat{"gltf", true,
+                [](const ExportedScene& scene, const std::string&) { return ToGltf(scene); }},
+    WorldFormat{"usd", true,
+                [](const ExportedScene& scene, const std::string&) { return ToUsd(scene); }}};
+
+const WorldFormat& FormatOf(std::string_view name) {
+  const auto* found = std::ranges::find(kFormats, name, &WorldFormat::name);
+  SMILE_DEMAND(found != kFormats.end());
+  return *found;
+}
 
 }  // namespace
 
@@ -28,11 +45,11 @@ std::vector<std::string_view> WorldFormatNames() {
   return names;
 }
 
-std::vector<std::string> WriteWorld(const ExportedWorld& world, std::string_view format,
+bool IsAnimated(std::string_view format) { return FormatOf(format).is_animated; }
+
+std::vector<std::string> WriteScene(const ExportedScene& scene, std::string_view format,
                                     const std::filesystem::path& out) {
-  const auto* found = std::ranges::find(kFormats, format, &WorldFormat::name);
-  SMILE_DEMAND(found != kFormats.end());
-  ExportedText exported = found->text_of(world, out.stem().string() + "_meshes");
+  ExportedText exported = FormatOf(format).text_of(scene, out.stem().string() + "_meshes");
   for (const auto& [name, content] : exported.files) {
     const std::filesystem::path path = out.parent_path() / name;
     MakeDirectories(path.parent_path());

@@ -158,7 +158,7 @@ TEST_F(Exports, ReportErrors) {
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_EQ(unknown.err,
             "smile: --to is \"cvs\", expected trajectory-csv, ros-trajectory, lerobot-v3.0, "
-            "lerobot-v2.1, robomimic, zarr, mcap, rrd, csv, mjcf or sdf\n");
+            "lerobot-v2.1, robomimic, zarr, mcap, rrd, csv, mjcf, sdf, gltf or usd\n");
   EXPECT_EQ(Smile("export demo --to trajectory-csv --fps 10 --out x.csv").err,
             "smile: --fps is for datasets, and --to is \"trajectory-csv\"\n");
   Write("broken.csv", "time,left_s0\n0,0.25\n1,half\n");

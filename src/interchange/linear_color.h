@@ -1,0 +1,13 @@
+#pragma once
+
+#include <array>
+
+#include "math/color.h"
+
+namespace smile::interchange {
+
+/// Returns red, green and blue in proportion to light, as materials of renderers have them.
+/// Source: the transfer function of IEC 61966-2-1 (sRGB).
+std::array<double, 3> LinearOf(const Color& color);
+
+}  // namespace smile::interchange

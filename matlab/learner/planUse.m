@@ -21,13 +21,14 @@ function [actions, state, problem] = planUse(use, alignment, surface, state, arm
   avoided = [surroundingsOf(around), surroundingsOf(fixed)];
   problem = 'no arm brings it there and back';
   able = arms(arrayfun(@(arm) canHold(arm, tool.size(2)), arms));
-  for ways = waysPast(avoided(1))
+  for it = waysPast(avoided(1))
+    begin = way{2} + it.part * (way{1} - way{2});
     for arm = nearestFirst(able, tool.position(1))
       q = sensor.arms(arm.index).joints(:)';
       for across = graspYaws(tool, others)
         attempt = newGrasp(tool.position, arm, across);
         if hasFailed(attempt, state.failures), continue; end
-        actions = planArmUse(arm, tool, looks, across, way, turn, avoided, ways{1}, q);
+        actions = planArmUse(arm, tool, looks, across, {begin, way{2}}, turn, avoided, it.ways, q);
         if isempty(actions), continue; end
         state.grasp = attempt;
         problem = '';
@@ -37,9 +38,13 @@ function [actions, state, problem] = planUse(use, alignment, surface, state, arm
   end
 end
 
-function ways = waysPast(around)
-% Returns the ways there and back (see planThereAndBack), 1x2 cell in the order in which they are tried: first those beside what
-% surroundings contain; where none is clear, those over all of it, as high as necessary.
-  heights = max([0; around.ofLoad.heights(:)]) + constants().uses.heights_over';
-  ways = {struct('is_line', {true, false}, 'height', {0, 0}), struct('is_line', false, 'height', num2cell(heights))};
+function found = waysPast(around)
+% Returns the ways there and back (see planThereAndBack) in the order in which they are tried, a 1xN struct array: first those
+% beside what surroundings contain; where none is clear, those over all of it, as high as necessary. The part of the straight way
+% to which they lead: what comes from above comes as close to its work as is clear, away from the robot.
+  c = constants().uses;
+  heights = max([0; around.ofLoad.heights(:)]) + c.heights_over';
+  over = struct('is_line', false, 'height', num2cell(heights));
+  found = struct('part', 1, 'ways', struct('is_line', {true, false}, 'height', {0, 0}));
+  for part = c.parts_of_way', found(end + 1) = struct('part', part, 'ways', {over}); end
 end

@@ -37,11 +37,11 @@ def plan_use(use, alignment, surface, state, arms, sensor):
     fixed = around[~is_changed(use, alignment, around, state.shown)]
     avoided = surroundings_of(around), surroundings_of(fixed)
     able = nearest_first([it for it in arms if can_hold(it, tool.size[1])], tool.position[0])
-    for ways, arm, across in product(ways_past(avoided[0]), able, grasp_yaws(tool, others)):
+    for (part, ways), arm, across in product(ways_past(avoided[0]), able, grasp_yaws(tool, others)):
         attempt = Grasp(tool.position, arm.index, across)
         if has_failed(attempt, state.failures):
             continue
-        actions = plan_arm_use(arm, tool, looks, across, (begin, end), turn, avoided, ways,
+        actions = plan_arm_use(arm, tool, looks, across, (end + part * (begin - end), end), turn, avoided, ways,
                                sensor.arms[arm.index].joints)
         if actions:
             return actions, attempt, None
@@ -50,6 +50,8 @@ def plan_use(use, alignment, surface, state, arms, sensor):
 
 def ways_past(around):
     """Returns the Ways there and back, lists in the order in which they are tried: first those beside what Surroundings
-    contain; where none is clear, those over all of it, as high as necessary."""
+    contain; where none is clear, those over all of it, as high as necessary. Before each, which part of the straight way
+    it leads to: what comes from above comes as close to its work as is clear, away from the robot."""
     highest = around.of_load.heights.max(initial=0)
-    return [[Way(True, 0), Way(False, 0)], [Way(False, highest + over) for over in C.heights_over]]
+    over = [Way(False, highest + it) for it in C.heights_over]
+    return [(1, [Way(True, 0), Way(False, 0)]), *((part, over) for part in C.parts_of_way)]

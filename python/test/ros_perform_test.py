@@ -18,6 +18,7 @@ from ros_graph import Graph, Program
 
 import numpy as np
 import smile
+from smile.ros.__main__ import switch_on
 from smile.ros.joint_path import JointPath
 from smile.ros.link import GripperReading, Reading, RobotLink
 from smile.ros.motion_plan import approach, faults, plan_of
@@ -200,6 +201,15 @@ class PerformanceTest(unittest.TestCase):
             self.link.robot.enable(False)
             return reading
         self.stops("the motors are off", self.after(120, switch_off))
+
+    def test_motors_are_switched_on_if_they_can_be(self):
+        link = SimulatedLink(ServedRobot(self.sim, self.description))
+        link.robot.enable(False)
+        switch_on(link)
+        self.assertIsNone(link.motors_fault())
+        link.robot.emergency_stop()
+        with self.assertRaisesRegex(RuntimeError, "the motors are off, 0.1 s after they were switched on"):
+            switch_on(link, patience=0.1)
 
     def test_a_grasp_of_nothing_stops_the_robot(self):
         self.sim.hand().grasp("RedBlock")

@@ -5,12 +5,14 @@ from __future__ import annotations
 import argparse
 import signal
 import sys
+import time
 from collections.abc import Sequence
 from pathlib import Path
 
 import rospy
 
 import smile
+from smile.ros.link import RobotLink
 from smile.ros.motion_plan import Plan, approach, fastest, faults, hardest, plan_of, tools
 from smile.ros.performing import Performance, Stopped, Watch, write_report
 from smile.ros.ros_link import RosLink
@@ -111,14 +113,14 @@ def _perform(options: argparse.Namespace) -> int:
         return FAILED
     names = [name for joints in plan.description.arms.values() for name in joints]
     link = RosLink(plan.arms, names)
-    if options.enable and link.motors_fault() is not None:
-        link.enable()
     performance = Performance(link, plan, Watch(tolerance=options.tolerance, silence=options.silence))
     if options.dry_run:
         return _dry_run(performance, plan)
     if not (options.yes or _is_wanted()):
         print("nothing moved")
         return FAILED
+    if options.enable:
+        switch_on(link)
     outcome = performance.perform(lambda line: print(line, flush=True))
     print(outcome.tracking.table() if outcome.tracking.errors else "nothing was performed")
     for words in outcome.words:
@@ -128,6 +130,16 @@ def _perform(options: argparse.Namespace) -> int:
     print("performed" if outcome.reason is None else
           f"stopped after {outcome.seconds:.2f} s of {plan.path.duration:.2f} s: {outcome.reason}")
     return 0 if outcome.reason is None else FAILED
+
+
+def switch_on(link: RobotLink, patience: float = 5.0) -> None:
+    """Switches the motors on; RuntimeError if they do not run after wall-clock time [s]."""
+    deadline = time.monotonic() + patience
+    while (fault := link.motors_fault()) is not None:
+        if time.monotonic() > deadline:
+            raise RuntimeError(f"{fault}, {patience:g} s after they were switched on")
+        link.enable()
+        link.wait(0.1)
 
 
 def _is_wanted() -> bool:

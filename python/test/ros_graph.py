@@ -21,7 +21,7 @@ except ImportError as error:
     sys.exit(77)
 
 # A loaded machine is slow, and no test waits for it to be fast [s].
-PATIENCE = 120
+PATIENCE = 300
 MASTER = "import rosmaster, sys; rosmaster.rosmaster_main(['rosmaster', '--core', '-p', sys.argv[1]])"
 
 

@@ -3,11 +3,19 @@
 from __future__ import annotations
 
 import argparse
+import signal
 import sys
+import time
 from collections.abc import Sequence
+from pathlib import Path
 
 import rospy
 
+import smile
+from smile.ros.link import RobotLink
+from smile.ros.motion_plan import Plan, approach, fastest, faults, hardest, plan_of, tools
+from smile.ros.performing import Performance, Stopped, Watch, write_report
+from smile.ros.ros_link import RosLink
 from smile.ros.serve import serve
 
 FAILED, WRONG = 1, 2
@@ -17,14 +25,22 @@ def main(arguments: Sequence[str]) -> int:
     parser = argparse.ArgumentParser(prog="smile ros", description=__doc__.partition(": ")[2])
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     _add_serve(commands)
+    _add_perform(commands)
     options = parser.parse_args(arguments)
+    # However the program is asked to end, a robot is stopped first; also by a terminal that closes.
+    for ending in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(ending, _interrupt)
     try:
-        return int(options.run(options))
+        return int(options.run_command(options))
     except (ValueError, OSError, RuntimeError, rospy.ROSException) as error:
         print(f"error: {error}", file=sys.stderr)
         return WRONG
     except KeyboardInterrupt:
         return 130
+
+
+def _interrupt(number: int, frame: object) -> None:
+    raise KeyboardInterrupt
 
 
 def _number(low: float, high: float, unit: str) -> "type[float]":
@@ -60,13 +76,106 @@ def _add_serve(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("--picture-rate", default=10.0, type=_number(0.1, 60, " pictures per second"), metavar="N", help="pictures per simulated second of each camera to which a node listens (default 10)")
     parser.add_argument("--size", default="320x200", type=_size, metavar="WxH", help="size of pictures in pixels (default %(default)s)")
     parser.add_argument("--record", metavar="DIR", help="record everything that happens into a new folder")
-    parser.set_defaults(run=_serve)
+    parser.set_defaults(run_command=_serve)
 
 
 def _serve(options: argparse.Namespace) -> int:
     serve(options.scene, robot=options.robot, rate=options.rate, lockstep=options.lockstep,
           picture_rate=options.picture_rate, picture_size=options.size, record=options.record, pose=options.pose)
     return 0
+
+
+def _add_perform(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    parser = commands.add_parser(
+        "perform", help="let a real robot perform a recorded motion",
+        description="Lets the robot at ROS_MASTER_URI perform what the simulated robot did in a recording. Read "
+                    "docs/real-robot.md first. Ends with 0 if it did, 1 if it was stopped or must not.")
+    parser.add_argument("run", metavar="RUN", help="folder of a recording of a robot, or of an imitation")
+    parser.add_argument("--limb", action="append", default=[], metavar="NAME", help="arm that moves; may be repeated (default: each that moves in the recording)")
+    parser.add_argument("--speed", default=0.3, type=_number(0.01, 1, ""), metavar="N", help="fraction of the speed of the recording (default 0.3)")
+    parser.add_argument("--max-acceleration", default=3.0, type=_number(0.01, 100, " rad/s²"), metavar="A", help="greatest acceleration of a joint in rad/s² (default 3)")
+    parser.add_argument("--tolerance", default=0.15, type=_number(0.001, 1, " rad"), metavar="RAD", help="tracking error at which the robot is stopped, in rad (default 0.15)")
+    parser.add_argument("--silence", default=0.5, type=_number(0.05, 60, " s"), metavar="S", help="wall-clock time without joint states after which the robot is stopped, in seconds (default 0.5)")
+    parser.add_argument("--enable", action="store_true", help="switch the motors on, if they are off")
+    parser.add_argument("--dry-run", action="store_true", help="check everything and say what would be done, and move nothing")
+    parser.add_argument("--yes", action="store_true", help="do not ask before the robot moves")
+    parser.add_argument("--report", metavar="FILE", help="write the outcome and the tracking errors as JSON")
+    parser.set_defaults(run_command=_perform)
+
+
+def _perform(options: argparse.Namespace) -> int:
+    plan = plan_of(smile.open(recording_of(options.run)), options.limb, options.speed)
+    _describe(plan, options.max_acceleration)
+    found = faults(plan, options.max_acceleration)
+    for fault in found:
+        print(f"refused: {fault}")
+    if found:
+        return FAILED
+    names = [name for joints in plan.description.arms.values() for name in joints]
+    link = RosLink(plan.arms, names)
+    performance = Performance(link, plan, Watch(tolerance=options.tolerance, silence=options.silence))
+    if options.dry_run:
+        return _dry_run(performance, plan)
+    if not (options.yes or _is_wanted()):
+        print("nothing moved")
+        return FAILED
+    if options.enable:
+        switch_on(link)
+    outcome = performance.perform(lambda line: print(line, flush=True))
+    print(outcome.tracking.table() if outcome.tracking.errors else "nothing was performed")
+    for words in outcome.words:
+        print(f"robot: {words}")
+    if options.report is not None:
+        write_report(outcome, plan, options.report)
+    print("performed" if outcome.reason is None else
+          f"stopped after {outcome.seconds:.2f} s of {plan.path.duration:.2f} s: {outcome.reason}")
+    return 0 if outcome.reason is None else FAILED
+
+
+def switch_on(link: RobotLink, patience: float = 5.0) -> None:
+    """Switches the motors on; RuntimeError if they do not run after wall-clock time [s]."""
+    deadline = time.monotonic() + patience
+    while (fault := link.motors_fault()) is not None:
+        if time.monotonic() > deadline:
+            raise RuntimeError(f"{fault}, {patience:g} s after they were switched on")
+        link.enable()
+        link.wait(0.1)
+
+
+def _is_wanted() -> bool:
+    if not sys.stdin.isatty():
+        raise ValueError("there is no terminal to ask whether the robot may move, expected --yes")
+    return input("Is the robot's space clear, and a hand on the stop? Type move: ").strip() == "move"
+
+
+def recording_of(run: str) -> Path:
+    """Returns the recording of a run: itself, or that of an imitation."""
+    inside = Path(run) / "imitation"
+    return inside if (inside / "demo.json").exists() else Path(run)
+
+
+def _describe(plan: Plan, max_acceleration: float) -> None:
+    speed, acceleration = fastest(plan), hardest(plan, max_acceleration)
+    print(f"{plan.title}: {plan.description.name}, {' and '.join(plan.arms)} arm, {plan.path.duration:.1f} s in the recording, "
+          f"{plan.seconds:.1f} s at speed {plan.speed:g}")
+    print(f"  greatest speed: {speed.joint} {speed.value:.2f} rad/s of {speed.limit:g}")
+    print(f"  greatest acceleration: {acceleration.joint} {acceleration.value:.2f} rad/s² of {acceleration.limit:g}")
+    for arm in plan.arms:
+        print(f"  lowest place of the {arm} tool: {1000 * tools(plan, arm)[:, 2].min():.0f} mm above the table")
+    for move in plan.grippers:
+        goal = f"closes on {move.held}" if move.held else f"goes to {move.percent:.0f} %"
+        print(f"  {move.begin / plan.speed:.1f} s: {move.arm} gripper {goal}")
+
+
+def _dry_run(performance: Performance, plan: Plan) -> int:
+    try:
+        path, fault = approach(plan, performance.read().positions)
+    except Stopped as error:
+        fault = str(error)
+    else:
+        print(f"  the way to the start takes {path.duration:.1f} s")
+    print("nothing moved: " + ("this would be performed" if fault is None else f"refused: {fault}"))
+    return 0 if fault is None else FAILED
 
 
 if __name__ == "__main__":

@@ -1,0 +1,69 @@
+"""The interface to a robot: what `smile ros perform` needs of one, whichever way it is reached."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+
+class Reading(NamedTuple):
+    """Positions of joints at a time."""
+
+    time: float
+    """of the measurement, by the robot's clock [s]"""
+    age: float
+    """how long ago that is, by the same clock [s]"""
+    positions: Mapping[str, float]
+    """by the names of joints [rad]"""
+
+
+class GripperReading(NamedTuple):
+    """State of a gripper."""
+
+    sequence: int
+    """number of the last command that it has taken"""
+    percent: float
+    """opening: 0 is closed, 100 open"""
+    is_moving: bool
+    holds: bool
+
+
+class RobotLink(ABC):
+    """A connection to a robot.
+
+    Arms and joints have names. Its methods return at once, except wait(); what the robot makes of a command
+    is seen in the next readings only.
+    """
+
+    @abstractmethod
+    def wait(self, timeout: float) -> Reading | None:
+        """Returns the newest reading that was not returned yet; None after wall-clock time without one [s]."""
+
+    @abstractmethod
+    def command(self, arm: str, names: Sequence[str], positions: Sequence[float]) -> None:
+        """Sends goals of an arm's joints [rad]. An arm without commands stops by itself."""
+
+    @abstractmethod
+    def grip(self, arm: str, percent: float) -> int:
+        """Sends the goal of a gripper; returns the number of the command."""
+
+    @abstractmethod
+    def gripper(self, arm: str) -> GripperReading | None:
+        """Returns the newest state of a gripper; None if it has not reported any."""
+
+    @abstractmethod
+    def enable(self) -> None:
+        """Asks for the motors to be switched on."""
+
+    @abstractmethod
+    def motors_fault(self) -> str | None:
+        """Returns why the motors do not run; None if they do."""
+
+    @abstractmethod
+    def connection_fault(self) -> str | None:
+        """Returns what is wrong with the connection; None if nothing is."""
+
+    @abstractmethod
+    def words(self) -> list[str]:
+        """Returns the newest warnings of the robot."""

@@ -1,0 +1,283 @@
+"""Performs a plan on a robot, watches it, and measures how well it followed."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from smile.ros.joint_path import JointPath
+from smile.ros.link import GripperReading, Reading, RobotLink
+from smile.ros.motion_plan import GripperMove, Plan, approach
+from smile.simulation import Floats
+
+_RAMP_SECONDS = 0.5
+"""time to full speed [s]"""
+_HOLD_READINGS = 5
+"""readings in which a stopped robot is told to stay where it is"""
+_SETTLE_SECONDS = 2.0
+"""time at the end for the joints to arrive [s]"""
+_SETTLED = 0.01
+"""[rad]"""
+_GRIPPER_TOLERANCE = 5.0
+"""[%]"""
+_GRIPPER_PATIENCE = 5.0
+"""time that a gripper may take longer than in the recording [s]"""
+_GRIPPER_REST = 0.5
+"""time without motion after which a gripper that should hold something holds nothing [s]"""
+
+
+@dataclass(frozen=True)
+class Watch:
+    """What stops the robot."""
+
+    tolerance: float = 0.15
+    """greatest tracking error [rad]"""
+    silence: float = 0.5
+    """wall-clock time without joint states [s]"""
+    age: float = 0.25
+    """greatest age of joint states [s]"""
+    jump: float = 0.25
+    """greatest time between two joint states [s]"""
+
+
+class Stopped(Exception):
+    """The robot was stopped; the message is the reason."""
+
+
+@dataclass
+class Tracking:
+    """Errors of the joints along the path."""
+
+    names: list[str]
+    times: list[float] = field(default_factory=list)
+    errors: list[Floats] = field(default_factory=list)
+    """measured minus wanted position [rad]"""
+
+    def summary(self) -> dict[str, dict[str, float]]:
+        """Returns for each joint the root mean square and the greatest error [rad], and when that was [s]."""
+        if not self.errors:
+            return {}
+        errors = np.abs(self.errors)
+        rows = errors.argmax(axis=0)
+        return {name: {"rms": float(np.sqrt((errors[:, i] ** 2).mean())), "max": float(errors[rows[i], i]),
+                       "at": self.times[rows[i]]} for i, name in enumerate(self.names)}
+
+    def table(self) -> str:
+        """Returns the summary for people, in mrad."""
+        lines = [f"{'joint':<24}{'rms':>8}{'greatest':>10}  mrad, at"]
+        lines += [f"{name:<24}{1000 * one['rms']:>8.1f}{1000 * one['max']:>10.1f}  {one['at']:.2f} s"
+                  for name, one in self.summary().items()]
+        return "\n".join(lines)
+
+
+@dataclass
+class Outcome:
+    """What became of a performance."""
+
+    reason: str | None
+    """why the robot was stopped; None if it performed everything"""
+    seconds: float
+    """time of the path that was performed, at the speed of the recording [s]"""
+    tracking: Tracking
+    words: list[str]
+    """the last warnings of the robot"""
+
+    def report(self, plan: Plan) -> dict[str, Any]:
+        """Returns the outcome as JSON values; angles in radians."""
+        return {"title": plan.title, "robot": plan.description.name, "limbs": plan.arms, "speed": plan.speed,
+                "performed": self.reason is None, "reason": self.reason, "seconds": round(self.seconds, 4),
+                "seconds_of_recording": round(plan.path.duration, 4), "joints": self.tracking.summary(),
+                "robot_warnings": self.words}
+
+
+def write_report(outcome: Outcome, plan: Plan, path: str) -> None:
+    """Writes the outcome as a JSON file."""
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump(outcome.report(plan), file, indent=2)
+        file.write("\n")
+
+
+class Performance:
+    """A plan on its way through a robot."""
+
+    def __init__(self, link: RobotLink, plan: Plan, watch: Watch) -> None:
+        self._link, self._plan, self._watch = link, plan, watch
+        self._last: Reading | None = None
+        self._elapsed = 0.0
+        self._tracking = Tracking(plan.path.names)
+        self._waiting = list(plan.grippers)
+        self._active: list[ActiveGrip] = []
+
+    # Readings.
+
+    def read(self) -> Reading:
+        """Returns the next reading; raises Stopped if it is not as it should be."""
+        reading = self._link.wait(self._watch.silence)
+        fault = self._link.connection_fault()
+        if reading is None:
+            raise Stopped(fault or f"no joint states for {self._watch.silence:g} s: the connection is lost")
+        fault = fault or self._link.motors_fault() or self._fault_of(reading)
+        if fault is not None:
+            raise Stopped(fault)
+        self._last = reading
+        return reading
+
+    def _fault_of(self, reading: Reading) -> str | None:
+        missing = [name for name in self._plan.path.names if name not in reading.positions]
+        if missing:
+            named = ", ".join(reading.positions)[:200]
+            return f"the joint states lack {missing[0]}: they name {named or 'no joint'}"
+        for name in self._plan.path.names:
+            if not math.isfinite(reading.positions[name]):
+                return f"{name} is {reading.positions[name]}, expected a finite number"
+        if reading.age > self._watch.age:
+            return f"the joint states are {reading.age:.2f} s old, expected less than {self._watch.age:g} s"
+        if reading.age < -self._watch.age:
+            return f"the joint states are {-reading.age:.2f} s in the future: the clocks of robot and computer differ"
+        if self._last is not None:
+            passed = reading.time - self._last.time
+            if passed <= 0:
+                return f"time went back by {-passed:.3f} s"
+            if passed > self._watch.jump:
+                return f"time jumped by {passed:.2f} s, expected less than {self._watch.jump:g} s"
+        return None
+
+    def positions(self, reading: Reading) -> Floats:
+        """Returns the positions of the plan's joints [rad]."""
+        return np.array([reading.positions[name] for name in self._plan.path.names])
+
+    # Motions.
+
+    def _command(self, positions: Floats) -> None:
+        for arm in self._plan.arms:
+            self._link.command(arm, self._plan.description.arms[arm], positions[self._plan.columns(arm)].tolist())
+
+    def _follow(self, path: JointPath, speed: float, during: Callable[[float, float], bool],
+                tracking: Tracking | None) -> None:
+        """Streams a path, at a fraction of its speed.
+
+        during    called with the time along the path and the robot's; answers whether to wait there
+        tracking  receives the errors
+        """
+        time = rate = 0.0
+        while True:
+            before = self._last
+            reading = self.read()
+            assert before is not None
+            passed = reading.time - before.time
+            rate = 0.0 if during(time, reading.time) else min(speed, rate + speed * passed / _RAMP_SECONDS)
+            errors = self.positions(reading) - path.at(time)[0]
+            self._check(errors, time)
+            if tracking is not None:
+                self._elapsed = time
+                tracking.times.append(time)
+                tracking.errors.append(errors)
+            if time >= path.duration and rate > 0:
+                return
+            # Where the joints should be when the next reading is taken.
+            time = min(time + rate * passed, path.duration)
+            self._command(path.at(time)[0])
+
+    def _check(self, errors: Floats, time: float) -> None:
+        worst = int(np.abs(errors).argmax())
+        if abs(errors[worst]) > self._watch.tolerance:
+            raise Stopped(f"{self._plan.path.names[worst]} is {abs(errors[worst]):.3f} rad from where it should be at "
+                          f"{time:.2f} s of the motion, expected less than {self._watch.tolerance:g} rad")
+
+    def _hold(self) -> None:
+        """Tells the arms to stay where they are. The grippers keep what they hold."""
+        assert self._last is not None
+        if not all(math.isfinite(self._last.positions.get(name, math.nan)) for name in self._plan.path.names):
+            return
+        for _ in range(_HOLD_READINGS):
+            self._command(self.positions(self._last))
+            # Not read(): a stop must not fail on what it was made for.
+            if self._link.wait(0.1) is None:
+                return
+
+    def _settle(self) -> None:
+        """Waits until the joints are at the end of the path."""
+        assert self._last is not None
+        begin, end = self._last.time, self._plan.path.positions[-1]
+        while True:
+            reading = self.read()
+            self._command(end)
+            errors = np.abs(self.positions(reading) - end)
+            if errors.max() < _SETTLED:
+                return
+            if reading.time - begin > _SETTLE_SECONDS:
+                raise Stopped(f"{self._plan.path.names[int(errors.argmax())]} came to rest {errors.max():.3f} rad from its "
+                              f"end, expected less than {_SETTLED:g} rad")
+
+    # Grippers.
+
+    def _grip(self, time: float, now: float) -> bool:
+        """Sends the commands of grippers that are due; answers whether the arms must wait for one."""
+        while self._waiting and self._waiting[0].begin <= time:
+            move = self._waiting.pop(0)
+            self._active = [one for one in self._active if one.move.arm != move.arm]
+            self._active.append(ActiveGrip(move, self._link.grip(move.arm, move.percent)))
+        self._active = [one for one in self._active if not one.is_done(self._link.gripper(one.move.arm), now)]
+        return any(time >= one.move.end and one.must_wait(now) for one in self._active)
+
+    # The whole.
+
+    def perform(self, say: Callable[[str], None]) -> Outcome:
+        """Moves to the start and along the path; stops with a reason if anything is not as it should be."""
+        reason = None
+        try:
+            reading = self.read()
+            path, fault = approach(self._plan, reading.positions)
+            if fault is not None:
+                raise Stopped(fault)
+            # Planning took its time.
+            self._last = None
+            self.read()
+            say(f"moving to the start: {path.duration:.1f} s")
+            self._follow(path, 1.0, lambda time, now: False, None)
+            say(f"performing: {self._plan.seconds:.1f} s")
+            self._follow(self._plan.path, self._plan.speed, self._grip, self._tracking)
+            self._settle()
+        except Stopped as error:
+            reason = str(error)
+        except KeyboardInterrupt:
+            reason = "interrupted"
+        if reason is not None and self._last is not None:
+            self._hold()
+        return Outcome(reason, self._elapsed, self._tracking, self._link.words())
+
+
+class ActiveGrip:
+    """A command that a gripper carries out."""
+
+    def __init__(self, move: GripperMove, sequence: int) -> None:
+        self.move, self._sequence = move, sequence
+        self._since: float | None = None
+        self._rests_since: float | None = None
+
+    def is_done(self, state: GripperReading | None, now: float) -> bool:
+        """Returns whether the gripper is where it should be; raises Stopped if it holds nothing."""
+        if state is None or state.sequence < self._sequence:
+            return False
+        if self.move.held is None:
+            return abs(state.percent - self.move.percent) < _GRIPPER_TOLERANCE
+        if state.holds:
+            return True
+        if state.is_moving or self._rests_since is None:
+            self._rests_since = now
+        elif now - self._rests_since > _GRIPPER_REST:
+            raise Stopped(f"the {self.move.arm} gripper closed to {state.percent:.0f} % and holds nothing, expected "
+                          f"{self.move.held}")
+        return False
+
+    def must_wait(self, now: float) -> bool:
+        """Returns true, for the arms to wait; raises Stopped after some seconds."""
+        self._since = now if self._since is None else self._since
+        if now - self._since > _GRIPPER_PATIENCE:
+            raise Stopped(f"the {self.move.arm} gripper did not reach {self.move.percent:.0f} % within {_GRIPPER_PATIENCE:g} s")
+        return True

@@ -1,0 +1,130 @@
+"""A robot at a ROS 1 master, under the names of Baxter."""
+
+from __future__ import annotations
+
+import json
+import os
+import threading
+import time
+from collections import deque
+from collections.abc import Sequence
+from typing import Any
+
+import rospy
+from rosgraph_msgs.msg import Log
+from sensor_msgs.msg import JointState
+from std_msgs.msg import Bool, Float64
+
+from smile.ros import message_types as types
+from smile.ros.graph import join_graph, master_is_lost
+from smile.ros.link import GripperReading, Reading, RobotLink
+
+_CONNECTION_SECONDS = 10.0
+_MOST_WORDS = 5
+
+
+class RosLink(RobotLink):
+    """Streams positions at full ratio of speed: the path itself is slow.
+
+    Raises RuntimeError if the robot is not at the master within some seconds.
+    """
+
+    def __init__(self, arms: Sequence[str], names: Sequence[str]) -> None:
+        join_graph("smile_perform", anonymous=True)
+        self._names = frozenset(names)
+        self._news = threading.Condition()
+        self._message: Any = None
+        self._state: Any = None
+        self._grippers: dict[str, Any] = {}
+        self._sequences = dict.fromkeys(arms, 0)
+        self._words: deque[str] = deque(maxlen=_MOST_WORDS)
+        self._is_lost = master_is_lost()
+        self._commands = {arm: self._publisher(f"/robot/limb/{arm}/joint_command", types.JointCommand) for arm in arms}
+        self._ratios = {arm: self._publisher(f"/robot/limb/{arm}/set_speed_ratio", Float64) for arm in arms}
+        self._grips = {arm: self._publisher(f"/robot/end_effector/{arm}_gripper/command", types.EndEffectorCommand)
+                       for arm in arms}
+        self._enable = self._publisher("/robot/set_super_enable", Bool)
+        rospy.Subscriber("/robot/joint_states", JointState, self._take_joints, queue_size=1, tcp_nodelay=True)
+        rospy.Subscriber("/robot/state", types.AssemblyState, self._take_state, queue_size=1)
+        rospy.Subscriber("/rosout", Log, self._take_words, queue_size=20)
+        for arm in arms:
+            rospy.Subscriber(f"/robot/end_effector/{arm}_gripper/state", types.EndEffectorState,
+                             lambda message, arm=arm: self._grippers.__setitem__(arm, message), queue_size=1)
+        self._await_robot()
+        for ratio in self._ratios.values():
+            ratio.publish(1.0)
+
+    @staticmethod
+    def _publisher(topic: str, kind: Any) -> rospy.Publisher:
+        return rospy.Publisher(topic, kind, queue_size=2, tcp_nodelay=True)
+
+    def _await_robot(self) -> None:
+        deadline = time.monotonic() + _CONNECTION_SECONDS
+        while time.monotonic() < deadline:
+            deaf = [one.resolved_name for one in self._commands.values() if one.get_num_connections() == 0]
+            if self._message is not None and self._state is not None and not deaf:
+                return
+            time.sleep(0.02)
+        missing = (["/robot/joint_states"] if self._message is None else []) + (
+            ["/robot/state"] if self._state is None else []) + deaf
+        raise RuntimeError(f"no robot at {os.environ['ROS_MASTER_URI']}: {', '.join(missing)} not served within "
+                           f"{_CONNECTION_SECONDS:g} s")
+
+    def _take_joints(self, message: Any) -> None:
+        with self._news:
+            # Other parts of a robot report their joints in messages of their own.
+            if self._message is None or self._names & set(message.name):
+                self._message = message
+                self._news.notify()
+
+    def _take_state(self, message: Any) -> None:
+        self._state = message
+
+    def _take_words(self, message: Any) -> None:
+        if message.level >= Log.WARN and message.name != rospy.get_name():
+            self._words.append(message.msg[:300])
+
+    def wait(self, timeout: float) -> Reading | None:
+        with self._news:
+            if not self._news.wait_for(lambda: self._message is not None, timeout):
+                return None
+            message, self._message = self._message, None
+        age = rospy.get_rostime() - message.header.stamp
+        return Reading(message.header.stamp.to_sec(), age.to_sec(), dict(zip(message.name, message.position)))
+
+    def command(self, arm: str, names: Sequence[str], positions: Sequence[float]) -> None:
+        self._commands[arm].publish(types.JointCommand(
+            mode=types.JointCommand.POSITION_MODE, names=list(names), command=[float(one) for one in positions]))
+
+    def grip(self, arm: str, percent: float) -> int:
+        self._sequences[arm] += 1
+        self._grips[arm].publish(types.EndEffectorCommand(
+            id=getattr(self._grippers.get(arm), "id", 0), command=types.EndEffectorCommand.CMD_GO,
+            args=json.dumps({"position": percent}), sender=rospy.get_name(), sequence=self._sequences[arm]))
+        return self._sequences[arm]
+
+    def gripper(self, arm: str) -> GripperReading | None:
+        state = self._grippers.get(arm)
+        if state is None:
+            return None
+        sequence = state.command_sequence if state.command_sender == rospy.get_name() else 0
+        return GripperReading(sequence, state.position, state.moving == 1, state.gripping == 1)
+
+    def enable(self) -> None:
+        self._enable.publish(True)
+
+    def motors_fault(self) -> str | None:
+        if self._state.stopped:
+            return "the robot is stopped (emergency stop)"
+        if self._state.error:
+            return "the robot reports an error"
+        return None if self._state.enabled else "the motors are off"
+
+    def connection_fault(self) -> str | None:
+        if self._is_lost():
+            return f"the ROS master at {os.environ['ROS_MASTER_URI']} no longer answers"
+        deaf = [one.resolved_name for one in self._commands.values() if one.get_num_connections() == 0]
+        return f"the robot no longer listens to {deaf[0]}" if deaf else None
+
+    def words(self) -> list[str]:
+        return list(self._words)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # tools/get_mujoco.sh
-# Installs MuJoCo (Apache-2.0) into build/mujoco, for the test of exported scenes, which is skipped without. 32 MB.
+# Installs MuJoCo (Apache-2.0) into build/mujoco, for the tests of exported scenes, which are skipped without. 32 MB.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,6 +1,5 @@
 #include "app/export_world.h"
 
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -10,7 +9,6 @@
 #include "base/wording.h"
 #include "interchange/world_formats.h"
 #include "scene_xml/scene_reader.h"
-#include "sim/running_model.h"
 
 namespace smile::app {
 
@@ -26,40 +24,24 @@ void AddWorldExportOptions(CLI::App* command, WorldExport* options) {
       ->check(NumberBetween(0, 3600));
 }
 
-namespace {
-
-interchange::ExportedScene SceneOfFile(const std::string& scene, const WorldExport& options) {
-  sim::RunningModel running(std::make_shared<const model::Model>(
-      scene_xml::LoadScene(scene, options.path.reader()), PlaceRobot(options.robot, options.path)));
-  for (long tick = std::lround(options.after * sim::kTicksPerSecond); tick > 0; --tick) {
-    running.Tick();
-  }
-  return interchange::SceneOf(running);
-}
-
-interchange::ExportedScene SceneOfRecording(const std::string& demo, const std::string& format,
-                                            const WorldExport& options,
-                                            const recording::TimeRange& range, double rate) {
-  if (!interchange::IsAnimated(format)) {
-    throw std::invalid_argument(format + " is of a scene file, found the recording " +
-                                Quoted(demo));
-  }
-  if (options != WorldExport()) {
-    throw std::invalid_argument(
-        "--after, --path and options of the robot are for scene files, found the recording " +
-        Quoted(demo));
-  }
-  return interchange::SceneOf(OpenAndReport(demo), range, rate);
-}
-
-}  // namespace
-
 int ExportWorld(const std::string& source, const std::string& format, const std::string& out,
                 const WorldExport& options, const recording::TimeRange& range, double rate) {
   RequireOutsideOfRecordings(out);
+  const bool is_recording = recording::IsRecording(source);
+  const char* unused =
+      is_recording
+          ? "--after, --path and options of the robot are for scene files, found the recording "
+          : "--from and --to-time are for recordings, found the scene file ";
+  if (is_recording ? options != WorldExport() : range != recording::TimeRange()) {
+    throw std::invalid_argument(unused + Quoted(source));
+  }
+  if (is_recording) interchange::RequireAnimated(format, source);
   const interchange::ExportedScene scene =
-      recording::IsRecording(source) ? SceneOfRecording(source, format, options, range, rate)
-                                     : SceneOfFile(source, options);
+      is_recording ? interchange::SceneOf(OpenAndReport(source), range, rate)
+                   : interchange::SceneAfter(
+                         options.after, std::make_shared<const model::Model>(
+                                            scene_xml::LoadScene(source, options.path.reader()),
+                                            PlaceRobot(options.robot, options.path)));
   for (const std::string& words : WriteScene(scene, format, out)) {
     std::fprintf(stderr, "left out: %s\n", words.c_str());
   }

@@ -1,6 +1,7 @@
 #include "interchange/exported_motion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "base/diagnostic.h"
@@ -142,6 +143,12 @@ ExportedScene SceneOf(const sim::RunningModel& running) {
   return {.world = WorldOf(running), .motion = collector.Take()};
 }
 
+ExportedScene SceneAfter(double seconds, std::shared_ptr<const model::Model> model) {
+  sim::RunningModel running(std::move(model));
+  for (long tick = std::lround(seconds * sim::kTicksPerSecond); tick > 0; --tick) running.Tick();
+  return SceneOf(running);
+}
+
 ExportedScene SceneOf(const recording::Recording& recording, const recording::TimeRange& range,
                       double rate) {
   const recording::TickRange ticks = TicksOf(range, recording);
@@ -165,7 +172,6 @@ ExportedScene SceneOf(const recording::Recording& recording, const recording::Ti
     }
   }
   scene.motion = collector.Take();
-  scene.motion.rate = rate;
   scene.world.left_out = {"the hands of the demonstrator"};
   return scene;
 }

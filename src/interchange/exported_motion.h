@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,7 +36,6 @@ struct MovingFrame {
 
 /// What is seen of a world, and how it moves: in a recording, or at one moment.
 struct ExportedMotion {
-  double rate = 60;             ///< moments per second that were asked for
   std::vector<double> seconds;  ///< of each moment since the first one
   /// As those of the visual model: the world, the objects, then the robot's base and links.
   std::vector<MovingFrame> frames;
@@ -51,6 +51,10 @@ struct ExportedScene {
 
 /// Returns the present world of a simulation, at rest.
 ExportedScene SceneOf(const sim::RunningModel& running);
+
+/// Returns the world of a model after simulated time, without commands.
+/// @param seconds  of simulated time, rounded to ticks.
+ExportedScene SceneAfter(double seconds, std::shared_ptr<const model::Model> model);
 
 /// Returns the motion in a part of a recording, with the world at its first moment. Objects that
 /// are added later are hidden until then.

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "base/demand.h"
 #include "base/files.h"
+#include "base/wording.h"
 #include "interchange/gltf.h"
 #include "interchange/mjcf.h"
 #include "interchange/sdf.h"
+#include "interchange/urdf.h"
 #include "interchange/usd.h"
 
 namespace smile::interchange {
@@ -25,6 +28,10 @@ constexpr std::array kFormats{
     WorldFormat{"sdf", false,
                 [](const ExportedScene& scene, const std::string& folder) {
                   return ToSdf(scene.world, folder);
+                }},
+    WorldFormat{"urdf", false,
+                [](const ExportedScene& scene, const std::string& folder) {
+                  return ToUrdf(scene.world, folder);
                 }},
     WorldFormat{"gltf", true,
                 [](const ExportedScene& scene, const std::string&) { return ToGltf(scene); }},
@@ -45,7 +52,11 @@ std::vector<std::string_view> WorldFormatNames() {
   return names;
 }
 
-bool IsAnimated(std::string_view format) { return FormatOf(format).is_animated; }
+void RequireAnimated(std::string_view format, std::string_view recording) {
+  if (FormatOf(format).is_animated) return;
+  throw std::invalid_argument(std::string(format) + " is of a scene file, found the recording " +
+                              Quoted(recording));
+}
 
 std::vector<std::string> WriteScene(const ExportedScene& scene, std::string_view format,
                                     const std::filesystem::path& out) {

@@ -12,8 +12,9 @@ namespace smile::interchange {
 /// Returns the names of all formats in which a world can be written.
 std::vector<std::string_view> WorldFormatNames();
 
-/// Returns true for formats in which objects move as in a recording; the others have one moment.
-bool IsAnimated(std::string_view format);
+/// Demands a format in which objects move as in a recording; the others have one moment.
+/// @throws std::invalid_argument naming the recording.
+void RequireAnimated(std::string_view format, std::string_view recording);
 
 /// Writes a scene to a file, and the files to which it refers into a folder beside it: those of
 /// `a/tower.sdf` into `a/tower_meshes`.

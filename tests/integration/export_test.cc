@@ -158,9 +158,17 @@ TEST_F(Exports, ReportErrors) {
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_EQ(unknown.err,
             "smile: --to is \"cvs\", expected trajectory-csv, ros-trajectory, lerobot-v3.0, "
-            "lerobot-v2.1, robomimic, zarr, mcap, rrd, csv, mjcf, sdf, gltf or usd\n");
+            "lerobot-v2.1, robomimic, zarr, mcap, rrd, csv, mjcf, sdf, urdf, gltf or usd\n");
   EXPECT_EQ(Smile("export demo --to trajectory-csv --fps 10 --out x.csv").err,
             "smile: --fps is for datasets, and --to is \"trajectory-csv\"\n");
+  EXPECT_EQ(Smile("export demo --to sdf --out x.sdf").err,
+            "smile: sdf is of a scene file, found the recording \"demo\"\n");
+  EXPECT_EQ(Smile("export demo --to gltf --after 1 --out x.glb").err,
+            "smile: --after, --path and options of the robot are for scene files, found the "
+            "recording \"demo\"\n");
+  EXPECT_EQ(Smile("export pair.xml --to gltf --from 1 --out x.glb").err,
+            "smile: --from and --to-time are for recordings, found the scene file \"pair.xml\"\n");
+  EXPECT_EQ(Smile("export demo --to usd --out demo/x.usda").exit_code, 1);
   Write("broken.csv", "time,left_s0\n0,0.25\n1,half\n");
   EXPECT_EQ(Smile("run pair.xml --trajectory broken.csv").err,
             "broken.csv:3: found \"half\", expected a number of at most 1e6\n");

@@ -64,30 +64,29 @@ bool IsPlain(const scene::SceneSpec& scene, std::size_t index) {
   return is_plain;
 }
 
-/// Returns the copies at the places of the objects, as a scene; nullopt with the reason if one
-/// cannot be copied.
-std::optional<scene::SceneSpec> CopiesOf(const std::vector<std::string>& objects,
-                                         const Simulation& simulation, Refusal* refusal) {
-  if (auto repeated = RefuseRepeated(objects)) {
-    *refusal = *std::move(repeated);
-    return std::nullopt;
+/// Returns the reason why objects cannot be copied.
+std::optional<Refusal> RefuseToCopy(const std::vector<std::string>& objects,
+                                    const Simulation& simulation) {
+  if (auto refusal = RefuseRepeated(objects)) return refusal;
+  for (const std::string& id : objects) {
+    const world::Object* object = simulation.tabletop().Find(id);
+    if (object == nullptr) return simulation.tabletop().RefuseToReach(id);
+    if (IsPlain(simulation.scene(), object->index)) continue;
+    return world::Named(id) + " cannot be copied: it has mechanisms or a mesh of its own";
   }
+  return std::nullopt;
+}
+
+/// Returns the copies at the places of the objects, as a scene.
+scene::SceneSpec CopiesOf(const std::vector<std::string>& objects, const Simulation& simulation) {
   const scene::SceneSpec& scene = simulation.scene();
   scene::SceneSpec copies{
       .name = "copies", .meters_per_unit = scene.meters_per_unit, .table = scene.table};
   std::set<std::string> ids = scene::IdsOf(scene);
   for (const std::string& id : objects) {
-    const world::Object* object = simulation.tabletop().Find(id);
-    if (object == nullptr) {
-      *refusal = simulation.tabletop().RefuseToReach(id).value_or("");
-      return std::nullopt;
-    }
-    if (!IsPlain(scene, object->index)) {
-      *refusal = world::Named(id) + " cannot be copied: it has mechanisms or a mesh of its own";
-      return std::nullopt;
-    }
-    scene::ObjectSpec copy = *object->spec;
-    copy.whole.X_PE = simulation.physics().body(object->body).pose_in_world();
+    const world::Object& object = *simulation.tabletop().Find(id);
+    scene::ObjectSpec copy = *object.spec;
+    copy.whole.X_PE = simulation.physics().body(object.body).pose_in_world();
     Rename(&copy.whole, &ids);
     copies.objects.push_back(std::move(copy));
   }
@@ -144,13 +143,16 @@ Duplicate ParseDuplicate(const Json& json, double meters_per_unit) {
 
 std::optional<Spawn> SpawnOf(const Duplicate& duplicate, const Simulation& simulation,
                              Refusal* refusal) {
-  const auto copies = CopiesOf(duplicate.objects, simulation, refusal);
-  if (!copies) return std::nullopt;
-  if (duplicate.by) return SpawnAt(*copies, *duplicate.by);
-  const scene::Bounds bounds = BoundsOf(*copies);
+  if (auto reason = RefuseToCopy(duplicate.objects, simulation)) {
+    *refusal = *std::move(reason);
+    return std::nullopt;
+  }
+  const scene::SceneSpec copies = CopiesOf(duplicate.objects, simulation);
+  if (duplicate.by) return SpawnAt(copies, *duplicate.by);
+  const scene::Bounds bounds = BoundsOf(copies);
   for (const Vector3& by : WaysBeside(bounds)) {
     if (!IsOverTable(bounds, by, simulation.scene().table)) continue;
-    Spawn spawn = SpawnAt(*copies, by);
+    Spawn spawn = SpawnAt(copies, by);
     const auto grown = GrownModel(simulation.model(), spawn, refusal);
     if (grown == nullptr) return std::nullopt;
     if (!RefuseOverlap(*grown, simulation.tabletop(), simulation.physics())) return spawn;

@@ -85,6 +85,7 @@ fi
 # imported.
 golden branches run scenes/tower.xml --commands "$scripts/branches.jsonl" --recordings "$scratch" --no-pictures --no-robot
 golden spawn run scenes/tower.xml --commands "$scripts/spawn.jsonl" --recordings "$scratch" --no-pictures --no-robot
+golden displace run scenes/tower.xml --commands "$scripts/displace.jsonl" --recordings "$scratch" --no-pictures --no-robot
 golden neighbors run scenes/tower.xml --commands "$scripts/neighbors.jsonl" --recordings "$scratch" --no-pictures --no-robot
 if [[ ! -e $golden/continued ]]; then
   cp -r "$golden/branches" "$scratch/continued"

@@ -41,10 +41,11 @@ void AddObject(const std::string& id, std::vector<std::string>* objects) {
   if (!id.empty() && std::ranges::find(*objects, id) == objects->end()) objects->push_back(id);
 }
 
-/// Adds what an action is about; how many objects were cleared away, or which scene was loaded, is
-/// no id.
+/// Adds what an action is about; how many objects were cleared away or moved, or which scene was
+/// loaded, is no id.
 void AddObjects(const sim::ActionSummary& action, std::vector<std::string>* objects) {
-  if (action.kind == sim::ActionKind::kClear || action.kind == sim::ActionKind::kLoad) return;
+  using enum sim::ActionKind;
+  if (action.kind == kClear || action.kind == kMove || action.kind == kLoad) return;
   AddObject(action.what, objects);
   AddObject(action.with, objects);
 }

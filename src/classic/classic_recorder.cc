@@ -162,6 +162,8 @@ void ClassicRecorder::BeginWithoutHand(const sim::Event& event) {
   const bool is_new = event.kind == sim::EventKind::kAdded;
   state_.written.Resize(model_->objects().size());
   state_.is_gone.resize(model_->objects().size());
+  // Where they are now is written with the next frame, as that of everything that moves.
+  if (event.kind == sim::EventKind::kDisplaced) return;
   // All objects first, then their controls, as at the start.
   for (const std::string& id : event.objects) {
     const model::ObjectIndex object = IndexOf(id);
@@ -181,7 +183,8 @@ void ClassicRecorder::BeginWithoutHand(const sim::Event& event) {
 
 void ClassicRecorder::Note(const sim::Event& event) {
   using enum sim::EventKind;
-  if (event.kind == kAdded || event.kind == kRemoved || event.kind == kCleared) {
+  if (event.kind == kAdded || event.kind == kRemoved || event.kind == kDisplaced ||
+      event.kind == kCleared) {
     return BeginWithoutHand(event);
   }
   // The action is the first line of its segment. A picture of a frame belongs to the segment that

@@ -148,6 +148,21 @@ scene::Bounds BoundsIn(const scene::ObjectSpec& object, const RigidTransform& X_
   return scene::BoundsOf(scene::SolidsOf(object.whole), X_WA * object.pose_in_world());
 }
 
+/// Returns the objects at a place A as a scene of their own, with new ids.
+scene::SceneSpec SceneOf(const std::string& preset, std::vector<scene::ObjectSpec> things,
+                         const RigidTransform& X_WA, const PlacementContext& context) {
+  scene::SceneSpec scene{
+      .name = preset, .meters_per_unit = context.meters_per_unit, .table = context.table};
+  // Ids of the new objects must also differ among themselves.
+  std::set<std::string> ids = context.ids;
+  for (scene::ObjectSpec& thing : things) {
+    thing.whole.id = NewId(thing.whole.id, &ids);
+    thing.whole.X_PE = X_WA * thing.whole.X_PE;
+    scene.objects.push_back(std::move(thing));
+  }
+  return scene;
+}
+
 /// Finds a place A where objects meet no others and do not extend over the table's edge.
 class PlaceFinder {
  public:
@@ -206,16 +221,20 @@ std::optional<scene::SceneSpec> MakePreset(const std::string& preset,
   std::vector<scene::ObjectSpec> things = maker.Take();
   const auto X_WA = PlaceFinder(context).Find(things, &random);
   if (!X_WA) return std::nullopt;
-  scene::SceneSpec scene{
-      .name = preset, .meters_per_unit = context.meters_per_unit, .table = context.table};
-  // Ids of the new objects must also differ among themselves.
-  std::set<std::string> ids = context.ids;
-  for (scene::ObjectSpec& thing : things) {
-    thing.whole.id = NewId(thing.whole.id, &ids);
-    thing.whole.X_PE = *X_WA * thing.whole.X_PE;
-    scene.objects.push_back(std::move(thing));
-  }
-  return scene;
+  return SceneOf(preset, std::move(things), *X_WA, context);
+}
+
+scene::SceneSpec MakePreset(const std::string& preset, const PlacementContext& context,
+                            std::uint64_t seed, const Vector3& p_WQ) {
+  Random random(seed);
+  Maker maker(context.meters_per_unit, &random);
+  FindRecipe(preset).make(&maker);
+  std::vector<scene::ObjectSpec> things = maker.Take();
+  scene::Bounds bounds;
+  for (const scene::ObjectSpec& thing : things) bounds.Add(BoundsIn(thing, RigidTransform()));
+  Vector3 p_AQ = (bounds.low + bounds.high) / 2;
+  p_AQ.z() = bounds.low.z();
+  return SceneOf(preset, std::move(things), RigidTransform(Vector3(p_WQ - p_AQ)), context);
 }
 
 }  // namespace smile::layout

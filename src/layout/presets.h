@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "math/rigid_transform.h"
 #include "scene/bounds.h"
 #include "scene/scene_spec.h"
 
@@ -35,5 +36,10 @@ struct PlacementContext {
 /// @throws std::invalid_argument if there is no such preset.
 std::optional<scene::SceneSpec> MakePreset(const std::string& preset,
                                            const PlacementContext& context, std::uint64_t seed);
+
+/// The same at a given place, not rotated.
+/// @param p_WQ  point under the middle of the objects [m], taken or not.
+scene::SceneSpec MakePreset(const std::string& preset, const PlacementContext& context,
+                            std::uint64_t seed, const Vector3& p_WQ);
 
 }  // namespace smile::layout

@@ -71,6 +71,11 @@ std::vector<RequestForm> WorldRequests() {
        "sets what drags and turns snap to: by at most 0.15 units in the plane of the drag, and by "
        "at most 5 degrees. `faces` and `edges` are those of objects with the same orientation; "
        "`angles` are right angles to the table and to the nearest object"},
+      {"eye",
+       {{"camera", TextShape(), true, "one of `cameras` in the state"}},
+       {},
+       "sets the camera whose pictures the next recordings contain. Refused while recording or "
+       "while a brain runs"},
       {"support",
        {{"object", TextShape(), true, "id of the object"}},
        {{"on", TextShape(), kOptional}, {"into", TextShape(), kOptional}},

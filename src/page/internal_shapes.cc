@@ -123,9 +123,9 @@ JsonShape ToolUseShape() {
 
 JsonShape ActionSummaryShape() {
   return ObjectShape(
-             {{"do",
-               JsonShape::Word({"take", "put", "drop", "release", "destroy", "point", "trigger",
-                                "fasten", "loosen", "cut", "add", "remove", "clear", "load"})},
+             {{"do", JsonShape::Word({"take", "put", "drop", "release", "destroy", "point",
+                                      "trigger", "fasten", "loosen", "cut", "add", "remove", "move",
+                                      "clear", "load"})},
               {"hand", HandNameShape().OrNull(), true, "null for an action without a hand"},
               {"what", TextShape(), true, "an id, `5 objects`, or the name of a scene"},
               {"with", TextShape(), kOptional, "id of the tool"},

@@ -84,6 +84,7 @@ JsonShape StateUpdateShape() {
                    {"title", TextShape()},
                    {"error", TextShape()},
                    {"kept", FlagShape(), true, "the recording is in the library"}});
+  const JsonShape eye = ObjectShape({{"camera", TextShape()}, {"cameras", TextsShape()}});
   const JsonShape allowed = ObjectShape(
       {{"requests", JsonShape::Map(AllowedShape())}, {"commands", JsonShape::Map(AllowedShape())}});
   return ObjectShape(
@@ -111,6 +112,8 @@ JsonShape StateUpdateShape() {
               {"robot", RobotNowShape().OrNull()},
               {"brain", BrainNowShape()},
               {"snap", JsonShape::List(SnapNameShape())},
+              {"eye", eye.OrNull(), true,
+               "the camera whose pictures are recorded, and those that can be; see `eye`"},
               {"markers", JsonShape::List(PointShape())}})
       .Called("StateMessage");
 }

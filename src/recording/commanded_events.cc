@@ -18,6 +18,7 @@ std::optional<sim::Event> CommandedEvents::Next(const sim::Command& command) {
             event.objects = {action.object};
             return event;
           }
+          if constexpr (std::is_same_v<Kind, sim::Displace>) event.objects = action.objects;
           if constexpr (requires { action.hand; }) event.hand = action.hand;
           // A release does not name its object: it is the one that the hand grasped last.
           if constexpr (std::is_same_v<Kind, sim::Release> || std::is_same_v<Kind, sim::Destroy>) {

@@ -69,6 +69,7 @@ std::optional<sim::Event> GetEvent(ByteReader* in) {
   const auto kind = in->Get<std::uint8_t>();
   const auto hand = in->Get<std::uint8_t>();
   const bool is_known = kind <= static_cast<std::uint8_t>(sim::EventKind::kCleared) ||
+                        static_cast<sim::EventKind>(kind) == sim::EventKind::kDisplaced ||
                         HasCause(static_cast<sim::EventKind>(kind));
   if (!is_known) return std::nullopt;
   if (hand != kNoHand && hand >= demonstrator::kHandNames.size()) return std::nullopt;

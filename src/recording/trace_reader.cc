@@ -603,9 +603,9 @@ bool TraceReader::IsSound(const sim::Event& event) const {
   const auto is_object = [this](const std::string& id) {
     return std::ranges::find(object_names_, id) != object_names_.end();
   };
-  // Exactly the events that add or remove objects have a list of objects.
-  const bool is_of_several =
-      event.kind == kAdded || event.kind == kRemoved || event.kind == kCleared;
+  // Exactly the events without a hand that concern several objects have a list of them.
+  const bool is_of_several = event.kind == kAdded || event.kind == kRemoved ||
+                             event.kind == kDisplaced || event.kind == kCleared;
   if (is_of_several != !event.objects.empty()) return false;
   if (is_of_several) return event.object.empty() && std::ranges::all_of(event.objects, is_object);
   const bool is_known = is_object(event.object);

@@ -87,6 +87,8 @@ std::string_view ToString(ActionKind kind) {
       return "add";
     case kRemove:
       return "remove";
+    case kMove:
+      return "move";
     case kClear:
       return "clear";
     case kLoad:
@@ -133,6 +135,8 @@ std::optional<ActionSummary> SummaryOf(const Event& event,
       return summary(ActionKind::kAdd, NameOf(event.objects));
     case kRemoved:
       return summary(ActionKind::kRemove, NameOf(event.objects));
+    case kDisplaced:
+      return summary(ActionKind::kMove, NameOf(event.objects));
     case kCleared:
       return summary(ActionKind::kClear, NameOf(event.objects));
     case kLoaded:
@@ -145,6 +149,7 @@ std::optional<ActionSummary> SummaryOf(const Event& event,
 std::string WordsOf(const ActionSummary& summary) {
   if (summary.kind == ActionKind::kAdd) return "added " + summary.what;
   if (summary.kind == ActionKind::kRemove) return "removed " + summary.what;
+  if (summary.kind == ActionKind::kMove) return "moved " + summary.what;
   if (summary.kind == ActionKind::kClear) return "cleared the table of " + summary.what;
   if (summary.kind == ActionKind::kLoad) return "loaded " + summary.what;
   const bool is_one_hand = summary.hand != HandName::kBoth;

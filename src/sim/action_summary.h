@@ -26,6 +26,7 @@ constexpr std::optional<EventKind> EventOfAction() {
   if constexpr (std::is_same_v<Kind, Use>) return EventKind::kUsed;
   if constexpr (std::is_same_v<Kind, Spawn>) return EventKind::kAdded;
   if constexpr (std::is_same_v<Kind, Remove>) return EventKind::kRemoved;
+  if constexpr (std::is_same_v<Kind, Displace>) return EventKind::kDisplaced;
   if constexpr (std::is_same_v<Kind, Clear>) return EventKind::kCleared;
   if constexpr (std::is_same_v<Kind, Load>) return EventKind::kLoaded;
   return std::nullopt;
@@ -52,11 +53,12 @@ enum class ActionKind {
   kCut,
   kAdd,
   kRemove,
+  kMove,
   kClear,
   kLoad
 };
 /// Returns `take`, `put`, `drop`, `release`, `destroy`, `point`, `trigger`, `fasten`, `loosen`,
-/// `cut`, `add`, `remove`, `clear` or `load`.
+/// `cut`, `add`, `remove`, `move`, `clear` or `load`.
 std::string_view ToString(ActionKind kind);
 
 /// Summary of an action.
@@ -79,7 +81,8 @@ std::optional<ActionSummary> SummaryOf(const Event& event,
                                        const std::optional<model::Support>& support);
 
 /// Returns a phrase: `left hand takes b03`, `both hands put b03 on b01`, `right hand drops b03 into
-/// crate`; `added b03`, `removed b03`, `cleared the table of 5 objects`, `loaded um`.
+/// crate`; `added b03`, `removed b03`, `moved 3 objects`, `cleared the table of 5 objects`, `loaded
+/// um`.
 std::string WordsOf(const ActionSummary& summary);
 
 /// Returns `{"do":"take","hand":"left","what":"b03","words":"left hand takes b03"}`; with

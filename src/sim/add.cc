@@ -31,19 +31,35 @@ layout::PlacementContext PlacementContextOf(const Simulation& simulation) {
   return context;
 }
 
+/// Returns the objects at a given place, without a search: the simulation refuses them if there is
+/// no room.
+std::optional<Spawn> SpawnAt(const Add& add, const layout::PlacementContext& context,
+                             Refusal* refusal) {
+  try {
+    return Spawn{
+        .xml = scene_xml::WriteScene(layout::MakePreset(add.preset, context, add.seed, *add.p_WQ))};
+  } catch (const std::invalid_argument& error) {
+    *refusal = error.what();
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 bool IsAdd(const Json& json) {
   return json.is_object() && json.contains("do") && json.at("do") == Add::kName.name;
 }
 
-Add ParseAdd(const Json& json) { return ReadFields<Add>(json, scene::kMetersPerUnit); }
+Add ParseAdd(const Json& json, double meters_per_unit) {
+  return ReadFields<Add>(json, meters_per_unit);
+}
 
 std::optional<Spawn> SpawnOf(const Add& add, const Simulation& simulation, Refusal* refusal) {
   // A place that is free of objects may still be taken by the robot: try other seeds. The constant
   // between seeds (2^64 divided by the golden ratio) spreads them well.
   constexpr std::uint64_t kMaxTries = 20, kBetweenSeeds = 0x9E3779B97F4A7C15;
   const layout::PlacementContext context = PlacementContextOf(simulation);
+  if (add.p_WQ) return SpawnAt(add, context, refusal);
   for (std::uint64_t i = 0; i < kMaxTries; ++i) {
     std::optional<scene::SceneSpec> scene;
     try {

@@ -159,6 +159,9 @@ void ChangeDetector::AppendOwn(const Command& command, std::vector<Event>* event
           [&](const Remove&) -> std::optional<Event> {
             return Event{.kind = EventKind::kRemoved, .objects = ChangedObjects()};
           },
+          [&](const Displace& displace) -> std::optional<Event> {
+            return Event{.kind = EventKind::kDisplaced, .objects = displace.objects};
+          },
           [&](const Clear&) -> std::optional<Event> {
             return Event{.kind = EventKind::kCleared, .objects = ChangedObjects()};
           },

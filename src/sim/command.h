@@ -414,6 +414,25 @@ struct Remove {
   bool operator==(const Remove&) const = default;
 };
 
+/// Field for the objects of a command for several of them.
+inline constexpr CommandField kObjectsField{"objects", ValueKind::kObjects, "ids of whole objects"};
+
+/// Moves objects together at once, without a hand, with what is connected to them; see
+/// sim/displacing.h.
+struct Displace {
+  static constexpr CommandName kName{
+      "displace", "moves objects together at once, without a hand; no hand may hold them"};
+  std::vector<std::string> objects;
+  Vector3 by = Vector3::Zero();  ///< the way of all of them [m]
+
+  static void VisitFields(auto& command, auto&& visit) {
+    visit(command.objects, kObjectsField);
+    visit(command.by, CommandField{"by", ValueKind::kPoint, "the way of all of them along the axes",
+                                   ValueUnit::kUnits});
+  }
+  bool operator==(const Displace&) const = default;
+};
+
 /// Removes all objects from the world except those that a hand or gripper holds, and those
 /// connected with them.
 struct Clear {
@@ -492,7 +511,7 @@ struct FinishRecording {
 using Command =
     std::variant<Grasp, MoveTo, Plane, Rotate, Release, Destroy, Attend, Point, Trigger, Fasten,
                  Loosen, Use, JointVelocities, JointAngles, TurnJoint, MoveGripper, TakePose,
-                 FollowTrajectory, ShowRobot, Face, Markers, Spawn, Remove, Clear, Load, Undo, Redo,
-                 StartRecording, FinishRecording>;
+                 FollowTrajectory, ShowRobot, Face, Markers, Spawn, Remove, Displace, Clear, Load,
+                 Undo, Redo, StartRecording, FinishRecording>;
 
 }  // namespace smile::sim

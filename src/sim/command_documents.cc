@@ -7,6 +7,7 @@
 
 #include "sim/add.h"
 #include "sim/drag.h"
+#include "sim/duplicate.h"
 #include "sim/internal_command_fields.h"
 
 // Everything that describes commands to people and programs is generated from the fields that each
@@ -32,6 +33,7 @@ std::vector<CommandForm> FormsOfCommands() {
   });
   forms.push_back({Drag::kName, FieldsOf<Drag>()});
   forms.push_back({Add::kName, FieldsOf<Add>()});
+  forms.push_back({Duplicate::kName, FieldsOf<Duplicate>()});
   return forms;
 }
 

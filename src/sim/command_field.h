@@ -7,6 +7,8 @@ namespace smile::sim {
 
 /// Upper bound of names [bytes].
 inline constexpr std::size_t kMaxText = 256;
+/// Upper bound of the objects that a command names.
+inline constexpr std::size_t kMaxNamedObjects = 1000;
 /// Upper bound of a scene in a command [bytes].
 inline constexpr std::size_t kMaxSceneText = std::size_t{1} << 20;
 /// Greatest integer that JSON implementations represent exactly.
@@ -30,6 +32,7 @@ enum class ValueKind {
   kFlag,
   kFaceExpression,
   kProperties,
+  kObjects,
   kArm,
   kShare,
   kJointNames,

@@ -43,6 +43,8 @@ std::string_view ToString(EventKind kind) {
       return "pressed";
     case EventKind::kUsed:
       return "used";
+    case EventKind::kDisplaced:
+      return "displaced";
   }
   return "";
 }

@@ -36,6 +36,7 @@ enum class EventKind {
   /// a tool, `by`, was used: `state` is `cut`, `fasten` or `loosen`, `part` in words what it worked
   /// on, which is (a part of) `object`; without a hand if it was not by a command
   kUsed,
+  kDisplaced,  ///< `objects` were moved together at once, without a hand
 };
 
 std::string_view ToString(EventKind kind);

@@ -78,6 +78,7 @@ std::map<ValueKind, Allowed> MakeKinds() {
        {JsonShape::List(JsonShape::Text(demonstrator::kMaxPropertyLength), 0,
                         demonstrator::kMaxProperties),
         "at most 32 names of properties of at most 256 characters"}},
+      {kObjects, {JsonShape::List(text, 1, kMaxNamedObjects), "1 to 1000 ids of objects"}},
       {kArm, {JsonShape::Text(robot::kMaxArmName), "the name of an arm, both or all"}},
       {kShare, {JsonShape::Number(kMinSpeed, 1), "a number above 0, at most 1"}},
       {kJointNames,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/state_hash.h"
+#include "sim/displacing.h"
 #include "sim/spawning.h"
 #include "sim/tick.h"
 
@@ -116,6 +117,10 @@ std::optional<Refusal> RunningModel::ExecuteOne(const Remove& remove) {
   // RefuseToReach() distinguishes the reasons, such as an unknown id.
   if (object == nullptr) return tabletop_.RefuseToReach(remove.object);
   return demonstrator_.Remove(*object);
+}
+
+std::optional<Refusal> RunningModel::ExecuteOne(const Displace& displace) {
+  return DisplaceObjects(displace, tabletop_, &physics_);
 }
 
 std::optional<Refusal> RunningModel::ExecuteOne(const Clear&) {

@@ -86,6 +86,7 @@ class RunningModel {
   std::optional<Refusal> ExecuteOne(const Markers& markers);
   std::optional<Refusal> ExecuteOne(const Spawn& spawn);
   std::optional<Refusal> ExecuteOne(const Remove& remove);
+  std::optional<Refusal> ExecuteOne(const Displace& displace);
   std::optional<Refusal> ExecuteOne(const Clear& clear);
 
   std::shared_ptr<const model::Model> start_model_;

@@ -148,7 +148,9 @@ class LineReader {
     } else if (IsDrag(json)) {
       read.what = ParseDrag(json, meters_per_unit_);
     } else if (IsAdd(json)) {
-      read.what = ParseAdd(json);
+      read.what = ParseAdd(json, meters_per_unit_);
+    } else if (IsDuplicate(json)) {
+      read.what = ParseDuplicate(json, meters_per_unit_);
     } else if (has_do && json.at("do") == "trajectory" && json.contains("file")) {
       read.what = ReadTrajectoryOf(json);
     } else if (has_do && json.at("do") == "load" && json.contains("file")) {
@@ -291,6 +293,12 @@ std::optional<Refusal> ScriptPlayer::Execute(const Command& command, Simulation*
 std::optional<Refusal> ScriptPlayer::Execute(const Add& add, Simulation* simulation) {
   Refusal refusal;
   const auto spawn = SpawnOf(add, *simulation, &refusal);
+  return spawn ? simulation->Apply(*spawn) : refusal;
+}
+
+std::optional<Refusal> ScriptPlayer::Execute(const Duplicate& duplicate, Simulation* simulation) {
+  Refusal refusal;
+  const auto spawn = SpawnOf(duplicate, *simulation, &refusal);
   return spawn ? simulation->Apply(*spawn) : refusal;
 }
 

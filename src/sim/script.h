@@ -10,6 +10,7 @@
 #include "sim/add.h"
 #include "sim/command.h"
 #include "sim/drag.h"
+#include "sim/duplicate.h"
 #include "sim/simulation.h"
 
 namespace smile::sim {
@@ -27,7 +28,7 @@ struct Wait {
 struct ScriptLine {
   int line = 0;                       ///< line number in the file, from 1
   std::optional<std::uint64_t> tick;  ///< earliest tick
-  std::variant<Command, Drag, Add, Wait> what;
+  std::variant<Command, Drag, Add, Duplicate, Wait> what;
 };
 
 /// A demonstration or a test as a file: one command per line as JSON, with blank lines and comments
@@ -71,6 +72,7 @@ class ScriptPlayer {
   static std::optional<Refusal> Execute(const Command& command, Simulation* simulation);
   static std::optional<Refusal> Execute(const Drag& drag, Simulation* simulation);
   static std::optional<Refusal> Execute(const Add& add, Simulation* simulation);
+  static std::optional<Refusal> Execute(const Duplicate& duplicate, Simulation* simulation);
   bool IsOver(const Wait& wait, const ScriptLine& line, const Simulation& simulation);
   [[noreturn]] void Fail(const ScriptLine& line, const std::string& message) const;
 

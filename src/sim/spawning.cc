@@ -20,9 +20,6 @@ namespace {
 
 using world::Refusal;
 
-/// Greatest overlap of objects that only touch [m].
-constexpr double kTouching = 0.0005;
-
 /// Returns a list of names for a message, shortened after ten.
 std::string Listed(const std::vector<std::string>& names) {
   constexpr std::size_t kMaxListed = 10;

@@ -18,6 +18,8 @@ namespace smile::sim {
 inline constexpr scene_xml::SceneLimits kCommandSceneLimits{.max_elements = 20'000,
                                                             .max_objects = 2'000};
 inline constexpr std::size_t kMaxObjects = 10'000;
+/// Greatest overlap of objects that only touch [m].
+inline constexpr double kTouching = 0.0005;
 
 /// Reads the scene text of a command, which cannot name files.
 /// @param name  of the scene, and of the text in diagnostics.

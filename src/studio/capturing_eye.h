@@ -12,7 +12,7 @@ namespace smile::studio {
 class CapturingEye : public sim::Eye {
  public:
   explicit CapturingEye(sim::Eye* eye) : eye_(eye) {}
-  /// Replaces the wrapped eye; the new one must have the same spec.
+  /// Replaces the wrapped eye; the new one must have the same camera and size.
   void SetEye(sim::Eye* eye) { eye_ = eye; }
 
   const Image& Draw(const scene::VisualModel& model, const sim::ViewSample& sample) override {

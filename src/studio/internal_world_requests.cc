@@ -8,6 +8,7 @@
 #include "sim/action_summary.h"
 #include "sim/add.h"
 #include "sim/command_json.h"
+#include "sim/duplicate.h"
 
 // Requests about the live world become commands, and all commands pass StateMachine::Apply().
 // Questions (support, resting place, allowed) never change the world: whatever must be tried is
@@ -138,10 +139,14 @@ void WorldRequests::Apply(const sim::Command& command) {
 sim::Command WorldRequests::MeantBy(const Json& wanted, bool is_exact) {
   const LiveWorld& world = states_->world();
   const double meters_per_unit = world.simulation().scene().meters_per_unit;
-  // `add` names a preset; the command in the log is the `spawn` of its objects.
-  if (sim::IsAdd(wanted)) {
+  // `add` and `duplicate` say which objects; the command in the log is the `spawn` of these.
+  if (sim::IsAdd(wanted) || sim::IsDuplicate(wanted)) {
     sim::Refusal refusal;
-    const auto spawn = sim::SpawnOf(sim::ParseAdd(wanted), world.simulation(), &refusal);
+    const auto spawn =
+        sim::IsAdd(wanted)
+            ? sim::SpawnOf(sim::ParseAdd(wanted, meters_per_unit), world.simulation(), &refusal)
+            : sim::SpawnOf(sim::ParseDuplicate(wanted, meters_per_unit), world.simulation(),
+                           &refusal);
     if (!spawn) throw page::RequestError(refusal);
     return *spawn;
   }

@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "brain/brain_log.h"
 #include "library/library.h"
+#include "model/chosen_eye.h"
 #include "studio/internal_brain_requests.h"
 #include "studio/internal_console_updates.h"
 #include "studio/internal_eye_preview.h"
@@ -25,7 +26,9 @@ namespace {
 
 constexpr std::uint64_t kTicksPerState = 3;  // at most 20 states a second
 
-SessionOptions WithDefaults(SessionOptions options) {
+/// @param eye  records in place of that of the options; nullptr: nothing does.
+SessionOptions WithDefaults(SessionOptions options, sim::Eye* eye) {
+  options.eye = eye;
   if (options.scene_folder.empty()) options.scene_folder = DataFile("scenes");
   return options;
 }
@@ -68,6 +71,12 @@ class Session::Impl : private StateMachine::Listener {
   void SendIfAny(std::optional<Json> message);
   Json DescribeState() const;
 
+  /// Returns the cameras whose pictures can be recorded.
+  std::vector<std::string_view> EyeCameras() const;
+  std::optional<std::string> RefuseEye(const page::RequestFields& fields) const;
+  Json ChooseEye(const page::RequestFields& fields);
+
+  std::optional<model::ChosenEye> eye_;  ///< nullopt for no pictures
   const SessionOptions options_;
   library::Library library_;
   SceneSource scene_source_;
@@ -90,7 +99,8 @@ class Session::Impl : private StateMachine::Listener {
 };
 
 Session::Impl::Impl(SessionOptions options)
-    : options_(WithDefaults(std::move(options))),
+    : eye_(options.eye != nullptr ? std::optional<model::ChosenEye>(options.eye) : std::nullopt),
+      options_(WithDefaults(std::move(options), eye_ ? &*eye_ : nullptr)),
       library_(options_.recordings),
       scene_source_(options_.scene_folder, options_.reader),
       states_(options_.robot.has_value(), this),
@@ -133,6 +143,10 @@ std::vector<RequestRow> Session::Impl::RequestRows() {
        .refuse = Bound(world, &WorldRequests::RefuseClear)},
       {"load", Bound(scenes, &SceneRequests::Load), {Need::kOtherWorld}},
       {"reload", Bound(scenes, &SceneRequests::Reload), {Need::kOtherWorld}},
+      {.what = "eye",
+       .handle = Bound(this, &Impl::ChooseEye),
+       .needs = {Need::kNewRecording, Need::kNoProgram},
+       .refuse = Bound(this, &Impl::RefuseEye)},
       {"check", Bound(scenes, &SceneRequests::Check), {}, /*is_for_anyone=*/true},
       {"show", Bound(playback, &PlaybackRequests::Show), {Need::kShow}},
       {"play", Bound(playback, &PlaybackRequests::Play), {Need::kPlayback}},
@@ -150,6 +164,25 @@ std::vector<RequestRow> Session::Impl::RequestRows() {
        Bound(brains, &BrainRequests::Imitate),
        {Need::kOtherWorld, Need::kRobot, Need::kNoProgram}},
   };
+}
+
+std::vector<std::string_view> Session::Impl::EyeCameras() const {
+  if (!eye_) return {};
+  if (!options_.robot) return {model::kEyeCamera};
+  return {model::kEyeCamera, model::kHeadCamera};
+}
+
+std::optional<std::string> Session::Impl::RefuseEye(const page::RequestFields&) const {
+  if (!eye_) return "the studio was started without pictures";
+  if (states_.world().is_recording()) return "a recording is in progress; finish it first";
+  return std::nullopt;
+}
+
+Json Session::Impl::ChooseEye(const page::RequestFields& fields) {
+  const std::vector<std::string_view> cameras = EyeCameras();
+  eye_->Choose(fields.Word("camera", cameras));
+  eye_preview_.Reset();
+  return Json::object();
 }
 
 const library::DisplayedState& Session::Impl::view() const {
@@ -238,6 +271,8 @@ Json Session::Impl::DescribeState() const {
   state_message["restoring"] = restoring != nullptr ? Json(restoring->recording()) : Json();
   state_message["brain"] = states_.brain().Describe();
   state_message["snap"] = world_requests_.snap();
+  state_message["eye"] =
+      eye_ ? Json{{"camera", eye_->spec().camera}, {"cameras", EyeCameras()}} : Json();
   // Markers are points for people; in playback they remain those of the live world.
   state_message["markers"] = Json::array();
   for (const Vector3& point : world.markers()) {

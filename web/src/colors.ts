@@ -16,6 +16,7 @@ export const guideColors = {
   plumbLine: "#5d6678",
   ghost: "#6470e8",
   hover: "#5b68f0",
+  selected: "#0a9396",
   marker: "#d6336c",
   tool: "#17854a",
   measure: "#b02a8f",

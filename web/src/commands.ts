@@ -213,6 +213,15 @@ export interface RemoveCommand {
   object: string;
 }
 
+/** It moves objects together at once, without a hand; no hand may hold them. */
+export interface DisplaceCommand {
+  do: "displace";
+  /** ids of whole objects */
+  objects: string[];
+  /** the way of all of them along the axes [units] */
+  by: [number, number, number];
+}
+
 /** It removes all objects from the world except held objects and objects connected to them. */
 export interface ClearCommand {
   do: "clear";
@@ -266,13 +275,24 @@ export interface DragCommand {
   speed?: number;
 }
 
-/** It adds ready-made objects at a free place; is logged as `spawn`. */
+/** It adds ready-made objects; is logged as `spawn`. */
 export interface AddCommand {
   do: "add";
   /** big_block, stack_3, stack_5, stack_8, box, ball, prism, ring or dominoes */
   preset: string;
   /** seed of the place and colors; the same seed and objects give the same result */
   seed?: number;
+  /** point under the middle of the objects (default: a free place) [units] */
+  place?: [number, number, number];
+}
+
+/** It adds copies of objects beside them; is logged as `spawn`. */
+export interface DuplicateCommand {
+  do: "duplicate";
+  /** ids of whole objects */
+  objects: string[];
+  /** way from the objects to their copies (default: to a free place beside them) [units] */
+  by?: [number, number, number];
 }
 
 export type Command =
@@ -299,6 +319,7 @@ export type Command =
   | MarkersCommand
   | SpawnCommand
   | RemoveCommand
+  | DisplaceCommand
   | ClearCommand
   | LoadCommand
   | UndoCommand
@@ -306,4 +327,5 @@ export type Command =
   | StartCommand
   | FinishCommand
   | DragCommand
-  | AddCommand;
+  | AddCommand
+  | DuplicateCommand;

@@ -35,18 +35,20 @@ export const keys: Key[] = [
   { keys: ["h"], what: "help", does: "show all keys" },
   { keys: ["e"], what: "hand.next", does: "select the next hand" },
   { keys: ["enter"], what: "hand.grasp", does: "grasp the object under the mouse" },
-  { keys: ["escape"], what: "hand.stop", does: "end the drag" },
+  { keys: ["escape"], what: "hand.stop", does: "end the drag; deselect" },
   { keys: ["backspace"], what: "hand.release", does: "release the held object" },
   { keys: ["delete"], what: "hand.destroy", does: "remove the held object from the world" },
   { keys: ["/"], what: "plane.left", does: "turn the motion plane by 5 degrees", repeats: true },
   { keys: ["Shift+/", "Shift+?"], what: "plane.right", does: "turn the motion plane back by 5 degrees", repeats: true },
   { keys: ["\\"], what: "plane.quarter", does: "turn the motion plane by 90 degrees" },
-  { keys: ["i", "Shift+i"], what: "move.up", does: "move the held object up; with Shift farther", repeats: true },
-  { keys: ["k", "Shift+k"], what: "move.down", does: "move the held object down; with Shift farther", repeats: true },
-  { keys: ["j", "Shift+j"], what: "move.left", does: "move the held object to the left; with Shift farther", repeats: true },
-  { keys: ["l", "Shift+l"], what: "move.right", does: "move the held object to the right; with Shift farther", repeats: true },
-  { keys: ["u", "Shift+u"], what: "move.away", does: "move the held object away; with Shift farther", repeats: true },
-  { keys: ["o", "Shift+o"], what: "move.nearer", does: "move the held object nearer; with Shift farther", repeats: true },
+  { keys: ["i", "Shift+i"], what: "move.up", does: "move the held or selected objects up; with Shift farther", repeats: true },
+  { keys: ["k", "Shift+k"], what: "move.down", does: "move them down; with Shift farther", repeats: true },
+  { keys: ["j", "Shift+j"], what: "move.left", does: "move them to the left; with Shift farther", repeats: true },
+  { keys: ["l", "Shift+l"], what: "move.right", does: "move them to the right; with Shift farther", repeats: true },
+  { keys: ["u", "Shift+u"], what: "move.away", does: "move them away; with Shift farther", repeats: true },
+  { keys: ["o", "Shift+o"], what: "move.nearer", does: "move them nearer; with Shift farther", repeats: true },
+  { keys: ["Control+c"], what: "objects.copy", does: "copy the selected objects" },
+  { keys: ["Control+v"], what: "objects.paste", does: "add copies beside them" },
   { keys: ["m"], what: "measure", does: "measure distances and angles, or stop measuring" },
   { keys: ["g"], what: "guides", does: "show or hide the resting place of the held object" },
 ];
@@ -57,6 +59,7 @@ const OWN_KEYS = /^(Arrow.*|Home|End|PageUp|PageDown|Enter| )$/;
 /** What a pressed key means; null where it means nothing, or where what has the focus uses it. */
 export function keyOf(event: KeyboardEvent): Key | null {
   if (event.altKey || event.metaKey || isUsedByFocus(event)) return null;
+  if (event.ctrlKey && getSelection()?.isCollapsed === false) return null; // text is to be copied
   const name = event.key === " " ? "space" : event.key.toLowerCase();
   const pressed = `${event.ctrlKey ? "Control+" : ""}${event.shiftKey ? "Shift+" : ""}${name}`;
   return keys.find((key) => key.keys.includes(pressed)) ?? null;

@@ -86,7 +86,7 @@ export interface ToolUse {
 
 /** An action; `on` and `into` name the object beneath a put or dropped object. */
 export interface ActionSummary {
-  do: "take" | "put" | "drop" | "release" | "destroy" | "point" | "trigger" | "fasten" | "loosen" | "cut" | "add" | "remove" | "clear" | "load";
+  do: "take" | "put" | "drop" | "release" | "destroy" | "point" | "trigger" | "fasten" | "loosen" | "cut" | "add" | "remove" | "move" | "clear" | "load";
   /** null for an action without a hand */
   hand: HandName | null;
   /** an id, `5 objects`, or the name of a scene */
@@ -276,6 +276,8 @@ export interface StateMessage {
   robot: { shown: boolean; mood: FaceExpression; following: boolean; joints: Record<string, number>; grippers: number[]; head: number } | null;
   brain: { name: string; status: "none" | "starting" | "running" | "exited" | "failed" | "stopped"; message: string; claim: { done: boolean; reason: string } | null; file: string; line: number };
   snap: SnapName[];
+  /** the camera whose pictures are recorded, and those that can be; see `eye` */
+  eye: { camera: string; cameras: string[] } | null;
   markers: Point[];
 }
 
@@ -380,6 +382,7 @@ export interface Requests {
   resume: { fields: object; answer: object };
   speed: { fields: { factor: number }; answer: object };
   snap: { fields: { to: SnapName[] }; answer: object };
+  eye: { fields: { camera: string }; answer: object };
   support: { fields: { object: string }; answer: { on?: string; into?: string } };
   resting_place: { fields: { hand: HandName }; answer: { hand: HandName; pose: Pose | null; stale?: boolean } };
   load: { fields: { scene?: string; xml?: string; name?: string }; answer: object };

@@ -136,6 +136,9 @@ export const texts = {
     none: "No image yet",
     hide: "Hide the robot’s view",
     show: "Robot’s view",
+    camera: "Recorded camera",
+    cameraWhy: "The camera whose pictures the next recordings contain",
+    cameraOf: (camera: string) => ({ eye: "above the head", head: "in the screen" })[camera] ?? camera,
     resize: "Size of the robot’s view; resize with the arrow keys",
   },
 
@@ -228,7 +231,10 @@ export const texts = {
     focus: "Focus on it",
     show: (number: number) => count(number, "object", "objects"),
     add: "Add objects",
-    preset: "Objects to add",
+    palette: "Palette: drag objects to the table",
+    paletteWhy: (title: string) => `${title}: drag it to the table, or click it and then Add`,
+    placeAt: (place: number[]) => place.map((value) => value.toFixed(2).replace("-", "−")).join(", "),
+    noPlace: "Drop it on the table",
     seed: "Seed",
     seedWhy: "The same seed gives the same places",
     spawn: "Add",
@@ -250,6 +256,23 @@ export const texts = {
     isHere: "on the table",
     noPresets: "No presets available.",
     picture: (title: string) => `Picture of ${title}`,
+  },
+
+  selection: {
+    title: (number: number) => `Selected: ${count(number, "object", "objects")}`,
+    move: "Move the selected objects",
+    directions: {
+      left: "Move them left",
+      right: "Move them right",
+      away: "Move them away",
+      nearer: "Move them nearer",
+      higher: "Move them up",
+      lower: "Move them down",
+    },
+    copy: "Copy",
+    paste: "Paste",
+    pasteWhy: "Adds copies of the copied objects beside them",
+    deselect: "Deselect",
   },
 
   editor: {
@@ -684,6 +707,7 @@ export const texts = {
       ["Drag the held object", "carry it in its plane; with Ctrl horizontally"],
       ["Click elsewhere", "release it"],
       ["Drag a colored ring", "turn it in steps of 1 degree; with Shift of 45"],
+      ["Shift and click", "select several objects; drag one of them to move all, with Ctrl upright"],
       ["Right-click or long touch", "trigger, point to, fasten, loosen; use the held tool"],
       ["Drag beside the objects", "turn the view; with Shift move it sideways"],
       ["Wheel or two fingers", "zoom"],

@@ -41,6 +41,16 @@ TEST(Presets, StandOnFreePlacesOfTheTable) {
   }
 }
 
+TEST(Presets, StandAtAGivenPlace) {
+  const Vector3 p_WQ(0.3, -0.2, 0.15);
+  for (const Preset& preset : Presets()) {
+    const scene::Bounds bounds = BoundsOfAll(MakePreset(preset.name, {}, 1, p_WQ));
+    EXPECT_NEAR(bounds.low.z(), p_WQ.z(), 1e-9) << preset.name;
+    const Vector3 middle = (bounds.low + bounds.high) / 2;
+    EXPECT_LT((middle - p_WQ).head<2>().norm(), 1e-9) << preset.name;
+  }
+}
+
 TEST(Presets, ReportMissingSpaceAndUnknownPresets) {
   PlacementContext full;
   full.taken = {{.low = {-2, -2, 0}, .high = {2, 2, 1}}};

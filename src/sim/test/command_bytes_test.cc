@@ -95,6 +95,8 @@ std::vector<Written> OtherExamples() {
       {Markers(), R"({"do":"markers","points":[]})"},
       {Spawn{.xml = "<tabletop/>\n"}, R"({"do":"spawn","xml":"<tabletop/>\n"})"},
       {Remove{.object = "b03"}, R"({"do":"remove","object":"b03"})"},
+      {Displace{.objects = {"a", "b"}, .by = {0.1 / 3, 0, -0.1}},
+       R"({"do":"displace","objects":["a","b"],"by":[0.3333333333333333,0.0,-1.0]})"},
       {Clear(), R"({"do":"clear"})"},
       {Load{std::make_shared<const scene::SceneSpec>(scene::SceneSpec{.name = "scene"})},
        R"x({"do":"load","xml":"<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<tabletop xmlns=\"http://synapse.cs.umd.edu/tabletop-xml\" xspan=\"20\" yspan=\"12\"/>\n"})x"},

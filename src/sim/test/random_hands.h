@@ -13,7 +13,7 @@ namespace smile::sim {
 /// Random commands of hands in an EverythingScene.
 class RandomHands {
  public:
-  /// @param changes_objects  adds, removes and clears objects, too.
+  /// @param changes_objects  adds, removes, moves and clears objects, too.
   explicit RandomHands(unsigned seed, bool changes_objects = false)
       : random_(seed), changes_objects_(changes_objects) {}
 
@@ -103,6 +103,10 @@ class RandomHands {
 
   Command NextChange(const Simulation& simulation) {
     if (random_() % 16 == 0) return Clear{};
+    if (random_() % 3 == 0) {
+      return Displace{.objects = {AnObject(simulation), AnObject(simulation)},
+                      .by = {Uniform(0.3), Uniform(0.3), 0.1 + Uniform(0.1)}};
+    }
     if (random_() % 2 == 0) return Spawn{.xml = SomethingNew()};
     return Remove{.object = AnObject(simulation)};
   }

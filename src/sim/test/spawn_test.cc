@@ -218,6 +218,15 @@ TEST_F(SpawnTest, ReadyMadeObjectsGoToFreeSpace) {
   EXPECT_EQ(simulation_->tabletop().Find("ring_1"), nullptr);
   EXPECT_NE(simulation_->tabletop().Find("smallblock_6"), nullptr);
   Refusal refusal;
+  const auto placed = sim::SpawnOf(sim::Add{.preset = "big_block", .p_WQ = Vector3(-0.6, 0.3, 0)},
+                                   *simulation_, &refusal);
+  ASSERT_TRUE(placed) << refusal;
+  ASSERT_EQ(simulation_->Apply(*placed), std::nullopt);
+  EXPECT_LT((PositionOf(*simulation_, simulation_->tabletop().objects().back().id()) -
+             Vector3(-0.6, 0.3, 0))
+                .head<2>()
+                .norm(),
+            1e-9);
   EXPECT_EQ(sim::SpawnOf(sim::Add{.preset = "tower"}, *simulation_, &refusal), std::nullopt);
   EXPECT_EQ(refusal.substr(0, 31), "\"preset\" is \"tower\", expected b");
 }

@@ -49,6 +49,47 @@ TEST_F(SessionTest, ADemonstrationIsRecordedAndReplays) {
   EXPECT_EQ(WordsOf(recording::HistoryOf(kept)[2]), "left hand puts a on b");
 }
 
+TEST_F(SessionTest, SeveralObjectsAreMovedAndCopiedInARecordingThatReplays) {
+  Begin();
+  Command(R"({"do":"start","name":"take"})");
+  const Json moved = Command(R"({"do":"displace","objects":["a","b"],"by":[0,1,0]})");
+  EXPECT_EQ(moved["deed"]["do"], "move");
+  EXPECT_EQ(moved["deed"]["words"], "moved 2 objects");
+  TickSeconds(0.2);
+  EXPECT_EQ(Command(R"({"do":"duplicate","objects":["a","b"]})")["deed"]["words"],
+            "added 2 objects");
+  Command(R"({"do":"add","preset":"ball","seed":1,"place":[-5,2,0]})");
+  TickSeconds(0.2);
+  Command(R"({"do":"finish"})");
+  const recording::Recording kept = recording::OpenRecording(root_ / "recordings/take");
+  EXPECT_EQ(replay::Replay(kept).first_difference, std::nullopt);
+  EXPECT_EQ(WordsOf(recording::HistoryOf(kept)[1]), "moved 2 objects");
+  EXPECT_NE(
+      Refused(R"({"do":"command","command":{"do":"displace","objects":["a","none"],"by":[0,1,0]}})")
+          .find("there is no object 'none'"),
+      std::string::npos);
+}
+
+TEST_F(SessionTest, TheRecordedCameraIsChosenBetweenRecordings) {
+  recorder::PaintedEye eye;
+  Begin(&eye, /*with_robot=*/true);
+  EXPECT_EQ(State()["eye"], (Json{{"camera", "eye"}, {"cameras", {"eye", "head"}}}));
+  Do(R"({"do":"eye","camera":"head"})");
+  EXPECT_EQ(State()["eye"]["camera"], "head");
+  EXPECT_NE(Refused(R"({"do":"eye","camera":"top"})").find("expected eye or head"),
+            std::string::npos);
+  Command(R"({"do":"start","name":"take"})");
+  EXPECT_NE(Refused(R"({"do":"eye","camera":"eye"})").find("finish it first"), std::string::npos);
+  TickSeconds(0.2);
+  Command(R"({"do":"finish"})");
+  EXPECT_EQ(recording::OpenRecording(root_ / "recordings/take").info.eye_camera, "head");
+  Begin(&eye);
+  EXPECT_EQ(State()["eye"]["cameras"], Json({"eye"})) << "without a robot";
+  Begin();
+  EXPECT_TRUE(State()["eye"].is_null());
+  EXPECT_EQ(Refused(R"({"do":"eye","camera":"eye"})"), "the studio was started without pictures");
+}
+
 TEST_F(SessionTest, AFullDiskEndsTheRecordingAndTheStateReportsIt) {
   Begin();
   Command(R"({"do":"start","name":"take"})");

@@ -31,6 +31,8 @@ export const brain = settled(() => state.value?.brain ?? null);
 export const isBrainAtWork = computed(() => ["starting", "running"].includes(brain.value?.status ?? ""));
 /** The last recording, if it ended by itself. */
 export const failedRecording = settled(() => state.value?.failure ?? null);
+/** The camera whose pictures are recorded, and the others; null without pictures. */
+export const recordedEye = settled(() => state.value?.eye ?? null);
 export const snaps = settled(() => state.value?.snap ?? []);
 export const gone = settled(() => state.value?.gone ?? []);
 export const attention = settled(() => state.value?.attention ?? {});

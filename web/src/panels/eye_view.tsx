@@ -1,10 +1,11 @@
 import { useEffect } from "preact/hooks";
 import { useSignal } from "@preact/signals";
-import { eyeView } from "../studio";
+import { may, when } from "../allowed";
+import { ask, eyeView } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { useResize } from "../ui/resize";
-import { isRecording } from "./derived_signals";
+import { isRecording, recordedEye } from "./derived_signals";
 import { eyeWidth, isEyeOpen } from "./page";
 
 const WIDTHS = { min: 120, max: 640 };
@@ -47,6 +48,27 @@ function ResizeCorner() {
   );
 }
 
+/** The camera whose pictures recordings contain, where there are several. */
+function CameraChoice() {
+  const { camera, cameras } = recordedEye.value ?? { camera: "", cameras: [] };
+  if (cameras.length < 2) return null;
+  return (
+    <select
+      class="quiet eye-camera"
+      aria-label={texts.eye.camera}
+      value={camera}
+      {...when(may("eye"), texts.eye.cameraWhy)}
+      onChange={(event) => void ask("eye", { camera: event.currentTarget.value })}
+    >
+      {cameras.map((one) => (
+        <option key={one} value={one}>
+          {texts.eye.cameraOf(one)}
+        </option>
+      ))}
+    </select>
+  );
+}
+
 /** The robot's view, exactly as it is recorded. */
 export function EyeView() {
   const url = usePicture();
@@ -61,6 +83,7 @@ export function EyeView() {
     <figure class="eye" style={{ width: `${eyeWidth.value}px` }}>
       <figcaption>
         <span>{texts.eye.title}</span>
+        <CameraChoice />
         {isRecording.value && eyeView.value !== null && <span class="eye-records">{texts.eye.records}</span>}
         <Button
           label={texts.eye.hide}

@@ -6,10 +6,10 @@ import { HANDS, type HandName, type Point, type Reply, type SnapName } from "../
 import { texts } from "../texts";
 import { Button, Chips } from "../ui/buttons";
 import { Card } from "../ui/card";
-import type { IconName } from "../ui/icons";
-import { choicePreference, layoutSwitch } from "../ui/preference";
+import { layoutSwitch } from "../ui/preference";
 import { NumberField } from "../ui/number_field";
 import { Slider } from "../ui/slider";
+import { DIRECTIONS, type Direction, stepAlong, STEPS, stepSize } from "./directions";
 import { turnFromTo } from "./fixed_axes";
 import { keyFor, keyHint } from "./key_names";
 import { attention, mayAct, snaps } from "./derived_signals";
@@ -21,20 +21,6 @@ const isMoveOpen = layoutSwitch("move-open", true);
 const isTurnOpen = layoutSwitch("turn-open", true);
 const isPlaneOpen = layoutSwitch("plane-open", true);
 const isSnapOpen = layoutSwitch("snap-open", true);
-
-const STEPS = ["0.1", "1"] as const;
-const stepSize = choicePreference<(typeof STEPS)[number]>("step", "0.1", STEPS);
-
-type Direction = keyof typeof words.directions;
-/** `key`: on the pad; `what`: of the key that works everywhere; `along`: to the right of the picture, away, up. */
-const DIRECTIONS: Record<Direction, { icon: IconName; key: string; what: string; along: Point }> = {
-  left: { icon: "left", key: "ArrowLeft", what: "move.left", along: [-1, 0, 0] },
-  right: { icon: "right", key: "ArrowRight", what: "move.right", along: [1, 0, 0] },
-  away: { icon: "up", key: "ArrowUp", what: "move.away", along: [0, 1, 0] },
-  nearer: { icon: "down", key: "ArrowDown", what: "move.nearer", along: [0, -1, 0] },
-  higher: { icon: "higher", key: "PageUp", what: "move.up", along: [0, 0, 1] },
-  lower: { icon: "lower", key: "PageDown", what: "move.down", along: [0, 0, -1] },
-};
 
 export function releaseHeld(): void {
   void command({ do: "release", hand: currentHand.value });
@@ -86,17 +72,9 @@ function moveHeld(to: (place: Point) => Point): void {
   });
 }
 
-/** Along the axis of the world that goes most nearly this way in the picture: as keys and drags do, but by round numbers. */
 function nudge(direction: Direction, length: number): void {
-  const [right, away, up] = DIRECTIONS[direction].along;
-  const [x, y] = axisNearest(world.value?.right ?? [1, 0]);
-  const step = [right * x - away * y, right * y + away * x, up];
-  moveHeld((place) => place.map((old, k) => old + step[k]! * length) as Point);
-}
-
-/** Of the world's horizontal axes, either way, the one that is nearest to a direction. */
-function axisNearest([x, y]: readonly [number, number]): [x: number, y: number] {
-  return Math.abs(x) >= Math.abs(y) ? [Math.sign(x), 0] : [0, Math.sign(y)];
+  const step = stepAlong(direction, length);
+  moveHeld((place) => place.map((old, k) => old + step[k]!) as Point);
 }
 
 /** The four hands, each with what it holds. */

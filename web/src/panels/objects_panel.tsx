@@ -1,17 +1,18 @@
-import { useEffect, useRef } from "preact/hooks";
+import { useRef } from "preact/hooks";
 import { useSignal } from "@preact/signals";
 import { may, when } from "../allowed";
-import { ask, command, currentHand, heldObject, notify, scene } from "../studio";
-import { handColors } from "../colors";
-import type { SceneObject } from "../protocol";
+import { ask, notify, scene } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Card, Empty, isFound, Picture, SearchField } from "../ui/card";
 import { NumberField } from "../ui/number_field";
 import { layoutSwitch } from "../ui/preference";
+import { ObjectList } from "./object_list";
+import { Palette } from "./palette";
 import { sceneCatalog, isSceneCatalogLost, pictureOfScene, refreshSceneCatalog, textOfScene } from "./scene_catalog";
-import { fallen, holders, isPlayback, objectsHere } from "./derived_signals";
-import { chosenObject, draft, editedScene, showPanel, world } from "./page";
+import { fallen, isPlayback, objectsHere } from "./derived_signals";
+import { draft, editedScene } from "./page";
+import { SelectionCard } from "./selection_card";
 import { useAllowed } from "./use_allowed";
 
 const { objects: words } = texts;
@@ -19,106 +20,6 @@ const isListOpen = layoutSwitch("list-open", true);
 const isAddOpen = layoutSwitch("add-open", true);
 const isSceneListOpen = layoutSwitch("gallery-open", true);
 const MAX_FILE_BYTES = 1e6;
-
-async function take(object: string): Promise<void> {
-  const reply = await command({ do: "grasp", hand: currentHand.value, object });
-  if (reply === null) return;
-  if (reply.deed) notify(reply.deed.words);
-  showPanel("hands");
-  // Keys move it at once, for users of the keyboard.
-  setTimeout(() => document.getElementById("nudge")?.focus(), 100);
-}
-
-/** A listbox: arrow keys choose, Enter takes. */
-function ObjectList() {
-  const list = useRef<HTMLDivElement>(null);
-  const ids = objectsHere.value.map((object) => object.id);
-  const chosen = chosenObject.value !== null && ids.includes(chosenObject.value) ? chosenObject.value : (ids[0] ?? null);
-  const held = heldObject.value;
-  useEffect(() => {
-    if (held !== null) chosenObject.value = held;
-  }, [held]);
-  const [mayTake] = useAllowed([
-    { do: "command", command: { do: "grasp", hand: currentHand.value, object: chosen ?? "" } },
-  ]);
-  const go = (event: KeyboardEvent) => {
-    const at = chosen === null ? -1 : ids.indexOf(chosen);
-    const places: Record<string, number> = {
-      ArrowDown: Math.min(at + 1, ids.length - 1),
-      ArrowUp: Math.max(at - 1, 0),
-      Home: 0,
-      End: ids.length - 1,
-    };
-    const place = places[event.key];
-    if (place === undefined && event.key !== "Enter") return;
-    event.preventDefault();
-    event.stopPropagation();
-    if (place === undefined) {
-      if (chosen !== null && may("command") === true) void take(chosen);
-      return;
-    }
-    chosenObject.value = ids[place] ?? null;
-    list.current?.children[place]?.scrollIntoView({ block: "nearest" });
-  };
-  if (ids.length === 0) return <Empty icon="block" text={words.none} />;
-  return (
-    <>
-      <div
-        class="object-list"
-        role="listbox"
-        tabIndex={0}
-        aria-label={words.list}
-        aria-activedescendant={chosen === null ? undefined : `object-${ids.indexOf(chosen)}`}
-        ref={list}
-        data-tour="objects"
-        onKeyDown={go}
-      >
-        {objectsHere.value.map((object, k) => (
-          <div
-            key={object.id}
-            id={`object-${k}`}
-            role="option"
-            aria-selected={object.id === chosen}
-            onClick={() => (chosenObject.value = object.id)}
-            onDblClick={() => may("command") === true && void take(object.id)}
-          >
-            <span class="object-id">{object.id}</span>
-            <ObjectNote object={object} />
-          </div>
-        ))}
-      </div>
-      <div class="row">
-        <Button
-          label={words.take}
-          icon="hand"
-          class="grow"
-          {...when(chosen === null ? words.none : mayTake)}
-          onClick={() => chosen !== null && void take(chosen)}
-        />
-        <Button
-          label={words.focus}
-          icon="eye"
-          class="grow"
-          disabled={chosen === null}
-          onClick={() => chosen !== null && world.value?.focus(chosen)}
-        />
-      </div>
-    </>
-  );
-}
-
-function ObjectNote({ object }: { object: SceneObject }) {
-  const hand = holders.value[object.id];
-  if (hand === undefined) {
-    return <span class="object-note">{object.fixed ? words.isFixed : object.shape}</span>;
-  }
-  return (
-    <span class="object-note held" style={{ "--hand": handColors[hand] }}>
-      <span class="swatch" />
-      {words.heldBy(hand)}
-    </span>
-  );
-}
 
 function AddObjects() {
   const preset = useSignal("");
@@ -131,19 +32,14 @@ function AddObjects() {
   };
   return (
     <>
+      <Palette
+        presets={presets}
+        chosen={chosen}
+        seed={seed.value}
+        onChoose={(name) => (preset.value = name)}
+        onAdded={() => (seed.value += 1)}
+      />
       <div class="row">
-        <select
-          class="grow"
-          aria-label={words.preset}
-          value={chosen}
-          onChange={(event) => (preset.value = event.currentTarget.value)}
-        >
-          {presets.map(({ name, title }) => (
-            <option key={name} value={name}>
-              {title}
-            </option>
-          ))}
-        </select>
         <span title={words.seedWhy}>
           <NumberField
             label={words.seed}
@@ -156,8 +52,6 @@ function AddObjects() {
             onCommit={(value) => (seed.value = Math.round(value))}
           />
         </span>
-      </div>
-      <div class="row">
         <Button
           label={words.spawn}
           icon="plus"
@@ -165,13 +59,17 @@ function AddObjects() {
           {...when(chosen === "" ? words.noPresets : may("spawn"))}
           onClick={() => void spawn()}
         />
+      </div>
+      <div class="row">
         <Button
           label={words.clear}
+          class="grow"
           {...when(may("clear"), words.clearWhy)}
           onClick={() => void ask("clear")}
         />
         <Button
           label={words.rage}
+          class="grow"
           {...when(mayClearTable, words.rageWhy)}
           onClick={() => void ask("clear", { rage: true })}
         />
@@ -282,6 +180,7 @@ export function ObjectsPanel() {
           </p>
         )}
       </Card>
+      <SelectionCard />
       <Card title={words.add} isOpen={isAddOpen}>
         <AddObjects />
       </Card>

@@ -4,11 +4,13 @@ import { may } from "../allowed";
 import type { Command } from "../commands";
 import { HANDS, type HandName, type Point } from "../protocol";
 import { command, currentHand, heldObject, scene, state } from "../studio";
+import type { GroupDrag } from "./group_drag";
 import { Latency } from "./latency";
 import { meet, type Picked, type Picker, type PointerAt } from "./pick";
 import { type Axis, directionOf, type Rings } from "./rings";
+import { moveSelected, selected, toggleSelected } from "./selection";
 import { Sender } from "./sender";
-import { contextMenu } from "./signals";
+import { areAidsFixed, contextMenu } from "./signals";
 import type { ViewCamera } from "./view_camera";
 
 const DEGREES = 180 / Math.PI;
@@ -45,6 +47,7 @@ export class Hands {
     private readonly rings: Rings,
     private readonly camera: ViewCamera,
     private readonly placeOf: (object: string) => Vector3 | null,
+    private readonly group: GroupDrag,
     private readonly onChange: () => void,
   ) {}
 
@@ -66,6 +69,7 @@ export class Hands {
     if (!this.canAct) return null;
     const held = heldObject.value;
     if (held === null) {
+      if (picked && this.isOfGroup(picked)) return this.group.begin(at, picked.point, this.groupNormal);
       return picked?.object && !isFixed(picked.object) ? this.carryOnceMoved(at, () => this.grasp(picked.object, picked.point)) : null;
     }
     if (picked?.object === held) return this.carry(at, Promise.resolve(true));
@@ -85,7 +89,8 @@ export class Hands {
   click(at: PointerAt, picked: Picked | null): void {
     if (!this.canAct) return;
     const held = heldObject.value;
-    if (held === null && picked?.object && !isFixed(picked.object)) void this.grasp(picked.object, picked.point);
+    if (held === null && at.isShift && picked?.object && !areAidsFixed.value) toggleSelected(picked.object);
+    else if (held === null && picked?.object && !isFixed(picked.object)) void this.grasp(picked.object, picked.point);
     else if (held !== null && picked?.object !== held && this.ringUnder(at, picked) === null) this.changeOrRelease(picked);
   }
 
@@ -132,13 +137,25 @@ export class Hands {
   /** Moves the held object by keys: to the right of the picture, away, up; each -1, 0 or 1. */
   nudge(right: number, away: number, up: number, isBig: boolean): void {
     const goal = this.goal;
-    if (!this.canAct || goal === null) return;
+    if (!this.canAct) return;
     const sideways = this.camera.right;
     const ahead = new Vector3(-sideways.y, sideways.x, 0);
     const step = isBig ? BIG_NUDGE : NUDGE;
-    goal.addScaledVector(sideways, right * step).addScaledVector(ahead, away * step);
-    goal.z += up * step;
-    this.moveTo(goal);
+    const way = new Vector3(0, 0, up * step).addScaledVector(sideways, right * step).addScaledVector(ahead, away * step);
+    if (goal !== null) this.moveTo(goal.add(way));
+    else moveSelected(rounded(way));
+  }
+
+  /** Several objects are selected, and this is one of them. */
+  private isOfGroup({ object }: Picked): boolean {
+    return selected.value.length > 1 && selected.value.includes(object);
+  }
+
+  /** A group is moved level; upright with Ctrl, facing the camera. */
+  private get groupNormal(): Vector3 {
+    if (!this.isControlDown) return new Vector3(0, 0, 1);
+    const { x, y } = this.camera.right;
+    return new Vector3(-y, x, 0);
   }
 
   /** Pressed, it lets drag level where one would drag upright, and the other way round. */

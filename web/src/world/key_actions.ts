@@ -3,6 +3,7 @@ import { heldObject } from "../studio";
 import type { Hands } from "./hands";
 import { switchMeasuring } from "./measured";
 import type { Pointers } from "./pointers";
+import { copySelected, paste, select } from "./selection";
 import { areAidsFixed, contextMenu, guides, hovered, PRESETS, type Preset } from "./signals";
 import type { ViewCamera } from "./view_camera";
 
@@ -38,6 +39,7 @@ export function actionsOf(
     },
     "hand.stop": () => {
       contextMenu.value = null;
+      if (!pointers.isBusy) select([]);
       pointers.stop();
     },
     "hand.release": () => hands.release(),
@@ -51,6 +53,8 @@ export function actionsOf(
     "move.right": (_, isBig) => hands.nudge(1, 0, 0, isBig),
     "move.away": (_, isBig) => hands.nudge(0, 1, 0, isBig),
     "move.nearer": (_, isBig) => hands.nudge(0, -1, 0, isBig),
+    "objects.copy": copySelected,
+    "objects.paste": () => void (hands.canAct && paste()),
     measure: switchMeasuring,
     guides: () => {
       if (!areAidsFixed.value) guides.value = !guides.value;

@@ -5,6 +5,7 @@ import { state } from "../studio";
 import { disc } from "./disc";
 import { Models } from "./models";
 import { Outline } from "./outline";
+import { selected } from "./selection";
 import { hovered } from "./signals";
 
 const HELD_PIXELS = 3.5;
@@ -21,6 +22,7 @@ export class Marks {
     outline: new Outline(HELD_PIXELS, handColors[hand]),
     badge: badgeOf(hand),
   }));
+  private readonly selection = new Outline(HELD_PIXELS, guideColors.selected);
   private readonly hover = new Outline(HOVER_PIXELS, guideColors.hover);
 
   constructor() {
@@ -41,11 +43,13 @@ export class Marks {
       const up = new Vector3().setFromMatrixColumn(camera.matrixWorld, 1);
       badge.position.copy(ball.center).addScaledVector(up, 1.3 * ball.radius + size);
     }
+    this.selection.show(selected.value.flatMap((object) => models.piecesOf(object).map(({ mesh }) => mesh)));
     this.hover.show(piecesOf(models, isHeld ? null : hovered.value).map(({ mesh }) => mesh));
   }
 
   setSize(width: number, height: number): void {
     for (const { outline } of this.held) outline.setSize(width, height);
+    this.selection.setSize(width, height);
     this.hover.setSize(width, height);
   }
 }

@@ -45,8 +45,8 @@ export class Picker {
     return this.nearest(this.models.pieces);
   }
 
-  /** The first thing straight below a point, but not that of an object, nor the robot. */
-  below(point: Vector3, except: string): Picked | null {
+  /** The first thing straight below a point, but not that of an object, if one is given, nor the robot. */
+  below(point: Vector3, except: string | null): Picked | null {
     this.caster.set(point, new Vector3(0, 0, -1));
     return this.nearest(
       this.models.pieces.filter((piece) => piece.object !== except && !this.models.isOfRobot(piece)),

@@ -5,6 +5,7 @@ import type { Poses } from "../protocol";
 import { currentHand, heldObject, isController, poseListeners, scene, state, variants } from "../studio";
 import { DragGuides } from "./drag_guides";
 import { DetailController } from "./detail";
+import { GroupDrag } from "./group_drag";
 import { Hands } from "./hands";
 import { actionsOf } from "./key_actions";
 import { Markers } from "./markers";
@@ -17,6 +18,7 @@ import { Picker, type PointerAt } from "./pick";
 import { Pointers } from "./pointers";
 import { nameOf, Rings } from "./rings";
 import { areAidsFixed, canDraw, chosenView, contextMenu, guides, hovered, isLowDetail, type Preset } from "./signals";
+import { selected } from "./selection";
 import { Stage } from "./stage";
 import { provideTestHook } from "./test_hook";
 import { ToolHint } from "./tool_hint";
@@ -36,6 +38,8 @@ export interface World {
   turnPlane(deltaDegrees: number): void;
   /** The origin of an object, as it is drawn [units]; null where it is not. */
   placeOf(objectId: string): [x: number, y: number, z: number] | null;
+  /** The highest point of what is under a place of the page, from which on there is room; null beside all [units]. */
+  roomAt(at: { x: number; y: number }): [x: number, y: number, z: number] | null;
   /** What lies to the right in the picture: a horizontal direction of length 1. */
   readonly right: readonly [x: number, y: number];
   /** Where the camera is and what it looks at: two points, one after the other [units]. */
@@ -47,8 +51,11 @@ export interface World {
 export function mountWorld(host: HTMLElement): World {
   canDraw.value = document.createElement("canvas").getContext("webgl2") !== null;
   if (canDraw.value) return new DrawnWorld(host);
-  return { showPreset() {}, showFirstView() {}, focus() {}, setLowDetail() {}, turnPlane() {}, placeOf: () => null, right: [1, 0], cameraPlace: [], dispose() {} };
+  return { showPreset() {}, showFirstView() {}, focus() {}, setLowDetail() {}, turnPlane() {}, placeOf: () => null, roomAt: () => null, right: [1, 0], cameraPlace: [], dispose() {} };
 }
+
+/** Above everything on the table [units]. */
+const HIGH = 1000;
 
 class DrawnWorld implements World {
   private readonly stage: Stage;
@@ -63,6 +70,7 @@ class DrawnWorld implements World {
   private readonly marks = new Marks();
   private readonly markers = new Markers();
   private readonly measureLines = new MeasureLines();
+  private readonly groupDrag: GroupDrag;
   private readonly hands: Hands;
   private readonly dragGuides: DragGuides;
   private readonly toolHint: ToolHint;
@@ -88,17 +96,19 @@ class DrawnWorld implements World {
     this.models.setDetail(this.stage.isLow);
     this.camera = new ViewCamera(this.stage.camera, () => this.redraw());
     this.picker = new Picker(this.stage, this.models);
+    this.groupDrag = new GroupDrag(this.models, this.picker, () => this.redraw());
     this.hands = new Hands(
       this.picker,
       this.rings,
       this.camera,
       (object) => this.models.groupOf(object)?.position.clone() ?? null,
+      this.groupDrag,
       () => this.redraw(),
     );
     this.dragGuides = new DragGuides(this.models, this.picker, this.rings, this.hands, this.dropShadow, () => this.redraw());
     this.toolHint = new ToolHint(host, this.models, this.picker);
     this.pointers = new Pointers(host, this.picker, this.hands, this.camera, (at) => this.hover(at));
-    const parts = [this.models, this.dragGuides, this.marks, this.markers, this.measureLines, this.toolHint];
+    const parts = [this.models, this.groupDrag, this.dragGuides, this.marks, this.markers, this.measureLines, this.toolHint];
     for (const { root } of parts) this.stage.scene.add(root);
     this.styleTag();
     this.listen();
@@ -136,6 +146,14 @@ class DrawnWorld implements World {
     this.hands.turnPlane(deltaDegrees);
   }
 
+  roomAt(at: { x: number; y: number }): [x: number, y: number, z: number] | null {
+    const element = document.elementFromPoint(at.x, at.y);
+    if (!(element instanceof HTMLCanvasElement) && element !== this.host) return null;
+    const point = this.picker.pick(at)?.point;
+    if (point === undefined) return null;
+    return this.picker.below(point.clone().setZ(HIGH), null)?.point.toArray() ?? null;
+  }
+
   placeOf(objectId: string): [x: number, y: number, z: number] | null {
     return this.models.groupOf(objectId)?.position.toArray() ?? null;
   }
@@ -171,7 +189,7 @@ class DrawnWorld implements World {
       effect(() => this.load()),
       effect(() => this.models.setVariants(variants.value)),
       effect(() => this.takeState()),
-      effect(() => void [currentHand.value, hovered.value, guides.value, isController.value, this.redraw()]),
+      effect(() => void [currentHand.value, hovered.value, guides.value, selected.value, isController.value, this.redraw()]),
       effect(() => this.writeTag()),
       effect(() => {
         this.measureLines.show(measured.value ?? []);

@@ -16,15 +16,17 @@
 #include <variant>
 #include <vector>
 
-#include "app/bench_program.h"
 #include "app/exit_code.h"
+#include "app/interrupt.h"
 #include "app/progress.h"
 #include "base/json.h"
+#include "bench/measured_program.h"
 #include "report/paired_comparison.h"
 
 namespace smile::app {
 namespace {
 
+using bench::MeasuredProgram;
 using report::SpeedDifference;
 using report::TimePair;
 
@@ -42,7 +44,7 @@ struct SharedBenchmarks {
   std::vector<std::string> only_baseline, only_current;
 };
 
-SharedBenchmarks MatchBenchmarks(const BenchProgram& baseline, const BenchProgram& current,
+SharedBenchmarks MatchBenchmarks(const MeasuredProgram& baseline, const MeasuredProgram& current,
                                  const std::string& filter) {
   std::regex expression;
   try {
@@ -50,7 +52,7 @@ SharedBenchmarks MatchBenchmarks(const BenchProgram& baseline, const BenchProgra
   } catch (const std::regex_error&) {
     throw std::invalid_argument("--filter: '" + filter + "' is not a regular expression");
   }
-  const auto has = [](const BenchProgram& program, const std::string& name) {
+  const auto has = [](const MeasuredProgram& program, const std::string& name) {
     return std::ranges::find(program.names(), name) != program.names().end();
   };
   SharedBenchmarks rows;
@@ -75,7 +77,7 @@ SharedBenchmarks MatchBenchmarks(const BenchProgram& baseline, const BenchProgra
 /// Measures rows in rounds, and shows how far it is.
 class RoundRunner {
  public:
-  RoundRunner(const BenchProgram& baseline, const BenchProgram& current,
+  RoundRunner(const MeasuredProgram& baseline, const MeasuredProgram& current,
               const BaselineOptions& options)
       : baseline_(baseline), current_(current), options_(options), progress_("bench") {}
 
@@ -105,8 +107,8 @@ class RoundRunner {
 
   void AddRound(std::size_t round, SharedBenchmark* row) {
     const bool is_baseline_first = round % 2 == 0;
-    const BenchProgram& first = is_baseline_first ? baseline_ : current_;
-    const BenchProgram& second = is_baseline_first ? current_ : baseline_;
+    const MeasuredProgram& first = is_baseline_first ? baseline_ : current_;
+    const MeasuredProgram& second = is_baseline_first ? current_ : baseline_;
     std::variant<double, std::string> times[2];
     times[0] = first.Measure(row->name, options_.min_time);
     if (std::holds_alternative<double>(times[0]))
@@ -122,8 +124,8 @@ class RoundRunner {
     row->rounds.push_back(is_baseline_first ? TimePair{a, b} : TimePair{b, a});
   }
 
-  const BenchProgram& baseline_;
-  const BenchProgram& current_;
+  const MeasuredProgram& baseline_;
+  const MeasuredProgram& current_;
   const BaselineOptions& options_;
   ProgressLine progress_;
 };
@@ -198,7 +200,7 @@ void PrintTable(const SharedBenchmarks& rows) {
               num_faster, num_equal);
 }
 
-void PrintJson(const BenchProgram& baseline, const BaselineOptions& options,
+void PrintJson(const MeasuredProgram& baseline, const BaselineOptions& options,
                const SharedBenchmarks& rows) {
   Json benchmarks = Json::array();
   for (const SharedBenchmark& row : rows.both) {
@@ -227,8 +229,8 @@ void PrintJson(const BenchProgram& baseline, const BaselineOptions& options,
 }  // namespace
 
 int CompareWithBaseline(const BaselineOptions& options) {
-  const BenchProgram baseline(options.baseline);
-  const BenchProgram current(std::filesystem::read_symlink("/proc/self/exe"));
+  const MeasuredProgram baseline(options.baseline, &IsInterrupted);
+  const MeasuredProgram current(std::filesystem::read_symlink("/proc/self/exe"), &IsInterrupted);
   SharedBenchmarks rows = MatchBenchmarks(baseline, current, options.filter);
   RoundRunner runner(baseline, current, options);
   Compare(&runner, options.rounds, &rows.both);

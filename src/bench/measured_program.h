@@ -1,11 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
 
-namespace smile::app {
+namespace smile::bench {
 
 /// A `smile` program, this one or one of another build, whose benchmarks run in processes of their
 /// own.
@@ -13,11 +14,12 @@ namespace smile::app {
 /// Uses only what every version of `smile bench` understands: `--filter`, `--json`, and the
 /// environment variables from which Google Benchmark reads its other options (its user guide,
 /// "Command Line"). Therefore any earlier build can be measured.
-class BenchProgram {
+class MeasuredProgram {
  public:
   /// Reads which benchmarks the program has.
+  /// @param is_interrupted  whether the user has interrupted this program.
   /// @throws std::invalid_argument if it is no such program, with what it printed.
-  explicit BenchProgram(std::filesystem::path program);
+  MeasuredProgram(const std::filesystem::path& program, std::function<bool()> is_interrupted);
 
   const std::filesystem::path& program() const { return program_; }
   /// Returns the names of its benchmarks, in its order.
@@ -31,7 +33,8 @@ class BenchProgram {
 
  private:
   std::filesystem::path program_;
+  std::function<bool()> is_interrupted_;
   std::vector<std::string> names_;
 };
 
-}  // namespace smile::app
+}  // namespace smile::bench

@@ -1,4 +1,4 @@
-#include "app/bench_program.h"
+#include "bench/measured_program.h"
 
 #include <unistd.h>
 
@@ -8,13 +8,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/interrupt.h"
 #include "base/files.h"
 #include "base/json.h"
 #include "bench/scratch_folder.h"
 #include "process/child_process.h"
 
-namespace smile::app {
+namespace smile::bench {
 namespace {
 
 constexpr std::size_t kMaxOutputBytes = 1 << 24;
@@ -27,17 +26,18 @@ struct Output {
 
 /// Runs `smile bench` to its end. A shell keeps its two outputs apart, in files.
 Output RunBench(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                std::vector<std::pair<std::string, std::string>> environment) {
-  const bench::ScratchFolder folder;
+                std::vector<std::pair<std::string, std::string>> environment,
+                const std::function<bool()>& is_interrupted) {
+  const ScratchFolder folder;
   std::vector<std::string> words{"/bin/sh", "-c", R"(exec "$0" bench "$@" >out 2>err)",
                                  program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   process::ChildProcess child({.arguments = std::move(words),
                                .environment = std::move(environment),
                                .working_directory = folder.path()});
-  const bool has_ended = child.WaitForEnd(process::WaitLimit(kMaxSeconds, &IsInterrupted));
+  const bool has_ended = child.WaitForEnd(process::WaitLimit(kMaxSeconds, is_interrupted));
   Output output{.how_it_ended = child.End()};
-  if (IsInterrupted()) throw std::runtime_error("interrupted");
+  if (is_interrupted()) throw std::runtime_error("interrupted");
   if (!has_ended) output.how_it_ended = "it was still running after an hour";
   if (has_ended) output.exit_code = child.exit_code();
   output.out = ReadFile(folder.path() / "out", kMaxOutputBytes);
@@ -65,12 +65,13 @@ double NanosecondsOf(const std::string& unit) {
 
 }  // namespace
 
-BenchProgram::BenchProgram(std::filesystem::path program)
-    : program_(std::filesystem::absolute(program)) {
+MeasuredProgram::MeasuredProgram(const std::filesystem::path& program,
+                                 std::function<bool()> is_interrupted)
+    : program_(std::filesystem::absolute(program)), is_interrupted_(std::move(is_interrupted)) {
   if (!std::filesystem::is_regular_file(program_) || ::access(program_.c_str(), X_OK) != 0)
     throw std::invalid_argument(program.string() +
                                 ": no such program, expected the program `smile` of a build");
-  const Output output = RunBench(program_, {}, {{"BENCHMARK_LIST_TESTS", "true"}});
+  const Output output = RunBench(program_, {}, {{"BENCHMARK_LIST_TESTS", "true"}}, is_interrupted_);
   std::istringstream lines(output.out);
   for (std::string line; std::getline(lines, line);) names_.push_back(line);
   if (output.exit_code != 0 || names_.empty())
@@ -78,10 +79,11 @@ BenchProgram::BenchProgram(std::filesystem::path program)
                                 FailureOf(output) + "), expected the program `smile` of a build");
 }
 
-std::variant<double, std::string> BenchProgram::Measure(const std::string& name,
-                                                        double min_time) const {
-  const Output output = RunBench(program_, {"--json", "--filter", ExactFilter(name)},
-                                 {{"BENCHMARK_MIN_TIME", std::to_string(min_time)}});
+std::variant<double, std::string> MeasuredProgram::Measure(const std::string& name,
+                                                           double min_time) const {
+  const Output output =
+      RunBench(program_, {"--json", "--filter", ExactFilter(name)},
+               {{"BENCHMARK_MIN_TIME", std::to_string(min_time)}}, is_interrupted_);
   const auto fail = [&](const std::string& what) {
     throw std::runtime_error(program_.string() + ": benchmark '" + name + "': " + what);
   };
@@ -102,4 +104,4 @@ std::variant<double, std::string> BenchProgram::Measure(const std::string& name,
   return std::string();
 }
 
-}  // namespace smile::app
+}  // namespace smile::bench

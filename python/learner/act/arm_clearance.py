@@ -48,8 +48,9 @@ def is_point_clear(point, blocks, margin):
 
 
 def are_fingers_clear(arm, path, blocks):
-    """Returns true if the fingers and the hand of an arm pass over blocks, or beside them, on a path."""
-    for q in samples(path):
+    """Returns true if the fingers and the hand of an arm are over blocks, or beside them, at the points of a path, which may
+    be its ends: with its margins, in between, the check would forbid most turns of planks."""
+    for q in path.positions[::max(len(path.positions) // C.samples_per_path, 1)]:
         tool = arm.forward(q)
         for along in (arm.reach, 0, -arm.reach):
             if not is_point_clear(tool[:3, 3] + along * tool[:3, 2], blocks, C.clearance):

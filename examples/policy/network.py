@@ -17,6 +17,7 @@ OUTPUTS = 5      # of a step: displacement x y z [units] and yaw [rad] since the
 SHARES = 3       # of a step: of the way to the goal in the plane, of the height, and of the turn
 TURNS = 4        # quarter turns in either direction
 HELD = 1.05      # openings below are those of a gripper that holds a block [units]
+RISE = 1.0       # straight up, after the gripper has closed or opened, before the tool goes anywhere else [units]
 OPENING, OPENING_SCALE = 1.1, 5  # the opening that is mapped to 0, and by how much others are
 
 
@@ -44,7 +45,7 @@ def aim(xp, own, target, side):
 
 
 def approach(xp, own, objects, goal, kind, side):
-    """(…, n): what `move` gets. kind: (…, 2) 1 for the table, 1 for where it waits.
+    """(…, n): what `move` gets. kind: (…, 3) 1 for the table, 1 for where it waits, 1 for straight up.
 
     Of the objects it sees only the nearest, to leave it without a touch.
     """

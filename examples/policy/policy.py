@@ -14,6 +14,7 @@ from smile.motion import robot_of
 
 ACTED = 5            # steps of a chunk, until the next one
 GRIP_SPEED = 2.0     # [units/s]
+RISEN = 0.1          # below the place above where it rises no further [units]
 PATIENCE = 3.0       # seconds without a motion after which it ends
 
 
@@ -42,6 +43,7 @@ class Policy:
         known = aux.objectNames.split("\n")
         self.order = [known.index(name) for name in self.names]
         self.decided = None              # arm, number of its target, and whether it holds something
+        self.rising = None               # arm, and the place above its last grasp or release
         self.moved = 0.0
         aux.channels = []
 
@@ -73,16 +75,25 @@ class Policy:
 
     def decide(self, tools, objects):
         """Sets what moves, and whereto: self.goals. A decision stands until the gripper has closed or opened."""
+        self.goals, self.kinds = self.waiting.copy(), np.tile([0.0, 1.0, 0.0], (2, 1))
+        if self.decided is not None and (tools[self.decided[0], 4] < network.HELD) != self.decided[2]:
+            arm = self.decided[0]
+            self.rising, self.decided = (arm, tools[arm, :4] + [0, 0, network.RISE, 0]), None
+        if self.rising is not None and tools[self.rising[0], 2] > self.rising[1][2] - RISEN:
+            self.rising = None
+        if self.rising is not None:
+            arm, above = self.rising
+            self.goals[arm], self.kinds[arm] = above, [0, 0, 1]
+            return
         spots = np.array([*objects, np.zeros(4)])
-        self.goals, self.kinds = self.waiting.copy(), np.tile([0.0, 1.0], (2, 1))
-        if self.decided is None or (tools[self.decided[0], 4] < network.HELD) != self.decided[2]:
+        if self.decided is None:
             self.decided = self.next_decision(tools, objects, spots)
         if self.decided is None:
             return
         arm, target, _ = self.decided
         # The object may turn a little, not by a quarter.
         self.yaw += network.upright(spots[target, 3] - self.yaw)
-        self.goals[arm], self.kinds[arm] = [*spots[target, :3], self.yaw], [target == len(objects), 0]
+        self.goals[arm], self.kinds[arm] = [*spots[target, :3], self.yaw], [target == len(objects), 0, 0]
 
     def next_decision(self, tools, objects, spots):
         """Returns arm, number of its target, and whether it holds something; None if both are to wait."""

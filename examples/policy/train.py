@@ -51,9 +51,9 @@ class Samples(NamedTuple):
     other: np.ndarray
     objects: np.ndarray
     spot: np.ndarray      # to which it moves, as it stands
-    goal: np.ndarray      # the same with the yaw in which the tool arrives
+    goal: np.ndarray      # the same with the yaw in which the tool arrives, or above where it has just been
     chunk: np.ndarray     # where the tool is in the next steps
-    kind: np.ndarray      # whether the goal is the table, and where it waits
+    kind: np.ndarray      # whether the goal is the table, where it waits, and straight up
     side: np.ndarray
     decision: np.ndarray  # 0: none moves; 1 + k: this arm moves to target k; then those of the other arm
     turn: np.ndarray      # quarters between spot and goal
@@ -134,6 +134,17 @@ def targets_of(tools, objects, arm):
     return targets, yaws
 
 
+def rises_of(tools, arm):
+    """For each frame, in which an arm rises from its last grasp or release: when that was, and when it is up; else -1."""
+    holds = tools[:, arm, 4] < network.HELD
+    begin, end = np.full(len(tools), -1), np.full(len(tools), -1)
+    for event in np.flatnonzero(np.diff(holds)) + 1:
+        is_up = tools[event:, arm, 2] > tools[event, arm, 2] + network.RISE
+        up = event + int(is_up.argmax()) if is_up.any() else len(tools) - 1
+        begin[event:up], end[event:up] = event, up
+    return begin, end
+
+
 def read_episode(demo):
     """Samples of both arms, each seen as by a left arm."""
     state, commands = demo["obs/state"][:], demo["unscaled_actions"][:]
@@ -146,7 +157,7 @@ def read_episode(demo):
     moves = is_moving(tools, wanted)
     tools, wanted, objects = tools[moves], wanted[moves], objects[moves]
     steps = np.arange(len(tools))[:, None] + np.arange(network.STEPS)
-    later, now = np.minimum(steps + 1, len(tools) - 1), np.minimum(steps, len(tools) - 1)
+    last = len(tools) - 1
     known = [targets_of(tools, objects, arm) for arm in range(2)]
     frames, count = np.arange(len(tools)), objects.shape[1]
     table, waiting = np.zeros((len(tools), 1, 4)), np.tile(tools[0, None, :, :4], (len(tools), 1, 1))
@@ -158,6 +169,12 @@ def read_episode(demo):
         turns = np.where(targets < 0, 0, np.rint((yaws - goal[:, 3]) / (np.pi / 2)))
         spot = goal.copy()
         goal[:, 3] += turns * np.pi / 2
+        # Where it goes once it is up is another goal's matter.
+        begin, end = rises_of(tools, arm)
+        rises = begin >= 0
+        goal[rises] = tools[begin[rises], arm, :4] + [0, 0, network.RISE, 0]
+        until = np.where(rises, end, last)[:, None]
+        later, now = np.minimum(steps + 1, until), np.minimum(steps, until)
         chunk = np.concatenate([tools[later, arm, :4] - tools[:, None, arm, :4],
                                 ((wanted[now, arm] - network.OPENING) * network.OPENING_SCALE)[..., None]], axis=-1)
         rows = [tools[:, arm], tools[:, 1 - arm], objects, spot, goal, chunk]
@@ -166,7 +183,7 @@ def read_episode(demo):
         others = known[1 - arm][0]
         decision = np.where(targets >= 0, 1 + targets, np.where(others >= 0, 2 + count + others, 0))
         at_rest = (np.abs(tools[..., :3] - tools[0, :, :3]).max(axis=(1, 2)) < 0.02)
-        kind = np.stack([targets == count, targets < 0], axis=-1)
+        kind = np.stack([(targets == count) & ~rises, (targets < 0) & ~rises, rises], axis=-1)
         samples.append(Samples(*rows, kind, np.full((len(tools), 1), arm), decision, turns,
                                np.where(at_rest, START_WEIGHT, 1)))
     return Samples(*(np.concatenate(both).astype(np.float32) for both in zip(*samples)))
@@ -211,7 +228,7 @@ def turn_loss(layers, key, s):
     own, _, _ = displaced(key, s.own, s.objects)
     errors = optax.softmax_cross_entropy_with_integer_labels(
         network.run(jnp, layers, network.aim(jnp, own, s.spot, s.side)), s.turn.astype(int) + network.TURNS)
-    return (s.weight * (1 - s.kind[:, 1]) * errors).mean()
+    return (s.weight * (1 - s.kind[:, 1] - s.kind[:, 2]) * errors).mean()
 
 
 def move_loss(layers, key, s):

@@ -121,6 +121,7 @@ Json ViewerSession::DescribeState() const {
       {"restoring", nullptr},
       {"brain", LiveBrain().Describe()},
       {"snap", Json::array()},
+      {"eye", nullptr},
       {"markers", Json::array()}};
   state_message.update(moment_->description);
   return state_message;

@@ -86,7 +86,7 @@ TEST(CommandJson, ReportsWhatWasFoundAndExpected) {
             "\"do\" is \"grab\", expected one of grasp, move_to, plane, rotate, release, "
             "destroy, attend, point, trigger, fasten, loosen, use, "
             "joint_velocities, joint_angles, turn, gripper, pose, trajectory, robot, face, "
-            "markers, spawn, remove, clear, load, undo, redo, start, finish");
+            "markers, spawn, remove, displace, clear, load, undo, redo, start, finish");
   EXPECT_EQ(MessageOf(R"({"hand":"third","do":"release"})"),
             "\"hand\" is \"third\", expected left, right, both or any");
   EXPECT_EQ(MessageOf(R"({"do":"face","mood":"angry"})"),
@@ -151,7 +151,8 @@ TEST(CommandJson, TheSchemaNamesEveryCommandItReads) {
     const bool needs_more = form.at("required").size() > 1;
     EXPECT_EQ(!MessageOf(empty.dump().c_str()).empty(), needs_more) << form.at("title");
   }
-  EXPECT_EQ(schema.at("oneOf").size(), std::variant_size_v<Command> + 2) << "and drag, and add";
+  EXPECT_EQ(schema.at("oneOf").size(), std::variant_size_v<Command> + 3)
+      << "and drag, add, and duplicate";
 }
 
 }  // namespace

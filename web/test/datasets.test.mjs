@@ -137,7 +137,7 @@ test("a generation is stopped and continued", async (t) => {
 /** Plays Python: its packages are missing until they are installed; then it exports, and the doctor finds something. */
 const PYTHON = `#!/bin/sh
 here=$(dirname "$0")
-shift 2
+shift 4 # -c, a program, its module, and what that needs
 what=$1
 out=$2
 [ -e "$here/installed" ] || { echo "smile: datasets need a Python package: No module named 'pyarrow'; get it by" >&2; exit 3; }

@@ -28,49 +28,39 @@ from mcap_protobuf.schema import register_schema
 
 from smile.datasets import statistics
 from smile.datasets.episode import Column, Episode
-from smile.datasets.features import Camera, features_of
 from smile.datasets.lerobot import Row
 from smile.datasets.mcap_doctor import FAILURES
 from smile.datasets.pictures import Pictures
 from smile.datasets.scene_pieces import WORLD, ScenePieces, name_of
+from smile.datasets.scene_writer import MEASURED, SceneWriter
 from smile.datasets.stored import Stored
 from smile.picture import Picture
 
 FILE = "episode_{:06d}.mcap"
 VALUES = "smile.Values"
-_MEASURED = ("observation.state", "action")
 _NANOSECONDS = 1_000_000_000
 # Of features: a number for each dimension, which viewers can plot.
 _VALUES = json.dumps({"type": "object", "additionalProperties": {"type": "number"}}).encode()
 
 
-class Writer:
+class Writer(SceneWriter):
     """A folder with a file for each episode in the making."""
 
-    def __init__(self, folder: Path, fps: int, cameras: list[Camera], columns: Mapping[str, Column],
-                 robot: str) -> None:
-        self.features = features_of(columns, cameras, fps)
-        self.films = {camera.key: Pictures(camera) for camera in cameras}
-        self._folder, self._fps = folder, fps
-        self._values: dict[str, list[npt.NDArray[Any]]] = {name: [] for name in _MEASURED if name in columns}
-        self._scene: _Scene | None = None
-        self._intrinsics: Mapping[str, Any] = {}
-        self.num_episodes = self.num_frames = 0
+    _scene: _Scene | None = None
 
     def observe(self, episode: Episode, intrinsics: Mapping[str, Any]) -> None:
-        """Takes the scene of the next episode, to be shown in three dimensions, and the matrices of the
-        cameras."""
-        self._scene, self._intrinsics = _Scene(episode), intrinsics
+        super().observe(episode, intrinsics)
+        self._scene = _Scene(episode)
 
     def add(self, columns: Mapping[str, Column], task: str, films: Mapping[str, Row],
             pixels: Mapping[str, statistics.Pixels], more: Row) -> None:
         """Appends an episode, whose pictures `films` have."""
         assert self._scene is not None
-        for name, values in self._values.items():
+        for name, values in self.measured.items():
             values.append(columns[name].values)
         length = len(next(iter(columns.values())).values)
-        with _File(self._folder / FILE.format(self.num_episodes)) as file:
-            file.add_metadata({"task": task, "fps": self._fps, **more})
+        with _File(self.folder / FILE.format(self.num_episodes)) as file:
+            file.add_metadata({"task": task, "fps": self.fps, **more})
             for frame in range(length):
                 self._add_frame(file, frame, columns, more)
         self.num_episodes += 1
@@ -78,7 +68,7 @@ class Writer:
 
     def _add_frame(self, file: _File, frame: int, columns: Mapping[str, Column], more: Row) -> None:
         assert self._scene is not None
-        time = frame * _NANOSECONDS // self._fps
+        time = frame * _NANOSECONDS // self.fps
         for name, column in columns.items():
             if name.startswith("sim.camera_pose."):
                 continue  # a frame of /tf
@@ -101,7 +91,7 @@ class Writer:
 
     def _add_picture(self, file: _File, frame: int, time: int, pictures: Pictures) -> None:
         camera, name = pictures.camera, name_of(pictures.camera)
-        matrix = np.asarray(self._intrinsics[camera.name], float)
+        matrix = np.asarray(self.intrinsics[camera.name], float)
         picture = Picture(pictures.frames[frame], None, None, matrix, np.eye(4))
         file.add(f"/{name}/image", time, CompressedImage(timestamp=_time(time), frame_id=name, format="png",
                                                          data=picture.to_png()))
@@ -117,20 +107,13 @@ class Writer:
 
     def append(self, path: Path) -> None:
         """Appends an episode of another dataset."""
-        shutil.copy(path, self._folder / FILE.format(self.num_episodes))
+        shutil.copy(path, self.folder / FILE.format(self.num_episodes))
         length = 0
-        for name, values in self._values.items():
+        for name, values in self.measured.items():
             values.append(read_values(path, topic_of(name)).rows.astype(np.float32))
             length = len(values[-1])
         self.num_episodes += 1
         self.num_frames += length
-
-    def finish(self) -> dict[str, statistics.Statistics]:
-        """Returns the statistics of states and actions."""
-        return {name: statistics.of_rows(np.concatenate(values)) for name, values in self._values.items()}
-
-    def abandon(self) -> None:
-        """Does nothing: no file stays open."""
 
 
 class Values(NamedTuple):
@@ -165,7 +148,7 @@ class StoredFile(Stored):
             raise self._mend(f"{self._paths()[0].name}: cannot be read ({error!r})") from None
         topics = sorted(channel.topic for channel in summary.channels.values()) if summary else []
         return {"format": "mcap", "topics": topics, "names": {name: read_values(
-            self._paths()[0], topic_of(name)).names for name in _MEASURED if topic_of(name) in topics},
+            self._paths()[0], topic_of(name)).names for name in MEASURED if topic_of(name) in topics},
             **{name: self.about[name] for name in ("action", "dropped")}}
 
     def new_writer(self, folder: Path) -> Writer:

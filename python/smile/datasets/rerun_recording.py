@@ -16,67 +16,46 @@ import rerun as rr
 import rerun.blueprint as views
 
 from smile.datasets import statistics
-from smile.datasets.episode import Column, Episode
-from smile.datasets.features import Camera, features_of
+from smile.datasets.episode import Column
+from smile.datasets.features import Camera
 from smile.datasets.lerobot import Row
 from smile.datasets.pictures import Pictures
 from smile.datasets.scene_pieces import WORLD, Piece, ScenePieces, name_of
+from smile.datasets.scene_writer import SceneWriter
 from smile.picture import Picture
 
 FILE = "episode_{:06d}.rrd"
-_MEASURED = ("observation.state", "action")
 _NANOSECONDS = 1_000_000_000
 # From where the scene is seen at first, and at what [m]: over the table towards the robot.
 _EYE, _LOOKS_AT = (1.2, 1.8, 1.2), (0, -0.3, 0.1)
 
 
-class Writer:
+class Writer(SceneWriter):
     """A folder with a file for each episode in the making."""
-
-    def __init__(self, folder: Path, fps: int, cameras: list[Camera], columns: Mapping[str, Column],
-                 robot: str) -> None:
-        self.features = features_of(columns, cameras, fps)
-        self.films = {camera.key: Pictures(camera) for camera in cameras}
-        self._folder, self._fps = folder, fps
-        self._values: dict[str, list[npt.NDArray[Any]]] = {name: [] for name in _MEASURED if name in columns}
-        self._episode: Episode | None = None
-        self._intrinsics: Mapping[str, Any] = {}
-        self.num_episodes = self.num_frames = 0
-
-    def observe(self, episode: Episode, intrinsics: Mapping[str, Any]) -> None:
-        """Takes the next episode, to be shown in three dimensions, and the matrices of the cameras."""
-        self._episode, self._intrinsics = episode, intrinsics
 
     def add(self, columns: Mapping[str, Column], task: str, films: Mapping[str, Row],
             pixels: Mapping[str, statistics.Pixels], more: Row) -> None:
         """Appends an episode, whose pictures `films` have."""
-        assert self._episode is not None
-        for name, values in self._values.items():
+        assert self.episode is not None
+        for name, values in self.measured.items():
             values.append(columns[name].values)
         frames = len(next(iter(columns.values())).values)
-        path = self._folder / FILE.format(self.num_episodes)
-        with _File(path, frames, self._fps) as file:
-            file.add_about({"task": task, "fps": str(self._fps), **more})
+        path = self.folder / FILE.format(self.num_episodes)
+        with _File(path, frames, self.fps) as file:
+            file.add_about({"task": task, "fps": str(self.fps), **more})
             for name, column in columns.items():
                 if not name.startswith("sim.camera_pose."):
                     file.add_feature(name, column)
             poses = {name_of(film.camera): columns[f"sim.camera_pose.{film.camera.name}"].values
                      for film in self.films.values()}
-            file.add_scene(ScenePieces(self._episode), poses)
+            file.add_scene(ScenePieces(self.episode), poses)
             for film in self.films.values():
-                file.add_camera(film, np.asarray(self._intrinsics[film.camera.name], float))
-                file.add_names(film.camera, self._episode.recording.object_ids)
+                file.add_camera(film, np.asarray(self.intrinsics[film.camera.name], float))
+                file.add_names(film.camera, self.episode.recording.object_ids)
             file.add_subtasks(more)
-            file.add_views([film.camera for film in self.films.values()], list(self._values))
+            file.add_views([film.camera for film in self.films.values()], list(self.measured))
         self.num_episodes += 1
         self.num_frames += frames
-
-    def finish(self) -> dict[str, statistics.Statistics]:
-        """Returns the statistics of states and actions."""
-        return {name: statistics.of_rows(np.concatenate(values)) for name, values in self._values.items()}
-
-    def abandon(self) -> None:
-        """Does nothing: no file stays open."""
 
 
 class _File:

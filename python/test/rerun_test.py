@@ -7,7 +7,9 @@ import io
 import sys
 import tempfile
 import unittest
+from contextlib import redirect_stderr
 from pathlib import Path
+from unittest.mock import patch
 
 PROJECT = Path(sys.argv[1])
 # Before numpy: Rerun needs a newer one than Debian's.
@@ -23,6 +25,7 @@ from PIL import Image
 
 import smile
 from smile.datasets import export
+from smile.datasets.__main__ import main
 from smile.datasets.doctor import examine
 
 ROBOT = PROJECT / "tests/golden/recordings/imitation"
@@ -103,6 +106,16 @@ class RerunTest(unittest.TestCase):
         about = {name: column[0].as_py() for (path, name), column in self.columns.items()
                  if path == "/__properties/smile"}
         self.assertEqual([about["task"], about["smile/state_hash"]], [["build"], [f"{self.recording.hashes[-1]:016x}"]])
+
+    def test_without_the_package_its_name_is_told(self):
+        words = ["export", str(ROBOT), "--to", "rrd", "--out", f"{self.folder.name}/none"]
+        with patch.dict(sys.modules, {"rerun": None, "smile.datasets.rerun_recording": None}), \
+                redirect_stderr(io.StringIO()) as said:
+            del sys.modules["smile.datasets.rerun_recording"]
+            self.assertEqual(main(words), 2)
+        self.assertIn("error: this format needs a Python package: ", said.getvalue())
+        self.assertIn("rerun", said.getvalue())
+        self.assertFalse(Path(words[-1]).exists())
 
     def test_it_is_no_dataset(self):
         finding, = examine(self.path.parent)

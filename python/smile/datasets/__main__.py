@@ -27,6 +27,10 @@ def main(arguments: Sequence[str]) -> int:
     except (ValueError, OSError, RuntimeError) as error:
         print(f"error: {_words_of(error)}", file=sys.stderr)
         return WRONG
+    except ModuleNotFoundError as error:
+        # Formats import their packages when they are asked for.
+        print(f"error: this format needs a Python package: {error}; docs/datasets.md names it", file=sys.stderr)
+        return WRONG
     except KeyboardInterrupt:
         kept = "the finished parts are kept" if getattr(options, "parts", None) else "nothing was written"
         print(f"interrupted: {kept}", file=sys.stderr)

@@ -22,7 +22,7 @@ function actions = planArmUse(arm, tool, looks, across, way, turn, avoided, ways
     isClear = @(path) isUseClear(arm, path, load, avoided);
     for lift = c.uses.lifts'
       over = atHeight(start, start(3, 4) + lift);
-      path = planThereAndBack(arm, {over, start, over}, work, {over, put, over}, ways, q, isClear);
+      path = planThereAndBack(arm, {over, start, over}, work, {over, put, over}, ways, q, boxAround(load), isClear);
       if isempty(path), continue; end
       move = cellfun(@(it) struct('kind', 'follow', 'arm', arm, 'path', it), path, 'UniformOutput', false);
       open = {struct('kind', 'open', 'arm', arm, 'to', opening)};
@@ -40,4 +40,10 @@ function yes = isUseClear(arm, path, load, avoided)
   yes = all(cellfun(@(it) avoids(there, arm, it, load), path([4, 7]))) && ...
         all(cellfun(@(it) avoids(at_work, arm, it), path(5:6))) && ...
         all(cellfun(@(it) avoids(there, arm, it), path([1, 10])));
+end
+
+function box = boxAround(load)
+% Returns the lower and the upper corner of a box around points, which are one for each cell, 2x3 [units].
+  half = constants().skyline.cell / 2;
+  box = [min(load, [], 1) - half; max(load, [], 1) + half];
 end

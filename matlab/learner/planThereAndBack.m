@@ -1,22 +1,25 @@
-function path = planThereAndBack(arm, take, work, put, ways, q, isClear)
+function path = planThereAndBack(arm, take, work, put, ways, q, held, isClear)
 % Plans the paths of an arm to the first of some tool poses and along straight lines through the others, on the first possible
 % way to its work and back, and to its parking pose: a 1xN cell; {} if there is none.
-%   take, work, put  tool poses, 1xN cells of 4x4 [units]; put begins where take ended
+%   take, work, put  tool poses, 1xN cells of 4x4 [units]; it takes something at the second pose of take, and leaves it at the
+%            second of put, which begins where take ended
 %   ways     1xN, in the order in which they are tried: a straight line (is_line), or any way, which passes over both poses at a
 %            height of the tool (height [units]); 0 for no such height
 %   q        its joint angles, 1xn [rad]
+%   held     box around what it takes: see isPathValid
 %   isClear  function of these paths: whether nothing is in the way
-  areValid = @(path) all(cellfun(@(move) isPathValid(arm, move), path));
+  areValid = @(path, varargin) all(cellfun(@(move) isPathValid(arm, move, varargin{:}), path));
   for first = arm.starts'
     above = solvePoseSequence(arm, take, first');
     if isempty(above), continue; end
     taken = lines(arm, {moveJoints(arm, [q; above])}, take(2:end));
-    if isempty(taken) || ~areValid(taken), continue; end
+    if isempty(taken) || ~areValid(taken(1:2)) || ~areValid(taken(3:end), held), continue; end
     for way = ways
       path = thereAndBack(arm, taken, work, put, way);
       if isempty(path), continue; end
       path{end + 1} = moveJoints(arm, [path{end}.positions(end, :); arm.parked]);
-      if areValid(path(numel(taken) + 1:end)) && isClear(path), return; end
+      carried = path(numel(taken) + 1:end - 2);
+      if areValid(carried, held) && areValid(path(end - 1:end)) && isClear(path), return; end
     end
   end
   path = {};

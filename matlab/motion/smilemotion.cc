@@ -523,6 +523,7 @@ void FirstInvalid(const Call& call) {
   const JointTrajectory trajectory = TrajectoryFrom(call.arguments[1], &num_rows);
   std::vector<double> q_both;
   std::optional<std::pair<double, double>> table;
+  std::optional<HeldBox> held;
   const Options given(call, 2);
   std::string name;
   const mxArray* value = nullptr;
@@ -532,11 +533,14 @@ void FirstInvalid(const Call& call) {
     } else if (name == "table") {
       CheckSize(value, name, 1, 2);
       table.emplace(mxGetPr(value)[0], mxGetPr(value)[1]);
+    } else if (name == "held") {
+      const std::vector<double> row = ConfigurationFrom(value, name, {2, 3});
+      held.emplace(Vector3(row[0], row[1], row[2]), Vector3(row[3], row[4], row[5]));
     } else {
-      RejectOption(name, "qBoth or table");
+      RejectOption(name, "qBoth, table or held");
     }
   }
-  const auto moment = robot.FirstInvalid(trajectory, q_both, table);
+  const auto moment = robot.FirstInvalid(trajectory, q_both, table, held);
   call.outputs[0] = moment ? StructOf({{"seconds", mxCreateDoubleScalar(moment->seconds)},
                                        {"reason", mxCreateString(moment->reason.c_str())}})
                            : Empty();

@@ -70,6 +70,12 @@ std::vector<double> ConfigurationFrom(const char* name, const Array& array,
   return {array.data(), array.data() + array.size()};
 }
 
+/// Returns what an arm holds, from two corners.
+HeldBox HeldBoxFrom(const Array& corners) {
+  const std::vector<double> row = ConfigurationFrom("held", corners, {2, 3});
+  return {Vector3(row[0], row[1], row[2]), Vector3(row[3], row[4], row[5])};
+}
+
 std::vector<py::ssize_t> ShapeFor(const PlanningRobot& robot, const std::string& arm) {
   return ShapeFor(robot.NumRows(arm), robot.JointNames(arm).size());
 }
@@ -340,18 +346,23 @@ any_rotation: the tool may rotate in any way.)")
       .def(
           "first_invalid",
           [](const PlanningRobot& robot, const RowedTrajectory& trajectory,
-             const std::optional<Array>& q_both, std::optional<std::pair<double, double>> table) {
+             const std::optional<Array>& q_both, std::optional<std::pair<double, double>> table,
+             const std::optional<Array>& held) {
             std::vector<double> q;
             if (q_both) q = ConfigurationFrom("q_both", *q_both, ShapeFor(robot, "both"));
-            return robot.FirstInvalid(trajectory.joints, q, table);
+            std::optional<HeldBox> box;
+            if (held) box = HeldBoxFrom(*held);
+            return robot.FirstInvalid(trajectory.joints, q, table, box);
           },
           py::arg("trajectory"), py::kw_only(), py::arg("q_both") = py::none(),
-          py::arg("table") = py::none(),
+          py::arg("table") = py::none(), py::arg("held") = py::none(),
           R"(First InvalidMoment of a Trajectory, or None if the trajectory is valid.
 
 A moment is invalid if a joint exceeds a limit, or if the robot touches itself or the table.
 q_both: Nxn as for 'both', positions of the arms that do not move [rad; m]; default: the robot's start angles.
-table: (width, depth) of a table centered at the origin, with its top at z = 0 [units].)");
+table: (width, depth) of a table centered at the origin, with its top at z = 0 [units].
+held: 2x3, lower and upper corner of a box around what the arm that moves holds, in the frame of its tool
+[units]; it counts as part of the hand.)");
 }
 
 void BindMotion(py::module_& m) {

@@ -99,13 +99,15 @@ class Robot:
         unit: meters per unit; brains receive it as aux.unit.
         gripper: name of the robot's gripper; by default its default gripper.
         """
-    def first_invalid(self, trajectory: Trajectory, *, q_both: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, table: tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex] | None = None) -> InvalidMoment | None:
+    def first_invalid(self, trajectory: Trajectory, *, q_both: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, table: tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex] | None = None, held: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> InvalidMoment | None:
         """
         First InvalidMoment of a Trajectory, or None if the trajectory is valid.
         
         A moment is invalid if a joint exceeds a limit, or if the robot touches itself or the table.
         q_both: Nxn as for 'both', positions of the arms that do not move [rad; m]; default: the robot's start angles.
         table: (width, depth) of a table centered at the origin, with its top at z = 0 [units].
+        held: 2x3, lower and upper corner of a box around what the arm that moves holds, in the frame of its tool
+        [units]; it counts as part of the hand.
         """
     def forward(self, arm: str, q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64]) -> numpy.typing.NDArray[numpy.float64]:
         """

@@ -185,9 +185,41 @@ std::variant<JointTrajectory, LineFault> PlanningRobot::MoveLine(std::string_vie
   return MoveAlongLine(Find(arm), q_from, FromUnits(goal, "goal"), options);
 }
 
+const robot::Arm& PlanningRobot::ArmOf(const JointTrajectory& trajectory) const {
+  for (std::size_t i = 0; i < arms_.size(); ++i) {
+    if (arms_[i].joint_names() == trajectory.joint_names) return model_.arms[i];
+  }
+  throw std::invalid_argument("the trajectory moves " +
+                              std::to_string(trajectory.joint_names.size()) +
+                              " joints, expected those of the arm that holds something");
+}
+
+scene::ArticulationSpec PlanningRobot::Holding(const HeldBox& held, const robot::Arm& arm) const {
+  const Vector3 size = held.upper - held.lower;
+  if (!size.allFinite() || !held.lower.allFinite() || !(size.array() > 0).all()) {
+    throw std::invalid_argument("the size of what is held is " + NumberText(size.x()) + " x " +
+                                NumberText(size.y()) + " x " + NumberText(size.z()) +
+                                ", expected three lengths above 0");
+  }
+  const robot::Frame& tool = model_.frames[arm.tool];
+  const Vector3 p_GB = (held.lower + held.upper) / 2 * meters_per_unit_;
+  scene::ArticulationSpec spec = robot::MakeArticulationSpec(model_, X_WBase_);
+  std::vector<scene::Solid>& solids =
+      tool.link < 0 ? spec.base_solids : spec.links[tool.link].solids;
+  solids.push_back(
+      {.shape = scene::Block{size * meters_per_unit_}, .X_BS = tool.X_LF * RigidTransform(p_GB)});
+  // It is between the sides of the gripper, which the hand does not touch by itself.
+  if (arm.gripper) {
+    for (const int joint : robot::JointsOf(model_, *arm.gripper)) {
+      if (joint != tool.link) spec.never_collide.push_back(std::minmax(tool.link, joint));
+    }
+  }
+  return spec;
+}
+
 std::optional<InvalidMoment> PlanningRobot::FirstInvalid(
     const JointTrajectory& trajectory, std::span<const double> q_both,
-    std::optional<std::pair<double, double>> table) const {
+    std::optional<std::pair<double, double>> table, const std::optional<HeldBox>& held) const {
   // Joints outside the arms, such as the head and the fingers, stay at the start.
   std::vector<double> q = model_.q_start;
   if (!q_both.empty()) {
@@ -202,8 +234,10 @@ std::optional<InvalidMoment> PlanningRobot::FirstInvalid(
   }
   std::vector<scene::Solid> environment;
   if (table) environment.push_back(TableOf(table->first, table->second, meters_per_unit_));
-  // A new probe per call, since it depends on the table.
-  ArticulationProbe probe(robot::MakeArticulationSpec(model_, X_WBase_), environment);
+  // A new probe per call, since it depends on the table and on what is held.
+  ArticulationProbe probe(
+      held ? Holding(*held, ArmOf(trajectory)) : robot::MakeArticulationSpec(model_, X_WBase_),
+      environment);
   return motion::FirstInvalid(model_, trajectory, q, &probe);
 }
 

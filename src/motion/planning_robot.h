@@ -15,6 +15,11 @@
 
 namespace smile::motion {
 
+/// What an arm holds, for the check of a motion: all of a box, in the frame of the tool [units].
+struct HeldBox {
+  Vector3 lower = Vector3::Zero(), upper = Vector3::Zero();  ///< opposite corners
+};
+
 /// A robot for planning programs in any language: it stands in the world of a scene, and all
 /// lengths are in the scene's unit. The C++, Python and Octave interfaces all use this class, so
 /// the same question has the same answer, to the last bit.
@@ -80,9 +85,13 @@ class PlanningRobot {
   ///                robot's start positions.
   /// @param table   width along x and depth along y of a table around the origin, its top at z = 0
   ///                [units]; nullopt for no table.
+  /// @param held    what the arm that moves holds: it counts as part of the link that carries the
+  ///                tool, and may touch the sides of the gripper.
+  /// @throws std::invalid_argument  also if something is held and not just one arm moves.
   std::optional<InvalidMoment> FirstInvalid(const JointTrajectory& trajectory,
                                             std::span<const double> q_both,
-                                            std::optional<std::pair<double, double>> table) const;
+                                            std::optional<std::pair<double, double>> table,
+                                            const std::optional<HeldBox>& held = {}) const;
 
   /// Returns a pose in meters as 4 x 4 in units.
   Eigen::Matrix4d InUnits(const RigidTransform& X_WF) const;
@@ -90,6 +99,10 @@ class PlanningRobot {
  private:
   const ArmKinematics& Find(std::string_view arm) const;
   RigidTransform FromUnits(const Eigen::Matrix4d& pose, const char* what) const;
+  /// Returns the arm all of whose joints a trajectory moves, and no others.
+  const robot::Arm& ArmOf(const JointTrajectory& trajectory) const;
+  /// Returns the robot for a check of contacts, with a box in one hand.
+  scene::ArticulationSpec Holding(const HeldBox& held, const robot::Arm& arm) const;
 
   robot::RobotModel model_;
   double meters_per_unit_ = 1;

@@ -25,9 +25,19 @@ bool BoxesOverlap(const btCollisionShape& a, const btTransform& X_WA, const btCo
   return TestAabbAgainstAabb2(min_a, max_a, min_b, max_b);
 }
 
+/// One question needs few algorithms and manifolds; clearing the pools of a world took as long as
+/// hundreds of questions.
+btDefaultCollisionConstructionInfo SmallPools() {
+  btDefaultCollisionConstructionInfo sizes;
+  sizes.m_defaultMaxPersistentManifoldPoolSize = 16;
+  sizes.m_defaultMaxCollisionAlgorithmPoolSize = 16;
+  return sizes;
+}
+
 }  // namespace
 
-OverlapProbe::OverlapProbe() : dispatcher_(&collision_configuration_) {
+OverlapProbe::OverlapProbe()
+    : collision_configuration_(SmallPools()), dispatcher_(&collision_configuration_) {
   compound_pairs_.RegisterWith(&dispatcher_);
 }
 

@@ -7,8 +7,14 @@ namespace smile::physics {
 
 struct SolidProbe::Parts {
   std::vector<CollisionShape> shapes;
-  std::vector<btTransform> X_WS;
+  std::vector<PosedPart> posed;  ///< each shape where it is now
   OverlapProbe probe;
+
+  void Put(std::size_t solid, const btTransform& X_WS) {
+    PosedPart& part = posed[solid];
+    part.X_WP = X_WS;
+    shapes[solid].shape()->getAabb(X_WS, part.min, part.max);
+  }
 };
 
 SolidProbe::SolidProbe(const std::vector<scene::Solid>& solids)
@@ -18,20 +24,24 @@ SolidProbe::SolidProbe(const std::vector<scene::Solid>& solids)
     scene::Solid centered = solid;
     centered.X_BS = {};
     parts_->shapes.push_back(MakeCollisionShape({centered}, {}));
-    parts_->X_WS.push_back(ToBullet(solid.X_BS));
+    parts_->posed.emplace_back();
+    parts_->Put(parts_->posed.size() - 1, ToBullet(solid.X_BS));
   }
 }
 
 SolidProbe::~SolidProbe() = default;
 
 void SolidProbe::SetPose(std::size_t solid, const RigidTransform& X_WS) {
-  parts_->X_WS[solid] = ToBullet(X_WS);
+  parts_->Put(solid, ToBullet(X_WS));
 }
 
 double SolidProbe::Depth(std::size_t a, std::size_t b) {
   Parts& parts = *parts_;
-  return parts.probe.Depth(parts.shapes[a].shape(), parts.X_WS[a], parts.shapes[b].shape(),
-                           parts.X_WS[b]);
+  const PosedPart &posed_a = parts.posed[a], &posed_b = parts.posed[b];
+  // Most pairs are far apart.
+  if (!TestAabbAgainstAabb2(posed_a.min, posed_a.max, posed_b.min, posed_b.max)) return 0;
+  return parts.probe.Depth(parts.shapes[a].shape(), posed_a.X_WP, parts.shapes[b].shape(),
+                           posed_b.X_WP);
 }
 
 }  // namespace smile::physics

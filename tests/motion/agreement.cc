@@ -61,7 +61,11 @@ void AskArm(const PlanningRobot& robot, const std::string& arm) {
   std::vector<std::vector<double>> waypoints;
   for (int k = 0; k < 5; ++k) waypoints.push_back(Configuration(robot, arm, k));
   PrintMove("through", robot.MoveJoints(arm, waypoints, 0.5));
-  PrintMove("straight", robot.MoveJoints(arm, std::vector{waypoints[0], waypoints[1]}));
+  const JointTrajectory straight = robot.MoveJoints(arm, std::vector{waypoints[0], waypoints[1]});
+  PrintMove("straight", straight);
+  const HeldBox plate{Vector3(-3, -3, -0.5), Vector3(3, 3, 0.5)};
+  const auto moment = robot.FirstInvalid(straight, {}, std::nullopt, plate);
+  if (moment) Print("held " + moment->reason, std::vector{moment->seconds});
 
   for (const double way : {1.0, 40.0}) {
     Eigen::Matrix4d goal = robot.Forward(arm, ready);

@@ -43,7 +43,10 @@ function query_arm(robot, arm)
   waypoints = zeros(5, 7);
   for k = 1:5, waypoints(k, :) = configuration(robot, arm, k - 1); end
   show_move('through', smileMoveJoints(robot, arm, waypoints, 'speed', 0.5));
-  show_move('straight', smileMoveJoints(robot, arm, waypoints(1:2, :)));
+  straight = smileMoveJoints(robot, arm, waypoints(1:2, :));
+  show_move('straight', straight);
+  moment = smileFirstInvalid(robot, straight, 'held', [-3, -3, -0.5; 3, 3, 0.5]);
+  if ~isempty(moment), show(['held ' moment.reason], moment.seconds); end
 
   for way = [1, 40]
     goal = smileForward(robot, arm, ready);

@@ -42,7 +42,11 @@ def query_arm(robot, arm):
             show("inverse", [] if q is None else q)
     waypoints = [configuration(robot, arm, k) for k in range(5)]
     show_move("through", robot.move_joints(arm, waypoints, speed=0.5))
-    show_move("straight", robot.move_joints(arm, waypoints[:2]))
+    straight = robot.move_joints(arm, waypoints[:2])
+    show_move("straight", straight)
+    moment = robot.first_invalid(straight, held=[[-3, -3, -0.5], [3, 3, 0.5]])
+    if moment:
+        show("held " + moment.reason, moment.seconds)
 
     for way in (1.0, 40.0):
         goal = robot.forward(arm, ready)

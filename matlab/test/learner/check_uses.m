@@ -71,7 +71,7 @@ function checkWayOver(eye, arm)
   high = max(around.ofArm.heights(:)) + arm.reach + 0.1;
   ways = struct('is_line', {true, false, false}, 'height', {0, 0, high});
   isClear = @(path) all(cellfun(@(it) avoids(around, arm, it), path(4:5)));
-  plan = @(ways) planThereAndBack(arm, {over, poseAt([-3, -3, 1]), over}, {poseAt([3, -3, 2])}, {over, over}, ways, parked, isClear);
+  plan = @(ways) planThereAndBack(arm, {over, poseAt([-3, -3, 1]), over}, {poseAt([3, -3, 2])}, {over, over}, ways, parked, [], isClear);
   check(isempty(plan(ways(1:2))), 'a post between a tool and its work is in the way');
   path = plan(ways);
   check(max(max(abs(path{4}.positions - flipud(path{5}.positions)))) < 1e-9, 'the way back is the way there');

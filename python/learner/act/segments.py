@@ -16,10 +16,13 @@ def move_line(arm, before, goal):
     return path if path and path.duration <= C.max_line_s else None
 
 
-def is_path_valid(arm, path):
-    """Returns true if an arm can follow a path while the others are parked."""
+def is_path_valid(arm, path, held=None):
+    """Returns true if an arm can follow a path while the others are parked.
+
+    held: box around what it holds, in the frame of its tool: lower and upper corner, 2x3 [units]
+    """
     return (avoids_torso(arm, path.positions)
-            and arm.robot.first_invalid(path, q_both=arm.all_parked) is None)
+            and arm.robot.first_invalid(path, q_both=arm.all_parked, held=held) is None)
 
 
 def at_height(pose, height):

@@ -19,6 +19,10 @@ class Load:
         """Returns the points where the tool has a pose, 4x4."""
         return self.points @ tool[:3, :3].T + tool[:3, 3]
 
+    def box(self):
+        """Returns the lower and the upper corner of a box around it, in the frame of the tool, 2x3 [units]."""
+        return np.array([self.points.min(axis=0), self.points.max(axis=0)]) + [[-C.cell / 2], [C.cell / 2]]
+
 
 def load_of(points, middle, tool):
     """Returns the Load that visible points of an object become when it is taken with a tool at a pose, 4x4. Below

@@ -40,7 +40,7 @@ def plan_arm_use(arm, tool, looks, across, way, turn, avoided, ways, q):
                     and all(at_work.avoids(arm, it) for it in path[4:6])
                     and all(there.avoids(arm, it) for it in (path[0], path[9])))
 
-        path = plan_there_and_back(arm, [over, start, over], work, [over, put, over], ways, q, is_clear)
+        path = plan_there_and_back(arm, [over, start, over], work, [over, put, over], ways, q, load.box(), is_clear)
         if path:
             moves = [Action("follow", arm, it) for it in path]
             hold = [Action("grasp", arm, width=width) for _ in range(2)]

@@ -10,28 +10,35 @@ from act.segments import at_height, is_path_valid, move_joints, move_line
 Way = namedtuple("Way", "is_line height")
 
 
-def plan_there_and_back(arm, take, work, put, ways, q, is_clear):
+def plan_there_and_back(arm, take, work, put, ways, q, held, is_clear):
     """Plans the paths of an arm to the first of some tool poses and along straight lines through the others, on the
     first possible Way to its work and back, and to its parking pose: a list; [] if there is none.
 
-    take, work, put: lists of tool poses, 4x4 [units]; put begins where take ended
+    take, work, put: lists of tool poses, 4x4 [units]; it takes something at the second pose of take, and leaves it at
+                     the second of put, which begins where take ended
     ways:            Ways, in the order in which they are tried
     q:               its joint angles [rad]
+    held:            box around what it takes, see is_path_valid
     is_clear:        function of that list: whether nothing is in the way
     """
     for first in arm.starts:
         above = solve_pose_sequence(arm, take, first)
         taken = above is not None and lines(arm, [move_joints(arm, [q, above])], take[1:])
-        if not taken or not all(is_path_valid(arm, it) for it in taken):
+        if not taken or not are_valid(arm, taken[:2]) or not are_valid(arm, taken[2:], held):
             continue
         for way in ways:
             path = there_and_back(arm, taken, work, put, way)
             if not path:
                 continue
             path.append(move_joints(arm, [path[-1].positions[-1], arm.parked]))
-            if all(is_path_valid(arm, it) for it in path[len(taken):]) and is_clear(path):
+            if are_valid(arm, path[len(taken):-2], held) and are_valid(arm, path[-2:]) and is_clear(path):
                 return path
     return []
+
+
+def are_valid(arm, path, held=None):
+    """Returns true if an arm can follow paths while it holds something, see is_path_valid."""
+    return all(is_path_valid(arm, it, held) for it in path)
 
 
 def there_and_back(arm, taken, work, put, way):

@@ -86,7 +86,7 @@ class UseTest(RecordingTest):
 
         def plan(*ways):
             return plan_there_and_back(arm, [over, pose_at([-3, -3, 1]), over], [work], [over, over], ways, arm.parked,
-                                       lambda path: all(around.avoids(arm, it) for it in path[3:5]))
+                                       None, lambda path: all(around.avoids(arm, it) for it in path[3:5]))
 
         self.assertEqual(plan(straight, any_way), [])
         path = plan(straight, any_way, high)
@@ -114,7 +114,7 @@ def straight_path(waypoints):
 
 def cartesian_arm():
     """Returns an arm whose three joint angles are the place of its tool, with its forearm above it."""
-    robot = SimpleNamespace(first_invalid=lambda path, q_both: None,
+    robot = SimpleNamespace(first_invalid=lambda path, q_both, held: None,
                             move_joints=lambda name, waypoints, speed: straight_path(waypoints),
                             move_line=lambda name, q, goal, speed: (straight_path([q, goal[:3, 3]]), None),
                             limits=lambda name: (np.full(3, -10.0), np.full(3, 10.0)))

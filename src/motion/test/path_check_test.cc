@@ -54,6 +54,28 @@ TEST(FirstInvalid, FindsWhereArmsMeetUnlessTheOtherIsElsewhere) {
   EXPECT_EQ(robot.FirstInvalid(move, q_both, std::nullopt), std::nullopt);
 }
 
+TEST(FirstInvalid, FindsWhereWhatAHandHoldsMeetsTheTableOrTheRobot) {
+  const PlanningRobot robot = AtTable();
+  const std::vector<double> q = *robot.NamedPose("left", "untucked");
+  const JointTrajectory still = robot.MoveJoints("left", std::vector{q, q});
+  using Table = std::optional<std::pair<double, double>>;
+  const auto reason = [&](const HeldBox& held, const Table& table) {
+    const auto touch = robot.FirstInvalid(still, {}, table, held);
+    return touch ? touch->reason : "";
+  };
+  const Vector3 small(0.2, 0.2, 0.2);
+  const std::pair table(20.0, 12.0);
+  // A block between the fingers is no obstacle to them; a rod that reaches the table is.
+  EXPECT_EQ(reason({-small, small}, table), "");
+  const double height = robot.Forward("left", q)(2, 3);
+  EXPECT_EQ(reason({-small, Vector3(0.2, 0.2, height + 0.2)}, table),
+            "left_wrist would touch an obstacle");
+  EXPECT_EQ(reason({-small, Vector3(0.2, 0.2, height + 0.2)}, std::nullopt), "");
+  // A plate as wide as the robot meets its other parts.
+  EXPECT_NE(reason({Vector3(-10, -10, 0), Vector3(10, 10, 0.1)}, std::nullopt), "");
+  EXPECT_THROW(reason({Vector3::Zero(), Vector3(1, 0, 1)}, table), std::invalid_argument);
+}
+
 TEST(FirstInvalid, NamesTheLimitThatIsBroken) {
   const PlanningRobot robot = AtTable();
   JointTrajectory move = robot.MoveJoints(

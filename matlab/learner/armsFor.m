@@ -1,7 +1,8 @@
 function able = armsFor(steps, arms)
 % Returns the arms whose grippers can hold the blocks of all steps except those that stay or have a knob. It is an error
 % if there are none.
-  sizes = vertcat(steps(~[steps.stays] & ~[steps.hasKnob]).size, [0, 0, 0]);
+  held = arrayfun(@heldPart, asBlocks(steps(~[steps.stays] & ~[steps.hasKnob])));
+  sizes = vertcat(held.size, [0, 0, 0]);
   width = max(sizes(:, 2));
   least = width + constants().arms.opening_margin;
   able = arms(arrayfun(@(arm) canHold(arm, width), arms));

@@ -13,7 +13,8 @@ function blocks = detectBlocks(picture, eye, like, container, heights, staying)
   table = tableColor(picture);
   is_possible = @(block) isSupported(block, picture, eye, table);
   layouts = like(~cellfun(@isempty, {like.parts}));
-  like = like(cellfun(@isempty, {like.parts}));
+  outlined = like(~cellfun(@isempty, {like.outline}));
+  like = like(cellfun(@isempty, {like.parts}) & cellfun(@isempty, {like.outline}));
   staying = staying(cellfun(@isempty, {staying.parts}));
   is_ball = strcmp({like.form}, 'ball');
   for color = colorsToDetect(picture, like)
@@ -40,4 +41,7 @@ function blocks = detectBlocks(picture, eye, like, container, heights, staying)
   end
   if isempty(heights), return; end
   blocks = [blocks, detectBalls(picture, eye, like(is_ball), heights), detectLayouts(picture, eye, layouts, heights)];
+  for color = colorsToDetect(picture, outlined)
+    blocks = [blocks, detectOutlined(picture, eye, color', blockKinds(outlined, color'), heights)];
+  end
 end

@@ -51,6 +51,8 @@ function block = measureObject(demo, n, lower, pictures)
   if isempty(block), block = measureTopWithKnob(demo, n, frames, pictures); end
   if isempty(block), block = measureParts(demo, n); end
   if isempty(block), block = measureFlatTop(demo, n, lower); end
+  % What is known by less, like an outline, comes last.
+  if isempty(block), block = measureOutlined(demo, n, frames, pictures); end
 end
 
 function block = measureBall(demo, n, frames, pictures)

@@ -36,8 +36,7 @@ function [actions, reason] = planPickAndPlace(arms, block, goal, others, sensor,
           % The object turns with the hand; it may look the same after some turns.
           turned = block;
           turned.yaw = block.yaw + place_yaw - grasp_yaw;
-          is_turned = abs(yawDifference(turned, goal.yaw)) > constants().motion_planning.same_yaw_rad;
-          if is_turned && ~(isempty(block.knob) && isempty(block.parts)), continue; end
+          if ~isTurnedTo(turned, goal) && ~(isempty(block.knob) && isempty(block.parts)), continue; end
           actions = planArmPickAndPlace(arm, held, grasp_yaw, target, place_yaw, height, lift, others, q);
           if ~isempty(actions), return; end
         end
@@ -45,6 +44,14 @@ function [actions, reason] = planPickAndPlace(arms, block, goal, others, sensor,
     end
   end
   if ~isempty(able), reason = 'no arm reaches both its place and its goal'; end
+end
+
+function yes = isTurnedTo(block, goal)
+% Returns true if a block at the place of a goal would look as wanted there, and its held part be where that of the goal is.
+  c = constants().motion_planning;
+  block.position = goal.position;
+  away = heldPart(block).position - heldPart(goal).position;
+  yes = abs(yawDifference(block, goal.yaw)) < c.same_yaw_rad && norm(away(1:2)) < c.same_held_distance;
 end
 
 function yes = hasLowWay(block, goal, others)

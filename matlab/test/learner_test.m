@@ -25,6 +25,7 @@ try
   check_resting();
   check_failures();
   check_parts();
+  check_outlines();
   check_presses();
   check_uses();
   check_drives();

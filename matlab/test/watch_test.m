@@ -87,7 +87,7 @@ function kinds = kindsIn(tops, picture, eye, table)
   kinds = blockKinds(noBlocks(), []);
   for top = tops
     for block = measureBlock(top, picture, eye, table)
-      kinds(end + 1) = struct('color', block.color, 'size', block.size, 'form', block.form, 'parts', []);
+      kinds = [kinds, blockKinds(block, block.color)];
     end
   end
 end

@@ -19,7 +19,7 @@ struct ShippedTask {
   layout::LayoutLevel level = layout::LayoutLevel::kScattered;
 };
 
-inline constexpr std::array<ShippedTask, 19> kTasks{{{"um"},
+inline constexpr std::array<ShippedTask, 20> kTasks{{{"um"},
                                                      {"tower"},
                                                      {"row"},
                                                      {"bridge"},
@@ -27,6 +27,7 @@ inline constexpr std::array<ShippedTask, 19> kTasks{{{"um"},
                                                      {"sizes"},
                                                      {"pyramid"},
                                                      {"bricks"},
+                                                     {"pieces"},
                                                      {"ball"},
                                                      {"plank"},
                                                      {"pedestal", layout::LayoutLevel::kFixtures},

@@ -25,8 +25,8 @@ bool BoxesOverlap(const btCollisionShape& a, const btTransform& X_WA, const btCo
   return TestAabbAgainstAabb2(min_a, max_a, min_b, max_b);
 }
 
-/// One question needs few algorithms and manifolds; clearing the pools of a world took as long as
-/// hundreds of questions.
+/// One question needs few of them; to clear the pools of a world took as long as hundreds of
+/// questions.
 btDefaultCollisionConstructionInfo SmallPools() {
   btDefaultCollisionConstructionInfo sizes;
   sizes.m_defaultMaxPersistentManifoldPoolSize = 16;

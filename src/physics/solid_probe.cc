@@ -9,12 +9,6 @@ struct SolidProbe::Parts {
   std::vector<CollisionShape> shapes;
   std::vector<PosedPart> posed;  ///< each shape where it is now
   OverlapProbe probe;
-
-  void Put(std::size_t solid, const btTransform& X_WS) {
-    PosedPart& part = posed[solid];
-    part.X_WP = X_WS;
-    shapes[solid].shape()->getAabb(X_WS, part.min, part.max);
-  }
 };
 
 SolidProbe::SolidProbe(const std::vector<scene::Solid>& solids)
@@ -25,23 +19,24 @@ SolidProbe::SolidProbe(const std::vector<scene::Solid>& solids)
     centered.X_BS = {};
     parts_->shapes.push_back(MakeCollisionShape({centered}, {}));
     parts_->posed.emplace_back();
-    parts_->Put(parts_->posed.size() - 1, ToBullet(solid.X_BS));
+    SetPose(parts_->posed.size() - 1, solid.X_BS);
   }
 }
 
 SolidProbe::~SolidProbe() = default;
 
 void SolidProbe::SetPose(std::size_t solid, const RigidTransform& X_WS) {
-  parts_->Put(solid, ToBullet(X_WS));
+  PosedPart& part = parts_->posed[solid];
+  part.X_WP = ToBullet(X_WS);
+  parts_->shapes[solid].shape()->getAabb(part.X_WP, part.min, part.max);
 }
 
 double SolidProbe::Depth(std::size_t a, std::size_t b) {
-  Parts& parts = *parts_;
-  const PosedPart &posed_a = parts.posed[a], &posed_b = parts.posed[b];
+  const PosedPart &one = parts_->posed[a], &other = parts_->posed[b];
   // Most pairs are far apart.
-  if (!TestAabbAgainstAabb2(posed_a.min, posed_a.max, posed_b.min, posed_b.max)) return 0;
-  return parts.probe.Depth(parts.shapes[a].shape(), posed_a.X_WP, parts.shapes[b].shape(),
-                           posed_b.X_WP);
+  if (!TestAabbAgainstAabb2(one.min, one.max, other.min, other.max)) return 0;
+  return parts_->probe.Depth(parts_->shapes[a].shape(), one.X_WP, parts_->shapes[b].shape(),
+                             other.X_WP);
 }
 
 }  // namespace smile::physics

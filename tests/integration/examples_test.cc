@@ -189,6 +189,17 @@ void TheWallStands(const Json& end) {
   ExpectAligned(end, "Brick6", "Brick1", {2.02, 0, 1});
 }
 
+void ThePiecesAreInPlace(const Json& end) {
+  // The L keeps the rotation in which it began, as does what lies on the cross.
+  ExpectNear(PositionOf(end, "Angle"), {-2.8, 1, 0.3}, kMillimeter, "Angle");
+  ExpectNear(RotationOf(end, "Angle"), {0, 0, 30}, kOneDegree, "Angle");
+  ExpectNear(PositionOf(end, "Cube"), {-2.5, 0.88, 0.9}, kMillimeter, "Cube");
+  ExpectNear(RotationOf(end, "Triangle"), {0, 0, 90}, kOneDegree, "Triangle");
+  ExpectNear(PositionOf(end, "Cross"), {2.8, 1, 0.25}, kMillimeter, "Cross");
+  ExpectNear(RotationOf(end, "Cross"), {0, 0, 45}, kOneDegree, "Cross");
+  ExpectNear(PositionOf(end, "Ring"), {2.8, 1, 0.7}, kMillimeter, "Ring");
+}
+
 void TheTowerStandsOnThePedestal(const Json& end) {
   const std::map<std::string, Vector> places{
       {"Pedestal", {1.4, 1, 0.75}}, {"RedBlock", {1.4, 1, 2}}, {"GreenBlock", {1.4, 1, 3}}};
@@ -289,6 +300,7 @@ const std::vector<Example>& AllExamples() {
       {"sizes", "--no-robot", TheCubesAreSortedBySize},
       {"pyramid", "--no-robot", ThePyramidStands},
       {"bricks", "--no-robot", TheWallStands},
+      {"pieces", "--no-robot", ThePiecesAreInPlace},
       {"pedestal", "--no-robot", TheTowerStandsOnThePedestal},
       {"unstack", "--no-robot", TheTowerIsTakenApart},
       {"swap", "--no-robot", TheBlocksAreExchanged},

@@ -1,6 +1,6 @@
 """The learner does tasks beyond those of `smile experiment`: equal colors that touch at several heights,
 half heights and several sizes, what the demonstration did not move, what began on something, what must make room
-first, what is built and in the way of the next grasp, discs, a ball, a lid, a plank that must be turned, a switch and drives of several colors, a pair of scissors,
+first, what is built and in the way of the next grasp, discs, a ball, a lid, an L, a cross and a ring, a plank that must be turned, a switch and drives of several colors, a pair of scissors,
 and a cover that screws hold.
 What it claims at the end is right.
 
@@ -19,6 +19,7 @@ from pathlib import Path
 PYTHON, OCTAVE = "python/learner/learner.py", "matlab/learner"
 # Task, brain, and layout of the robot's scene; in the last one a block is out of reach.
 CASES = [("pyramid", PYTHON, ["--seed", "1"]), ("bricks", OCTAVE, ["--seed", "1"]),
+         ("pieces", PYTHON, ["--seed", "1"]), ("pieces", OCTAVE, ["--seed", "2"]),
          ("sizes", PYTHON, ["--seed", "1"]), ("unstack", OCTAVE, ["--seed", "1", "--level", "fixtures"]),
          ("pedestal", PYTHON, ["--seed", "2", "--level", "fixtures"]),
          ("swap", PYTHON, ["--seed", "1", "--level", "fixtures"]),

@@ -1,6 +1,7 @@
 """Which arms can hold a block, and which is the nearest."""
 
 from constants import ARMS as C
+from things.held_parts import held_part
 
 
 def arms_for(steps, arms):
@@ -8,7 +9,7 @@ def arms_for(steps, arms):
 
     Raises ValueError if there are none.
     """
-    width = max((step.size[1] for step in steps if not (step.stays or step.has_knob)), default=0)
+    width = max((held_part(step).size[1] for step in steps if not (step.stays or step.has_knob)), default=0)
     able = [arm for arm in arms if can_hold(arm, width)]
     if not able:
         found = ", ".join(f"{arm.name}: " + (f"{arm.opening:.2f} units" if arm.opening else "none")

@@ -7,6 +7,7 @@ import numpy as np
 from constants import TASK_MODEL as C
 from explain.flat_tops import is_side_at, measure_flat_top
 from explain.object_roles import carried_along
+from explain.outline_measuring import measure_outlined
 from explain.part_measuring import measure_parts
 from explain.shown_pictures import read_picture
 from explain.tops import measure_ball, measure_top, measure_top_with_knob
@@ -61,10 +62,9 @@ def measure_object(demo, n, lower, pictures):
             is_on = any(stands_on(block, it) for it in lower)
             if bottom == 0 or is_on and not is_side_at(pictures[frame], demo.eye, [*pose[:2], pose[2] + height / 2]):
                 return block
-    start = np.array(start)
-    return (measure_ball(demo, n, start, frames, pictures)
-            or measure_top_with_knob(demo, n, start, math.radians(degrees), frames, pictures)
-            or measure_parts(demo, n) or measure_flat_top(demo, n, lower))
+    return (measure_ball(demo, n, np.array(start), frames, pictures)
+            or measure_top_with_knob(demo, n, np.array(start), math.radians(degrees), frames, pictures)
+            or measure_parts(demo, n) or measure_flat_top(demo, n, lower) or measure_outlined(demo, n, frames, pictures))
 
 
 def select_frames(demo, n):

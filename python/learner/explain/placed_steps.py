@@ -18,14 +18,15 @@ def step_of(demo, n, appearance, attention):
     color = appearance.color if color_matters(attention, demo.ids[n]) else None
     there = resting_at(appearance, demo.moves[n][-1, 1:])
     size, yaw, parts = there.size, there.yaw, there.parts
-    if size[1] > BLOCKS.equal_sides * size[0]:
+    if size[1] > BLOCKS.equal_sides * size[0] and not there.outline:
         size = size[[1, 0, 2]]
         yaw += math.pi / 2
         parts = turned(parts, math.pi / 2)
-    began = np.append(np.sort(appearance.size[:2])[::-1], appearance.size[2])
+    began = np.append(np.sort(appearance.size[:2])[::-1], appearance.size[2]) if not there.outline else size
     return Step(color, size, there.position, yaw, demo.ids[n], [],
                 start_size=None if same_size(began, size) else began, start=demo.moves[n][0, 1:4],
                 form=appearance.form, has_knob=appearance.has_knob, parts=parts,
+                outline=appearance.outline, knob=appearance.knob,
                 begins_there=is_same_pose(demo.moves[n][0, 1:], demo.moves[n][-1, 1:]))
 
 

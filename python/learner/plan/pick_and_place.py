@@ -3,6 +3,8 @@
 from dataclasses import replace
 from itertools import product
 
+import numpy as np
+
 from act.actions import Grasp
 from act.finger_room import grasp_yaws
 from act.grippers import can_hold, nearest_first
@@ -49,10 +51,16 @@ def plan_pick_and_place(arms, block, goal, others, sensor, failures=(), way=Way(
         for place_yaw, grasp_yaw in way.ranked(list(product(at_goal, yaws))):
             # The object turns with the hand; it may look the same after some turns.
             turned = replace(block, yaw=block.yaw + place_yaw - grasp_yaw)
-            if (block.knob or block.parts) and abs(yaw_difference(turned, goal.yaw)) > C.same_yaw_rad:
+            if (block.knob or block.parts) and not is_turned_to(turned, goal):
                 continue
             actions = plan_arm_pick_and_place(arm, held, grasp_yaw, target, place_yaw, height, lift,
                                               others, q, is_dragged(goal))
             if actions:
                 return actions, None
     return [], "no arm reaches both its place and its goal"
+
+
+def is_turned_to(block, goal):
+    """Returns true if a block at the place of a goal would look as wanted there, and its held part be where that of the goal is."""
+    there = held_part(replace(block, position=goal.position)).position - held_part(goal).position
+    return abs(yaw_difference(block, goal.yaw)) < C.same_yaw_rad and np.hypot(*there[:2]) < C.same_held_distance

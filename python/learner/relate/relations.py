@@ -6,6 +6,7 @@ import numpy as np
 
 from constants import RELATE as C, TASK_MODEL
 from things.areas import footprint, is_inside, overlap
+from things.blocks import yaw_difference
 from things.steps import stands_on
 
 
@@ -42,8 +43,8 @@ def is_beside(one, other):
 
 
 def is_aligned(one, other):
-    """Returns true if the sides of two Blocks are parallel; discs have none."""
-    if one.is_round or other.is_round:
+    """Returns true if the sides of two Blocks are parallel; what looks the same at each yaw, like discs, has none."""
+    if any(yaw_difference(it, it.yaw + 1) == 0 for it in (one, other)):
         return False
     angle = one.yaw - other.yaw
     return abs(angle - math.pi / 2 * round(angle / (math.pi / 2))) < C.aligned_rad

@@ -11,6 +11,7 @@ from see.colors import color_mask, colors_to_detect, table_color
 from see.covered import fit_covered
 from see.fitting import fit_blocks
 from see.layouts import detect_layouts
+from see.outlined import detect_outlined
 from see.regions import is_cut, is_level, label_regions
 from see.sight import is_supported
 from things.kinds import same_color, same_form
@@ -24,8 +25,8 @@ def detect_blocks(picture, eye, like, container=None, heights=None):
              eye measures no depth
     """
     table = table_color(picture)
-    layouts = [it for it in like if it.parts]
-    like = [it for it in like if not it.parts]
+    layouts, outlined = [it for it in like if it.parts], [it for it in like if it.outline]
+    like = [it for it in like if not it.parts and not it.outline]
     # Those on whose tops others stand, or a knob.
     staying = [it for it in like if getattr(it, "stays", False) or it.has_knob]
     blocks = []
@@ -55,6 +56,8 @@ def detect_blocks(picture, eye, like, container=None, heights=None):
     if heights is not None:
         blocks += detect_balls(picture, eye, [it for it in like if it.form == "ball"], heights)
         blocks += detect_layouts(picture, eye, layouts, heights)
+        for color in colors_to_detect(picture, outlined):
+            blocks += detect_outlined(picture, eye, color, kinds_of(outlined, color), heights)
     return blocks
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from constants import PERCEPTION as C
 from see.eye import pixel_at
-from things.areas import footprint
+from things.areas import footprint, rotated
 
 
 def is_top_hidden(block, others, eye):
@@ -33,13 +33,15 @@ def is_top_hidden(block, others, eye):
 
 def top_points(block):
     """Returns the middle of a block's top and, unless it is a ball, points near its corners or its
-    border, Nx3 [units]."""
+    border, Nx3 [units]; of one with an outline, points inside that."""
     fraction = C.top_fraction / (math.sqrt(2) if block.form == "disc" else 1)
     along = fraction * block.size[0] * np.array([math.cos(block.yaw), math.sin(block.yaw), 0])
     across = fraction * block.size[1] * np.array([-math.sin(block.yaw), math.cos(block.yaw), 0])
     middle = np.array([*block.position[:2], block.top])
     if block.form == "ball":
         return middle[None]
+    if block.outline:
+        return np.array([[*(block.position[:2] + rotated(it, block.yaw)), block.top] for it in block.outline.inside])
     return np.array([middle, middle + along + across, middle + along - across,
                      middle - along - across, middle - along + across])
 

@@ -21,6 +21,7 @@ class Block:
     has_knob: bool = field(default=False, kw_only=True)  # whether it is held by a part on its top,
     knob: Optional["Block"] = field(default=None, kw_only=True)  # this one: see knobs
     parts: list = field(default_factory=list, kw_only=True)  # of a thing of several colors: see parts
+    outline: Optional[object] = field(default=None, kw_only=True)  # of a top of another shape: see outlines
     depth: float = field(default=math.inf, kw_only=True)  # how far below its top the fingers may reach [units]
 
     @property
@@ -50,8 +51,12 @@ def yaw_difference(block, yaw):
     the same every 90 degrees, any other every 180, round ones always, and things of several colors never."""
     if block.is_round:
         return 0.0
+    if block.outline and not block.outline.fold:
+        return 0.0
     period = math.pi / 2 if has_equal_sides(block) else math.pi
     if block.parts:
         period = 2 * math.pi
+    if block.outline:
+        period = 2 * math.pi / block.outline.fold
     rotation = yaw - block.yaw
     return rotation - period * round(rotation / period)

@@ -4,6 +4,7 @@ import numpy as np
 
 from constants import BLOCKS, PARTS
 from things.blocks import yaw_difference
+from things.outlines import same_outline
 
 
 def is_same_kind(block, step):
@@ -24,7 +25,7 @@ def has_parts_of(one, other, is_colored):
 
 def same_form(a, b):
     """Returns true if two blocks have the same form and size."""
-    return a.form == b.form and same_size(a.size, b.size)
+    return a.form == b.form and same_size(a.size, b.size) and same_outline(a.outline, b.outline)
 
 
 def same_color(wanted, color):

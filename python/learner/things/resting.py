@@ -24,7 +24,7 @@ def resting_at(appearance, pose):
     axes = rotation_of(pose[3:6])
     up = int(np.argmax(np.abs(axes[2])))
     is_leaning = abs(axes[2, up]) < math.cos(math.radians(C.max_rest_degrees))
-    if up == 2 or is_leaning or appearance.is_round or appearance.parts:
+    if up == 2 or is_leaning or appearance.is_round or appearance.parts or appearance.outline:
         return replace(appearance, position=pose[:3], yaw=math.radians(pose[5]))
     along, across = [axis for axis in range(3) if axis != up]
     return replace(appearance, size=appearance.size[[along, across, up]], position=pose[:3],

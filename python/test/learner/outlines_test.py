@@ -1,0 +1,108 @@
+"""Tests how pieces are recognized whose tops are neither rectangles nor discs, and how they are held."""
+
+import math
+import unittest
+from dataclasses import replace
+
+import numpy as np
+
+from explain.appearances import measure_objects
+from explain.demonstration import read_demonstration
+from recordings import RecordingTest
+from scenes import EYE, RED, block, picture_of, view_of
+from see.detection import detect_blocks
+from see.eye import to_pixel
+from see.sight import top_points
+from see.unknown_objects import detect_unknown_objects
+from things.areas import rotated
+from things.blocks import yaw_difference
+from things.grips import grip_of
+from things.held_parts import held_part
+from things.kinds import is_same_kind
+from things.outlines import outline_of, same_outline
+
+
+def angle(x, y, yaw=0.0, bottom=0.0, mirror=1):
+    """Returns two red blocks that form an L, the far one first."""
+    parts = [[0.6, 0.9, -0.3 * mirror, 0.35], [1.8, 0.6, 0.3 * mirror, -0.4]]
+    blocks = []
+    for along, across, dx, dy in parts:
+        dx, dy = rotated([dx, dy], yaw)
+        blocks.append(block(RED, np.array([along, across, 0.6]), x + dx, y + dy, bottom, yaw))
+    return sorted(blocks, key=lambda it: -it.position[1])
+
+
+def points_of(is_inside):
+    """Returns x, y and areas of the points of a grid that are inside a shape."""
+    x, y = (it.ravel() for it in np.meshgrid(np.arange(-1, 1, 0.02) + 0.01, np.arange(-1, 1, 0.02) + 0.01))
+    inside = is_inside(x, y)
+    return x[inside], y[inside], np.full(inside.sum(), 0.0004)
+
+
+CROSS = points_of(lambda x, y: (abs(x) < 0.3) | (abs(y) < 0.3))
+RING = points_of(lambda x, y: abs(np.hypot(x, y) - 0.7) < 0.2)
+TRIANGLE = points_of(lambda x, y: (x > -0.4) & (x + math.sqrt(3) * abs(y) < 0.8))
+
+
+class OutlinesTest(RecordingTest):
+    """An L is lifted and turned."""
+
+    def setUp(self):
+        self.record(picture_of(angle(2, -3)), picture_of(angle(1, -2.5, 0.2, 1.5)))
+        self.write(0, ["0,create,Angle,shape,composite", "0,move,Angle,2.0,-3.0,0.3,0.0,0.0,0.0"])
+        self.write(1, ["1,grasp,LeftHand,Angle", f"1,move,Angle,1.0,-2.5,1.8,0.0,0.0,{math.degrees(0.2)}"])
+        self.write(2, ["2,release,LeftHand"])
+        self.kind = measure_objects(read_demonstration(self.folder), [0])[0]
+
+    def test_a_piece_is_measured_by_its_outline_in_two_pictures(self):
+        outline = self.kind.outline
+        self.assertAlmostEqual(outline.area, 1.62, delta=0.05)
+        self.assertEqual(outline.fold, 1)
+        np.testing.assert_allclose(self.kind.size, [2.4, 1.6, 0.6], atol=0.06)
+        x, y = outline.inside.T
+        is_inside = (abs(x + 0.3) < 0.25) & (y > -0.65) & (y < 0.75) | (abs(y + 0.4) < 0.25) & (x > -0.55) & (x < 1.15)
+        self.assertTrue(is_inside.all(), outline.inside)
+
+    def test_a_piece_is_recognized_at_each_yaw(self):
+        for yaw in -1.2, 0.3, 0.3 + math.pi:
+            picture, heights = view_of(angle(-2, -3, yaw))
+            [found] = detect_blocks(picture, EYE, [self.kind], None, heights)
+            np.testing.assert_allclose(found.position, [-2, -3, 0.3], atol=0.03)
+            self.assertLess(abs(yaw_difference(found, yaw)), 0.02)
+            self.assertTrue(is_same_kind(found, self.kind))
+            self.assertTrue(all(abs(heights[tuple(np.floor(it).astype(int))] - 0.6) < 0.01 for it in pixels_of_top(found)))
+            self.assertEqual(detect_unknown_objects(picture, EYE, [found], heights), [])
+
+    def test_other_shapes_are_other_pieces(self):
+        for others in angle(-2, -3, mirror=-1), [block(RED, np.array([2, 0.9, 0.6]), -2, -3)]:
+            picture, heights = view_of(others)
+            self.assertEqual(detect_blocks(picture, EYE, [self.kind], None, heights), [])
+        self.assertFalse(is_same_kind(block(RED, self.kind.size, -2, -3), self.kind))
+
+    def test_a_piece_looks_the_same_after_some_turns(self):
+        for points, fold in (TRIANGLE, 3), (CROSS, 4), (RING, 0):
+            piece = replace(self.kind, outline=outline_of(*points), yaw=0.0)
+            self.assertEqual(piece.outline.fold, fold)
+            turn = 2 * math.pi / fold if fold else 1.0
+            self.assertAlmostEqual(yaw_difference(piece, turn), 0)
+            self.assertTrue(same_outline(piece.outline, outline_of(*rotated(points[:2], turn), points[2])))
+        self.assertFalse(same_outline(outline_of(*CROSS), outline_of(*rotated(CROSS[:2], 0.5), CROSS[2])))
+        self.assertEqual(yaw_difference(self.kind, self.kind.yaw + math.pi), math.pi)
+
+    def test_a_piece_is_held_where_it_is_narrow_and_its_sides_are_parallel(self):
+        held = held_part(replace(self.kind, yaw=1.0, position=np.array([3, -2, 0.3])))
+        self.assertAlmostEqual(held.size[1], 0.6, delta=0.05)
+        self.assertGreater(held.size[0], 1.1 * held.size[1])
+        for points, width in (CROSS, 0.6), (RING, 1.8):
+            grip = grip_of(*points[:2], 0.02, RED, 0.5)
+            self.assertAlmostEqual(grip.size[1], width, delta=0.05)
+        np.testing.assert_allclose(grip.position, 0, atol=0.05)
+
+
+def pixels_of_top(block):
+    """Returns the rows and columns that show some points of a block's top."""
+    return [to_pixel(it, EYE)[::-1] for it in top_points(block)]
+
+
+if __name__ == "__main__":
+    unittest.main()

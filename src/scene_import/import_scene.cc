@@ -18,7 +18,9 @@ struct SceneFormat {
   std::string_view name, root;
   ForeignWorld (*read)(const SourceElement&, ModelFiles*, ImportFindings*) = nullptr;
 };
-constexpr std::array kSceneFormats{SceneFormat{"mjcf", "mujoco", &ReadMjcf}};
+constexpr std::array kSceneFormats{SceneFormat{"mjcf", "mujoco", &ReadMjcf},
+                                   SceneFormat{"sdf", "sdf", &ReadSdf},
+                                   SceneFormat{"urdf", "robot", &ReadUrdf}};
 
 const SceneFormat& SceneFormatOf(std::string_view name) {
   const auto* found = std::ranges::find(kSceneFormats, name, &SceneFormat::name);

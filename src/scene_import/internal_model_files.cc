@@ -75,22 +75,28 @@ ModelFiles::ModelFiles(std::optional<fs::path> main_file, std::vector<fs::path> 
                   main_file->has_parent_path() ? main_file->parent_path() : fs::path("."));
 }
 
+std::optional<fs::path> ModelFiles::Search(const std::string& name) const {
+  if (name.empty() || name.size() > kMaxNameBytes) return std::nullopt;
+  for (const fs::path& folder : folders_) {
+    std::error_code error;
+    fs::path file = fs::canonical(folder / name, error);
+    if (error) continue;
+    const bool is_allowed = std::ranges::any_of(
+        folders_, [&file](const fs::path& allowed) { return IsWithin(file, allowed); });
+    if (is_allowed) return file;
+  }
+  return std::nullopt;
+}
+
 std::optional<fs::path> ModelFiles::Find(const std::string& name, const Place& place,
                                          ImportFindings* findings) const {
-  if (!name.empty() && name.size() <= kMaxNameBytes) {
-    for (const fs::path& folder : folders_) {
-      std::error_code error;
-      fs::path file = fs::canonical(folder / name, error);
-      if (error) continue;
-      const bool is_allowed = std::ranges::any_of(
-          folders_, [&file](const fs::path& allowed) { return IsWithin(file, allowed); });
-      if (is_allowed) return file;
-    }
+  std::optional<fs::path> file = Search(name);
+  if (!file) {
+    findings->Refuse(place, "found the file " + Quoted(name) +
+                                ", expected one in the folder of the model, in a --path folder or "
+                                "below these");
   }
-  findings->Refuse(place, "found the file " + Quoted(name) +
-                              ", expected one in the folder of the model, in a --path folder or "
-                              "below these");
-  return std::nullopt;
+  return file;
 }
 
 std::optional<scene::SurfaceMesh> ModelFiles::ReadSurface(const std::string& name,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -23,6 +24,8 @@ class ModelFiles {
   ModelFiles(std::optional<std::filesystem::path> main_file,
              std::vector<std::filesystem::path> search_roots);
 
+  /// True if there is such a file.
+  bool Has(const std::string& name) const { return Search(name).has_value(); }
   /// Finds a file that an element names; nullopt, with a fault, if there is none.
   std::optional<std::filesystem::path> Find(const std::string& name, const Place& place,
                                             ImportFindings* findings) const;
@@ -38,6 +41,7 @@ class ModelFiles {
                                         ImportFindings* findings);
 
  private:
+  std::optional<std::filesystem::path> Search(const std::string& name) const;
   std::optional<scene::SurfaceMesh> ReadSurface(const std::string& name, const Place& place,
                                                 ImportFindings* findings);
 

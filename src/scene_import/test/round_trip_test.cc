@@ -46,7 +46,6 @@ scene::SceneSpec Reread(const scene::SceneSpec& scene) {
 void ExpectSameObject(const scene::ObjectSpec& back, const scene::ObjectSpec& object) {
   EXPECT_EQ(back.id(), object.id());
   EXPECT_NEAR(back.mass, object.mass, 1e-12) << object.id();
-  EXPECT_NEAR(back.surface.friction, object.surface.friction, 1e-12) << object.id();
   const auto solids = scene::SolidsOf(back.whole), its_solids = scene::SolidsOf(object.whole);
   const auto mass = scene::MassPropertiesOf(solids, 1, back.center_of_mass);
   const auto its_mass = scene::MassPropertiesOf(its_solids, 1, object.center_of_mass);
@@ -71,6 +70,8 @@ TEST_P(RoundTrip, KeepsObjectsWithPosesSizesAndMasses) {
     EXPECT_EQ(back.sliders.size(), scene.sliders.size());
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
       ExpectSameObject(back.objects[i], scene.objects[i]);
+      if (GetParam() == "urdf") continue;  // it has no friction
+      EXPECT_NEAR(back.objects[i].surface.friction, scene.objects[i].surface.friction, 1e-12);
     }
     EXPECT_EQ(Reread(back), back);
   }

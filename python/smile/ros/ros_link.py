@@ -34,6 +34,8 @@ class RosLink(RobotLink):
         self._names = frozenset(names)
         self._news = threading.Condition()
         self._message: Any = None
+        self._are_known = False
+        """true after the first message about the joints"""
         self._state: Any = None
         self._grippers: dict[str, Any] = {}
         self._sequences = dict.fromkeys(arms, 0)
@@ -73,7 +75,8 @@ class RosLink(RobotLink):
     def _take_joints(self, message: Any) -> None:
         with self._news:
             # Other parts of a robot report their joints in messages of their own.
-            if self._message is None or self._names & set(message.name):
+            self._are_known |= bool(self._names & set(message.name))
+            if not self._are_known or self._names & set(message.name):
                 self._message = message
                 self._news.notify()
 

@@ -1,0 +1,198 @@
+"""A robot behind a rosbridge server, on ROS 1 or 2, under the names of Baxter."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import threading
+import time
+from collections import deque
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+from smile.ros.bridge import Bridge
+from smile.ros.link import GripperReading, Reading, RobotLink
+
+_CONNECTION_SECONDS = 10.0
+_MOST_WORDS = 5
+_MOST_JOINTS = 1000
+_SAME_CLOCK = 60.0
+"""greatest age of joint states by this machine's clock; beyond, the robot must have another one [s]"""
+_POSITION_MODE = 1
+"""of baxter_core_msgs/JointCommand"""
+_WARN = {1: 4, 2: 30}
+"""level of warnings by the version of ROS: rosgraph_msgs/Log and rcl_interfaces/Log"""
+
+
+def seconds_of(stamp: Any) -> float:
+    """Returns a time of ROS 1 (secs, nsecs) or ROS 2 (sec, nanosec) [s]."""
+    if not isinstance(stamp, dict):
+        raise TypeError(f"a time is {str(stamp)[:40]!r}, expected an object")
+    whole, parts = ("secs", "nsecs") if "secs" in stamp else ("sec", "nanosec")
+    return number_of(stamp[whole]) + number_of(stamp[parts]) / 1e9
+
+
+def number_of(value: Any) -> float:
+    """Returns a number; null, which stands for NaN and infinity, is NaN."""
+    if value is None:
+        return math.nan
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise TypeError(f"{str(value)[:40]!r} is not a number")
+    return float(value)
+
+
+def _list_of(value: Any, what: str) -> list[Any]:
+    if not isinstance(value, list) or len(value) > _MOST_JOINTS:
+        raise TypeError(f"{what} is {str(value)[:40]!r}, expected a list of up to {_MOST_JOINTS}")
+    return value
+
+
+def _flag_of(message: dict[str, Any], name: str) -> bool:
+    if not isinstance(message[name], bool):
+        raise TypeError(f"{name} is {str(message[name])[:40]!r}, expected true or false")
+    return bool(message[name])
+
+
+class BridgeLink(RobotLink):
+    """Streams positions at full ratio of speed: the path itself is slow.
+
+    The robot's clock is /clock if it is published, else this machine's.
+
+    Raises RuntimeError if there is no bridge, or no robot behind it within some seconds.
+    """
+
+    def __init__(self, address: str, arms: Sequence[str], names: Sequence[str]) -> None:
+        self._names = frozenset(names)
+        self._name = f"/smile_perform_{os.getpid()}_{time.time_ns() % 1_000_000}"
+        self._news = threading.Condition()
+        self._reading: Reading | None = None
+        self._are_known = False
+        """true after the first message about the joints"""
+        self._clock: float | None = None
+        self._state: dict[str, Any] | None = None
+        self._grippers: dict[str, tuple[int, GripperReading]] = {}
+        self._sequences = dict.fromkeys(arms, 0)
+        self._words: deque[str] = deque(maxlen=_MOST_WORDS)
+        self._bridge = Bridge(address, self._notify)
+        for arm in arms:
+            self._bridge.advertise(f"/robot/limb/{arm}/joint_command", "baxter_core_msgs/JointCommand")
+            self._bridge.advertise(f"/robot/limb/{arm}/set_speed_ratio", "std_msgs/Float64")
+            self._bridge.advertise(f"/robot/end_effector/{arm}_gripper/command", "baxter_core_msgs/EndEffectorCommand")
+        self._bridge.advertise("/robot/set_super_enable", "std_msgs/Bool")
+        self._subscribe(arms)
+        self._await_robot()
+        for arm in arms:
+            self._bridge.publish(f"/robot/limb/{arm}/set_speed_ratio", {"data": 1.0})
+
+    def _subscribe(self, arms: Sequence[str]) -> None:
+        self._bridge.subscribe("/clock", "rosgraph_msgs/Clock", self._take_clock)
+        self._bridge.subscribe("/robot/state", "baxter_core_msgs/AssemblyState", self._take_state)
+        # Its type depends on the version of ROS.
+        self._bridge.subscribe("/rosout", None, self._take_words)
+        for arm in arms:
+            self._bridge.subscribe(f"/robot/end_effector/{arm}_gripper/state", "baxter_core_msgs/EndEffectorState",
+                                   partial(self._take_gripper, arm))
+        self._bridge.subscribe("/robot/joint_states", "sensor_msgs/JointState", self._take_joints)
+
+    def _await_robot(self) -> None:
+        deadline = time.monotonic() + _CONNECTION_SECONDS
+        with self._news:
+            self._news.wait_for(lambda: self._bridge.fault is not None or not self._missing(),
+                                deadline - time.monotonic())
+        if self._bridge.fault is not None:
+            raise RuntimeError(self._bridge.fault)
+        if self._missing():
+            raise RuntimeError(f"no robot behind {self._bridge.address}: {', '.join(self._missing())} not served within "
+                               f"{_CONNECTION_SECONDS:g} s")
+
+    def _missing(self) -> list[str]:
+        missing = [topic for topic, news in (("/robot/joint_states", self._reading), ("/robot/state", self._state))
+                   if news is None]
+        # Simulated time: its topic may be connected later than others.
+        if self._reading is not None and self._clock is None and not abs(self._reading.age) < _SAME_CLOCK:
+            missing.append(f"/clock (the time of the joint states is {self._reading.time:.0f} s, not that of this machine)")
+        return missing
+
+    def _age_of(self, stamp: float) -> float:
+        return (time.time() if self._clock is None else self._clock) - stamp
+
+    # Messages, in the thread of the bridge.
+
+    def _notify(self) -> None:
+        with self._news:
+            self._news.notify_all()
+
+    def _take_clock(self, message: dict[str, Any]) -> None:
+        self._clock = seconds_of(message["clock"])
+        self._notify()
+
+    def _take_joints(self, message: dict[str, Any]) -> None:
+        names = [str(name) for name in _list_of(message["name"], "name")]
+        positions = [number_of(value) for value in _list_of(message["position"], "position")]
+        # Other parts of a robot report their joints in messages of their own.
+        is_about_them = bool(self._names & set(names))
+        self._are_known |= is_about_them
+        if self._are_known and not is_about_them:
+            return
+        stamp = seconds_of(message["header"]["stamp"])
+        with self._news:
+            self._reading = Reading(stamp, self._age_of(stamp), dict(zip(names, positions)))
+            self._news.notify_all()
+
+    def _take_state(self, message: dict[str, Any]) -> None:
+        state = {name: _flag_of(message, name) for name in ("enabled", "stopped", "error")}
+        with self._news:
+            self._state = state
+            self._news.notify_all()
+
+    def _take_gripper(self, arm: str, message: dict[str, Any]) -> None:
+        is_ours = message["command_sender"] == self._name
+        sequence = int(number_of(message["command_sequence"])) if is_ours else 0
+        self._grippers[arm] = int(number_of(message["id"])), GripperReading(
+            sequence, number_of(message["position"]), number_of(message["moving"]) == 1, number_of(message["gripping"]) == 1)
+
+    def _take_words(self, message: dict[str, Any]) -> None:
+        if number_of(message["level"]) >= _WARN[1 if "header" in message else 2]:
+            self._words.append(str(message["msg"])[:300])
+
+    # The interface.
+
+    def wait(self, timeout: float) -> Reading | None:
+        with self._news:
+            self._news.wait_for(lambda: self._reading is not None or self._bridge.fault is not None, timeout)
+            reading, self._reading = self._reading, None
+        return None if reading is None else reading._replace(age=self._age_of(reading.time))
+
+    def command(self, arm: str, names: Sequence[str], positions: Sequence[float]) -> None:
+        self._bridge.publish(f"/robot/limb/{arm}/joint_command", {
+            "mode": _POSITION_MODE, "names": list(names), "command": [float(one) for one in positions]})
+
+    def grip(self, arm: str, percent: float) -> int:
+        self._sequences[arm] += 1
+        number = self._grippers[arm][0] if arm in self._grippers else 0
+        self._bridge.publish(f"/robot/end_effector/{arm}_gripper/command", {
+            "id": number, "command": "go", "args": json.dumps({"position": percent}), "sender": self._name,
+            "sequence": self._sequences[arm]})
+        return self._sequences[arm]
+
+    def gripper(self, arm: str) -> GripperReading | None:
+        return self._grippers[arm][1] if arm in self._grippers else None
+
+    def enable(self) -> None:
+        self._bridge.publish("/robot/set_super_enable", {"data": True})
+
+    def motors_fault(self) -> str | None:
+        assert self._state is not None  # _await_robot
+        if self._state["stopped"]:
+            return "the robot is stopped (emergency stop)"
+        if self._state["error"]:
+            return "the robot reports an error"
+        return None if self._state["enabled"] else "the motors are off"
+
+    def connection_fault(self) -> str | None:
+        return self._bridge.fault
+
+    def words(self) -> list[str]:
+        return [*self._words, *self._bridge.statuses]

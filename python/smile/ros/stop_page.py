@@ -25,7 +25,7 @@ _FAREWELL_SECONDS = 1.0
 class StopPage(Supervisor):
     """Serves the page until close(), to this machine only.
 
-    Whoever reaches the port may stop the robot, and do nothing else.
+    A program that reaches the port may stop the robot, and do nothing else.
 
     title  of the performance
     port   0: any that is free

@@ -9,13 +9,13 @@ import sys
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import smile
-from smile.ros.calibrating import touch, write_cell
+from smile.ros.calibrating import photograph, touch, write_cell
 from smile.ros.calibration import Board, read_json, table_fault
 from smile.ros.description import RobotDescription
-from smile.ros.link import RobotLink
+from smile.ros.link import RobotLink, SeeingLink
 from smile.ros.motion_plan import Plan, approach, fastest, faults, hardest, plan_of, tools
 from smile.ros.performing import Performance, Stopped, Watch, write_report
 from smile.ros.stop_page import StopPage
@@ -167,7 +167,7 @@ def _table_faults(path: str, plan: Plan) -> list[str]:
 
 
 def _with_link(bridge: str | None, arms: Sequence[str], description: RobotDescription,
-               work: Callable[[RobotLink], int]) -> int:
+               work: Callable[[SeeingLink], int]) -> int:
     """Calls a function with the robot at ROS_MASTER_URI, or behind a bridge."""
     names = [name for joints in description.arms.values() for name in joints]
 
@@ -280,6 +280,7 @@ def _add_touch(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("run", metavar="RUN", help="folder of a recording of the robot, which has its description")
     parser.add_argument("--limb", required=True, metavar="NAME", help="arm that touches")
     _add_bridge(parser)
+    parser.add_argument("--camera", metavar="TOPIC", help="pictures of a camera, as /cameras/head_camera/image: at the end, one of the board is saved beside FILE (default: none)")
     parser.add_argument("--out", required=True, metavar="FILE", help="file to write")
     parser.set_defaults(run_command=_touch)
 
@@ -289,9 +290,11 @@ def _touch(options: argparse.Namespace) -> int:
     if options.limb not in description.arms:
         raise ValueError(f"limb {options.limb!r}, expected one of {', '.join(description.arms)}")
 
-    def work(link: RobotLink) -> int:
+    def work(link: SeeingLink) -> int:
         print("t: the tool touches the table; b: a corner of the board; Ctrl-D: the end", flush=True)
-        points = touch(link, description, options.limb, sys.stdin, lambda line: print(line, flush=True))
+        points: dict[str, Any] = dict(touch(link, description, options.limb, sys.stdin, lambda line: print(line, flush=True)))
+        if options.camera is not None:
+            points["camera"] = photograph(link, options.camera, Path(options.out).with_suffix(".png"))
         Path(options.out).write_text(json.dumps({name: one for name, one in points.items() if one}, indent=1) + "\n")
         return 0
     return _with_link(options.bridge, [options.limb], description, work)

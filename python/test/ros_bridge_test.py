@@ -247,10 +247,10 @@ class GraphTest(unittest.TestCase):
         # Without a master of its own.
         performed = Program(self.folder, "perform", [
             "env", "-u", "ROS_MASTER_URI", PROGRAM, "ros", "perform", GOLDEN, "--bridge", server.address, "--speed", 0.9,
-            "--max-acceleration", 30, "--tolerance", 0.3, "--yes", "--silence", 30, "--report", report])
+            "--max-acceleration", 30, "--tolerance", 0.3, "--yes", "--silence", 30, "--page", "--report", report])
         self.addCleanup(performed.end)
         self.assertEqual(performed.wait(), 0, performed.output)
-        self.assertRegex(performed.output, "right gripper closes on RedBlock\n(.*\n)+performed\n$")
+        self.assertRegex(performed.output, "right gripper closes on RedBlock\n(.*\n)+stop button: http://127.0.0.1:[0-9]+/\n(.*\n)+performed\n$")
         self.assertLess(max(one["max"] for one in json.loads(report.read_text())["joints"].values()), TOLERANCE)
         served.interrupt()
         served.wait()

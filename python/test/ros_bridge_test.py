@@ -17,6 +17,7 @@ import threading
 import time
 import unittest
 from pathlib import Path
+from unittest import mock
 
 # First: it finds ROS, or ends the test.
 from ros_graph import PATIENCE, Graph, Program
@@ -157,6 +158,7 @@ class MisbehaviorTest(unittest.TestCase):
             self.assertEqual(list(reading.positions), self.names)
             self.assertLess(abs(reading.age), 5)
 
+    @mock.patch("smile.ros.bridge_link._CONNECTION_SECONDS", 2.0)
     def test_without_server_or_robot_nothing_begins(self):
         for address in ("http://robot", "ws://", "robot:9090"):
             with self.assertRaisesRegex(ValueError, "expected ws://HOST:PORT"):
@@ -165,7 +167,7 @@ class MisbehaviorTest(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "faulty message of /robot/state: enabled is '1', expected true or false"):
             self.perform()
         self.serve(damage=lambda text: None)
-        with self.assertRaisesRegex(RuntimeError, f"no robot behind {self.server.address}: /robot/joint_states not served within 10 s"):
+        with self.assertRaisesRegex(RuntimeError, f"no robot behind {self.server.address}: /robot/joint_states not served within 2 s"):
             self.perform()
         self.serve(damage=lambda text: text.replace('"sec": ', '"sec": 1'))
         with self.assertRaisesRegex(RuntimeError, r"/clock \(the time of the joint states is 1\d+ s, not that of this machine\) not served"):

@@ -12,6 +12,7 @@ import math
 import threading
 
 import websockets
+import websockets.exceptions
 
 TIMES = ("time", "duration")
 
@@ -120,6 +121,8 @@ class RosbridgeServer:
                     self._take(socket, words)
                 except Exception as error:
                     await socket.send(json.dumps({"op": "status", "level": "error", "msg": f"{words['op']}: {error}"}))
+        except websockets.exceptions.ConnectionClosed:
+            pass  # by a client that found a fault
         finally:
             self._sockets.discard(socket)
             for end in self._subscriptions.values():

@@ -9,15 +9,18 @@ import json
 import math
 import os
 import re
+import struct
+import subprocess
 import sys
 import tempfile
 import threading
 import time
 import unittest
 from pathlib import Path
+from unittest import mock
 
 # First: it finds ROS, or ends the test.
-from ros_graph import Graph, Program
+from ros_graph import PATIENCE, Graph, Program
 
 import numpy as np
 import rospy
@@ -25,6 +28,7 @@ import smile
 from rosbridge import GraphTopics, RosbridgeServer
 from smile.ros.bridge import Bridge
 from smile.ros.bridge_link import BridgeLink, seconds_of
+from smile.ros.camera import intrinsics_of, rgb_of
 from smile.ros.motion_plan import plan_of
 from smile.ros.performing import Performance, Watch
 
@@ -154,6 +158,7 @@ class MisbehaviorTest(unittest.TestCase):
             self.assertEqual(list(reading.positions), self.names)
             self.assertLess(abs(reading.age), 5)
 
+    @mock.patch("smile.ros.bridge_link._CONNECTION_SECONDS", 2.0)
     def test_without_server_or_robot_nothing_begins(self):
         for address in ("http://robot", "ws://", "robot:9090"):
             with self.assertRaisesRegex(ValueError, "expected ws://HOST:PORT"):
@@ -162,7 +167,7 @@ class MisbehaviorTest(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "faulty message of /robot/state: enabled is '1', expected true or false"):
             self.perform()
         self.serve(damage=lambda text: None)
-        with self.assertRaisesRegex(RuntimeError, f"no robot behind {self.server.address}: /robot/joint_states not served within 10 s"):
+        with self.assertRaisesRegex(RuntimeError, f"no robot behind {self.server.address}: /robot/joint_states not served within 2 s"):
             self.perform()
         self.serve(damage=lambda text: text.replace('"sec": ', '"sec": 1'))
         with self.assertRaisesRegex(RuntimeError, r"/clock \(the time of the joint states is 1\d+ s, not that of this machine\) not served"):
@@ -184,6 +189,27 @@ class MisbehaviorTest(unittest.TestCase):
         self.addCleanup(done.set)
         threading.Thread(target=tick, daemon=True).start()
         self.assertEqual(BridgeLink(self.server.address, self.plan.arms, self.names).wait(5).age, 0.25)
+
+    def test_pictures_are_read_in_each_order_of_colors(self):
+        red = np.zeros((2, 3, 3), np.uint8)
+        red[1, 2] = [200, 20, 10]
+        padding = np.zeros((2, 5), np.uint8)
+        for encoding, channels in (("rgb8", red), ("bgr8", red[:, :, ::-1]), ("rgba8", np.dstack([red, red[:, :, 0]])),
+                                   ("bgra8", np.dstack([red[:, :, ::-1], red[:, :, 0]]))):
+            rows = np.hstack([channels.reshape(2, -1), padding])
+            np.testing.assert_array_equal(rgb_of(encoding, 3, 2, rows.shape[1], rows.tobytes()), red)
+        np.testing.assert_array_equal(rgb_of("mono8", 1, 1, 1, b"\7"), [[[7, 7, 7]]])
+        for words, arguments in (("encoding is 'bayer_rggb8', expected one of rgb8", ("bayer_rggb8", 1, 1, 1, b"0")),
+                                 ("has 0 x 1 pixels", ("mono8", 0, 1, 1, b"")), ("has 99999 x 1 pixels", ("mono8", 99999, 1, 99999, b"")),
+                                 ("has 3 bytes in rows of 2, expected 2 rows of at least 2", ("mono8", 2, 2, 2, b"123")),
+                                 ("in rows of 1, expected 2 rows of at least 2", ("mono8", 2, 2, 1, b"12"))):
+            with self.assertRaisesRegex(ValueError, words):
+                rgb_of(*arguments)
+        for words, arguments in (("distortion_model is 'fisheye'", ("fisheye", [1] * 9, [0] * 5)),
+                                 ("the camera is not calibrated", ("plumb_bob", [0] * 9, [0] * 5)),
+                                 ("the camera is not calibrated", ("plumb_bob", [math.nan] * 9, [0] * 5))):
+            with self.assertRaisesRegex(ValueError, words):
+                intrinsics_of(*arguments)
 
     def test_times_of_both_versions_are_read(self):
         self.assertEqual(seconds_of({"secs": 2, "nsecs": 500_000_000}), 2.5)
@@ -217,18 +243,37 @@ class GraphTest(unittest.TestCase):
         served.wait_for_output("serving baxter")
         server = RosbridgeServer(GraphTopics(version))
         self.addCleanup(server.close)
+        self.photograph(["--bridge", server.address])
+        if version == 1:
+            self.photograph([])
         # Without a master of its own.
         performed = Program(self.folder, "perform", [
             "env", "-u", "ROS_MASTER_URI", PROGRAM, "ros", "perform", GOLDEN, "--bridge", server.address, "--speed", 0.9,
-            "--max-acceleration", 30, "--tolerance", 0.3, "--yes", "--silence", 30, "--report", report])
+            "--max-acceleration", 30, "--tolerance", 0.3, "--yes", "--silence", 30, "--page", "--report", report])
         self.addCleanup(performed.end)
         self.assertEqual(performed.wait(), 0, performed.output)
-        self.assertRegex(performed.output, "right gripper closes on RedBlock\n(.*\n)+performed\n$")
+        self.assertRegex(performed.output, "right gripper closes on RedBlock\n(.*\n)+stop button: http://127.0.0.1:[0-9]+/\n(.*\n)+performed\n$")
         self.assertLess(max(one["max"] for one in json.loads(report.read_text())["joints"].values()), TOLERANCE)
         served.interrupt()
         served.wait()
         built, wanted = smile.open(record), smile.open(GOLDEN)
         np.testing.assert_allclose(built.poses[-1, 0, :3], wanted.poses[-1, 0, :3], atol=0.003)
+
+    def photograph(self, link):
+        """`touch` notes a point and the picture of the eye."""
+        out = self.folder / "measured.json"
+        topic = "/cameras/eye_camera/image"
+        done = subprocess.run([PROGRAM, "ros", "touch", GOLDEN, "--limb", "right", "--camera", topic, "--out", out, *link],
+                              input="t\n", capture_output=True, text=True, timeout=PATIENCE)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        measured = json.loads(out.read_text())
+        self.assertEqual(len(measured["table"]), 1)
+        camera = measured["camera"]
+        self.assertEqual((camera["name"], camera["image"], camera["D"]), (topic, "measured.png", [0] * 5))
+        # The middle of a picture of 320 x 200 pixels.
+        np.testing.assert_allclose([camera["K"][2], camera["K"][5]], [160, 100], atol=1)
+        header = (self.folder / "measured.png").read_bytes()[:24]
+        self.assertEqual(struct.unpack(">2I", header[16:]), (320, 200))
 
 
 if __name__ == "__main__":

@@ -11,6 +11,8 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import urllib.error
+import urllib.request
 from pathlib import Path
 
 # First: it finds ROS, or ends the test.
@@ -25,6 +27,7 @@ from smile.ros.motion_plan import approach, faults, plan_of
 from smile.ros.performing import Performance, Watch
 from smile.ros.serve import describe
 from smile.ros.served_robot import ServedRobot
+from smile.ros.stop_page import StopPage
 
 PROJECT, PROGRAM = Path(sys.argv[1]), os.environ["SMILE"]
 GOLDEN = PROJECT / "tests/golden/recordings/imitation"
@@ -143,13 +146,13 @@ class PerformanceTest(unittest.TestCase):
         self.sim.run_until("arrived")
         self.start = self.sim.tick
 
-    def perform(self, speed=0.9, **link):
+    def perform(self, speed=0.9, supervisor=None, **link):
         self.link = SimulatedLink(ServedRobot(self.sim, self.description), **link)
-        return Performance(self.link, plan_of(self.recording, [], speed), Watch()).perform(lambda line: None)
+        return Performance(self.link, plan_of(self.recording, [], speed), Watch(), supervisor).perform(lambda line: None)
 
-    def stops(self, words, damage, moves=True):
+    def stops(self, words, damage, moves=True, supervisor=None):
         """The performance stops for a reason, and then the arms stand."""
-        outcome = self.perform(damage=damage, moves=moves)
+        outcome = self.perform(damage=damage, moves=moves, supervisor=supervisor)
         self.assertRegex(str(outcome.reason), words)
         for _ in range(30):
             self.link.robot.step()
@@ -191,6 +194,31 @@ class PerformanceTest(unittest.TestCase):
 
     def test_silence_stops_the_robot(self):
         self.stops(r"no joint states for 0\.5 s: the connection is lost", self.after(120, lambda reading: None))
+
+    def test_the_button_of_the_page_stops_the_robot(self):
+        page = StopPage("Tower")
+        self.addCleanup(page.close, "over")
+
+        def ask(path, data=None, **headers):
+            with urllib.request.urlopen(urllib.request.Request(page.link + path, data, headers), timeout=30) as answer:
+                return answer.read()
+
+        for path, data, headers, code in (("other", None, {}, 404), ("other", b"", {}, 404), ("stop", None, {}, 404),
+                                          ("stop", b"", {"Host": "robot.example"}, 403), ("state", None, {"Host": "robot.example"}, 403)):
+            with self.assertRaisesRegex(urllib.error.HTTPError, str(code)):
+                ask(path, data, **headers)
+        self.assertIn(b"STOP", ask(""))
+        shown = []
+
+        def press(tick, reading):
+            if tick == self.start + 120:
+                shown.append(json.loads(ask("state")))
+                ask("stop", b"")
+            return reading
+
+        outcome = self.stops("^the button of the page was pressed$", press, supervisor=page)
+        self.assertEqual((shown[0]["phase"], shown[0]["end"]), ("Performing", None))
+        self.assertAlmostEqual(shown[0]["seconds"], outcome.seconds, delta=0.1)
 
     def test_a_robot_that_does_not_move_is_noticed(self):
         outcome = self.stops(r"right_\w+ is 0\.\d+ rad from where it should be", lambda tick, reading: reading, moves=False)

@@ -224,6 +224,8 @@ class GraphTest(unittest.TestCase):
         self.assertGreater(len(set(picture.data)), 3)
         info = self.message("/cameras/left_hand_camera/camera_info", CameraInfo)
         self.assertAlmostEqual(info.K[0], 64 / (2 * math.tan(1.3963 / 2)), places=2)
+        # The middle of the picture, counted from the center of the first pixel.
+        np.testing.assert_allclose([info.K[2], info.K[5], info.P[2], info.P[6]], [31.5, 19.5] * 2)
 
     def test_refusals_are_logged(self):
         command = self.publisher("/robot/limb/left/joint_command", types.JointCommand)

@@ -12,6 +12,7 @@ import math
 import threading
 
 import websockets
+import websockets.exceptions
 
 TIMES = ("time", "duration")
 
@@ -71,6 +72,8 @@ class GraphTopics:
             if self._version == 2:
                 # Headers of ROS 2 have no number.
                 values.get("header", {}).pop("seq", None)
+                if topic.endswith("camera_info"):
+                    values = {name.lower(): value for name, value in values.items()}
                 if topic == "/rosout":
                     del values["header"]
                     values["level"] = {1: 10, 2: 20, 4: 30, 8: 40, 16: 50}[values["level"]]
@@ -84,7 +87,7 @@ class RosbridgeServer:
     """Serves topics at a free port of 127.0.0.1, in a thread."""
 
     def __init__(self, topics):
-        self._topics, self._sockets, self._ends = topics, set(), []
+        self._topics, self._sockets, self._subscriptions = topics, set(), {}
         self._loop = asyncio.new_event_loop()
         ready = threading.Event()
         threading.Thread(target=self._run, args=(ready,), daemon=True).start()
@@ -118,11 +121,13 @@ class RosbridgeServer:
                     self._take(socket, words)
                 except Exception as error:
                     await socket.send(json.dumps({"op": "status", "level": "error", "msg": f"{words['op']}: {error}"}))
+        except websockets.exceptions.ConnectionClosed:
+            pass  # by a client that found a fault
         finally:
             self._sockets.discard(socket)
-            for end in self._ends:
+            for end in self._subscriptions.values():
                 end()
-            self._ends.clear()
+            self._subscriptions.clear()
 
     def _take(self, socket, words):
         topic, op = words["topic"], words["op"]
@@ -134,6 +139,8 @@ class RosbridgeServer:
             def send(values):
                 text = json.dumps({"op": "publish", "topic": topic, "msg": values}, allow_nan=False)
                 asyncio.run_coroutine_threadsafe(socket.send(text), self._loop)
-            self._ends.append(self._topics.subscribe(topic, words.get("type"), send))
+            self._subscriptions[topic] = self._topics.subscribe(topic, words.get("type"), send)
+        elif op == "unsubscribe":
+            self._subscriptions.pop(topic)()
         else:
             raise ValueError(f"operation {op!r} is unknown")

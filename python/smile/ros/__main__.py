@@ -9,15 +9,16 @@ import sys
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import smile
-from smile.ros.calibrating import touch, write_cell
+from smile.ros.calibrating import photograph, touch, write_cell
 from smile.ros.calibration import Board, read_json, table_fault
 from smile.ros.description import RobotDescription
-from smile.ros.link import RobotLink
+from smile.ros.link import RobotLink, SeeingLink
 from smile.ros.motion_plan import Plan, approach, fastest, faults, hardest, plan_of, tools
 from smile.ros.performing import Performance, Stopped, Watch, write_report
+from smile.ros.stop_page import StopPage
 
 FAILED, WRONG, LACKING = 1, 2, 3
 _Result = TypeVar("_Result")
@@ -80,6 +81,12 @@ def _number(low: float, high: float, unit: str) -> "type[float]":
     return read  # type: ignore[return-value]
 
 
+def _port(text: str) -> int:
+    if not (text.isdecimal() and 1 <= int(text) <= 65535):
+        raise argparse.ArgumentTypeError(f"is {text!r}, expected a port from 1 to 65535")
+    return int(text)
+
+
 def _size(text: str) -> tuple[int, int]:
     width, x, height = text.partition("x")
     if not (x and width.isdigit() and height.isdigit() and 1 <= int(width) <= 4096 and 1 <= int(height) <= 4096):
@@ -132,6 +139,7 @@ def _add_perform(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
     parser.add_argument("--cell", metavar="FILE", help="calibration that `smile ros calibrate` wrote: refuse a table that is not where the scene has it (default: none; the table is not checked)")
     parser.add_argument("--enable", action="store_true", help="switch the motors on, if they are off")
     parser.add_argument("--dry-run", action="store_true", help="check everything and say what would be done, and move nothing")
+    parser.add_argument("--page", nargs="?", const=0, type=_port, metavar="PORT", help="serve a page with a red button that stops the robot, to this machine only (default: none; without PORT any that is free)")
     parser.add_argument("--yes", action="store_true", help="do not ask before the robot moves")
     parser.add_argument("--report", metavar="FILE", help="write the outcome and the tracking errors as JSON")
     parser.set_defaults(run_command=_perform)
@@ -159,7 +167,7 @@ def _table_faults(path: str, plan: Plan) -> list[str]:
 
 
 def _with_link(bridge: str | None, arms: Sequence[str], description: RobotDescription,
-               work: Callable[[RobotLink], int]) -> int:
+               work: Callable[[SeeingLink], int]) -> int:
     """Calls a function with the robot at ROS_MASTER_URI, or behind a bridge."""
     names = [name for joints in description.arms.values() for name in joints]
 
@@ -178,15 +186,20 @@ def _with_link(bridge: str | None, arms: Sequence[str], description: RobotDescri
 
 
 def _perform_on(link: RobotLink, plan: Plan, options: argparse.Namespace) -> int:
-    performance = Performance(link, plan, Watch(tolerance=options.tolerance, silence=options.silence))
+    watch = Watch(tolerance=options.tolerance, silence=options.silence)
     if options.dry_run:
-        return _dry_run(performance, plan)
+        return _dry_run(Performance(link, plan, watch), plan)
+    page = None if options.page is None else StopPage(plan.title, options.page)
+    if page is not None:
+        print(f"stop button: {page.link}", flush=True)
     if not (options.yes or _is_wanted()):
         print("nothing moved")
         return FAILED
     if options.enable:
         switch_on(link)
-    outcome = performance.perform(lambda line: print(line, flush=True))
+    outcome = Performance(link, plan, watch, page).perform(lambda line: print(line, flush=True))
+    if page is not None:
+        page.close("Performed." if outcome.reason is None else f"Stopped: {outcome.reason}.")
     print(outcome.tracking.table() if outcome.tracking.errors else "nothing was performed")
     for words in outcome.words:
         print(f"robot: {words}")
@@ -267,6 +280,7 @@ def _add_touch(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("run", metavar="RUN", help="folder of a recording of the robot, which has its description")
     parser.add_argument("--limb", required=True, metavar="NAME", help="arm that touches")
     _add_bridge(parser)
+    parser.add_argument("--camera", metavar="TOPIC", help="pictures of a camera, as /cameras/head_camera/image: at the end, one of the board is saved beside FILE (default: none)")
     parser.add_argument("--out", required=True, metavar="FILE", help="file to write")
     parser.set_defaults(run_command=_touch)
 
@@ -276,9 +290,11 @@ def _touch(options: argparse.Namespace) -> int:
     if options.limb not in description.arms:
         raise ValueError(f"limb {options.limb!r}, expected one of {', '.join(description.arms)}")
 
-    def work(link: RobotLink) -> int:
+    def work(link: SeeingLink) -> int:
         print("t: the tool touches the table; b: a corner of the board; Ctrl-D: the end", flush=True)
-        points = touch(link, description, options.limb, sys.stdin, lambda line: print(line, flush=True))
+        points: dict[str, Any] = dict(touch(link, description, options.limb, sys.stdin, lambda line: print(line, flush=True)))
+        if options.camera is not None:
+            points["camera"] = photograph(link, options.camera, Path(options.out).with_suffix(".png"))
         Path(options.out).write_text(json.dumps({name: one for name, one in points.items() if one}, indent=1) + "\n")
         return 0
     return _with_link(options.bridge, [options.limb], description, work)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import math
 import os
@@ -13,7 +14,8 @@ from functools import partial
 from typing import Any
 
 from smile.ros.bridge import Bridge
-from smile.ros.link import GripperReading, Reading, RobotLink
+from smile.ros.camera import info_topic_of, intrinsics_of, rgb_of
+from smile.ros.link import CameraReading, GripperReading, Reading, SeeingLink
 
 _CONNECTION_SECONDS = 10.0
 _MOST_WORDS = 5
@@ -55,7 +57,7 @@ def _flag_of(message: dict[str, Any], name: str) -> bool:
     return bool(message[name])
 
 
-class BridgeLink(RobotLink):
+class BridgeLink(SeeingLink):
     """Streams positions at full ratio of speed: the path itself is slow.
 
     The robot's clock is /clock if it is published, else this machine's.
@@ -196,3 +198,33 @@ class BridgeLink(RobotLink):
 
     def words(self) -> list[str]:
         return [*self._words, *self._bridge.statuses]
+
+    def picture(self, topic: str, timeout: float) -> CameraReading:
+        received: dict[str, dict[str, Any]] = {}
+
+        def take(name: str, message: dict[str, Any]) -> None:
+            received.setdefault(name, message)
+            self._notify()
+
+        info_topic = info_topic_of(topic)
+        self._bridge.subscribe(topic, "sensor_msgs/Image", partial(take, "image"))
+        self._bridge.subscribe(info_topic, "sensor_msgs/CameraInfo", partial(take, "info"))
+        with self._news:
+            self._news.wait_for(lambda: len(received) == 2 or self._bridge.fault is not None, timeout)
+        for one in (topic, info_topic):
+            self._bridge.unsubscribe(one)
+        if len(received) < 2:
+            raise RuntimeError(self._bridge.fault or f"{topic} and {info_topic} did not both arrive within {timeout:g} s")
+        try:
+            return _camera_reading_of(received["image"], received["info"])
+        except (KeyError, TypeError, ValueError, OverflowError) as error:
+            raise ValueError(f"{topic}: the picture or its camera_info is faulty: {error}") from None
+
+
+def _camera_reading_of(image: dict[str, Any], info: dict[str, Any]) -> CameraReading:
+    width, height, step = (int(number_of(image[name])) for name in ("width", "height", "step"))
+    rgb = rgb_of(str(image["encoding"]), width, height, step, base64.b64decode(image["data"], validate=True))
+    # ROS 2 has small letters.
+    K, D = (_list_of(info[name if name in info else name.lower()], name) for name in ("K", "D"))
+    return CameraReading(rgb, *intrinsics_of(str(info["distortion_model"]), [number_of(one) for one in K],
+                                             [number_of(one) for one in D]))

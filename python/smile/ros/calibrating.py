@@ -9,10 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from smile.picture import Picture
 from smile.ros.calibration import (FORMAT, LEAST_POINTS, Board, corners_in, plane_of, points_of, pose_in_camera,
                                    pose_of_touched, read_json)
 from smile.ros.description import RobotDescription
-from smile.ros.link import Reading, RobotLink
+from smile.ros.link import Reading, RobotLink, SeeingLink
 from smile.simulation import Floats
 
 _STILL = 2e-3
@@ -20,6 +21,7 @@ _STILL = 2e-3
 _STILL_SECONDS = 0.3
 _SILENCE = 2.0
 """wall-clock time without joint states after which touching ends [s]"""
+_PICTURE_SECONDS = 15.0
 _MOST_PIXELS = 40_000_000
 
 
@@ -63,6 +65,13 @@ def _tool_at_rest(link: RobotLink, description: RobotDescription, arm: str) -> F
             return f"the {arm} arm moves"
         if reading.time - first.time >= _STILL_SECONDS:
             return np.asarray(description.motion.forward(arm, q))[:3, 3]
+
+
+def photograph(link: SeeingLink, topic: str, path: Path) -> dict[str, Any]:
+    """Saves a picture of a camera, and returns the member `camera` of the measurements."""
+    seen = link.picture(topic, _PICTURE_SECONDS)
+    path.write_bytes(Picture(seen.rgb, None, None, seen.intrinsics, np.full((4, 4), np.nan)).to_png())
+    return {"name": topic, "image": path.name, "K": seen.intrinsics.ravel().tolist(), "D": seen.distortion.tolist()}
 
 
 def calibrate(measured: dict[str, Any], description: RobotDescription, folder: Path) -> dict[str, Any]:

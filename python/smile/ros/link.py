@@ -6,6 +6,9 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+import numpy as np
+import numpy.typing as npt
+
 
 class Reading(NamedTuple):
     """Positions of joints at a time."""
@@ -27,6 +30,17 @@ class GripperReading(NamedTuple):
     """opening: 0 is closed, 100 open"""
     is_moving: bool
     holds: bool
+
+
+class CameraReading(NamedTuple):
+    """A picture of a camera."""
+
+    rgb: npt.NDArray[np.uint8]
+    """(height, width, 3), row 0 on top"""
+    intrinsics: npt.NDArray[np.float64]
+    """(3, 3) [px]"""
+    distortion: npt.NDArray[np.float64]
+    """(5,) coefficients of ROS' plumb_bob"""
 
 
 class RobotLink(ABC):
@@ -67,3 +81,14 @@ class RobotLink(ABC):
     @abstractmethod
     def words(self) -> list[str]:
         """Returns the newest warnings of the robot."""
+
+
+class SeeingLink(RobotLink):
+    """A connection to a robot and its cameras."""
+
+    @abstractmethod
+    def picture(self, topic: str, timeout: float) -> CameraReading:
+        """Returns the next picture of a topic, with the camera_info beside it.
+
+        Raises RuntimeError if they do not arrive within wall-clock time [s], ValueError if they are faulty.
+        """

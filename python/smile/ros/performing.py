@@ -45,6 +45,17 @@ class Watch:
     """greatest time between two joint states [s]"""
 
 
+class Supervisor:
+    """Follows a performance, and may stop it. This one does neither."""
+
+    def must_stop(self) -> str | None:
+        """Returns why the robot must stop; None: it need not. Asked at each reading."""
+        return None
+
+    def show(self, phase: str, seconds: float, duration: float, error: float) -> None:
+        """Receives the time along a motion and its duration [s], and the greatest error of a joint [rad], at each reading."""
+
+
 class Stopped(Exception):
     """The robot was stopped; the message is the reason."""
 
@@ -105,8 +116,9 @@ def write_report(outcome: Outcome, plan: Plan, path: str) -> None:
 class Performance:
     """A plan on its way through a robot."""
 
-    def __init__(self, link: RobotLink, plan: Plan, watch: Watch) -> None:
+    def __init__(self, link: RobotLink, plan: Plan, watch: Watch, supervisor: Supervisor | None = None) -> None:
         self._link, self._plan, self._watch = link, plan, watch
+        self._supervisor = supervisor or Supervisor()
         self._last: Reading | None = None
         self._elapsed = 0.0
         self._tracking = Tracking(plan.path.names)
@@ -125,6 +137,9 @@ class Performance:
         if fault is not None:
             raise Stopped(fault)
         self._last = reading
+        # After the reading was found to be good: the arms are told to stay where it has them.
+        if (reason := self._supervisor.must_stop()) is not None:
+            raise Stopped(reason)
         return reading
 
     def _fault_of(self, reading: Reading) -> str | None:
@@ -173,6 +188,8 @@ class Performance:
             rate = 0.0 if during(time, reading.time) else min(speed, rate + speed * passed / _RAMP_SECONDS)
             errors = self.positions(reading) - path.at(time)[0]
             self._check(errors, time)
+            self._supervisor.show("Performing" if tracking is not None else "Moving to the start", time, path.duration,
+                                  float(np.abs(errors).max()))
             if tracking is not None:
                 self._elapsed = time
                 tracking.times.append(time)

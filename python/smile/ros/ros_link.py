@@ -8,22 +8,24 @@ import threading
 import time
 from collections import deque
 from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import rospy
 from rosgraph_msgs.msg import Log
-from sensor_msgs.msg import JointState
+from sensor_msgs.msg import CameraInfo, Image, JointState
 from std_msgs.msg import Bool, Float64
 
 from smile.ros import message_types as types
+from smile.ros.camera import info_topic_of, intrinsics_of, rgb_of
 from smile.ros.graph import join_graph, master_is_lost
-from smile.ros.link import GripperReading, Reading, RobotLink
+from smile.ros.link import CameraReading, GripperReading, Reading, SeeingLink
 
 _CONNECTION_SECONDS = 10.0
 _MOST_WORDS = 5
 
 
-class RosLink(RobotLink):
+class RosLink(SeeingLink):
     """Streams positions at full ratio of speed: the path itself is slow.
 
     Raises RuntimeError if the robot is not at the master within some seconds.
@@ -131,3 +133,24 @@ class RosLink(RobotLink):
 
     def words(self) -> list[str]:
         return list(self._words)
+
+    def picture(self, topic: str, timeout: float) -> CameraReading:
+        received: dict[str, Any] = {}
+        is_complete = threading.Event()
+
+        def take(name: str, message: Any) -> None:
+            received.setdefault(name, message)
+            if len(received) == 2:
+                is_complete.set()
+
+        listening = [rospy.Subscriber(topic, Image, partial(take, "image"), queue_size=1),
+                     rospy.Subscriber(info_topic_of(topic), CameraInfo, partial(take, "info"), queue_size=1)]
+        try:
+            if not is_complete.wait(timeout):
+                raise RuntimeError(f"{topic} and {info_topic_of(topic)} did not both arrive within {timeout:g} s")
+        finally:
+            for subscriber in listening:
+                subscriber.unregister()
+        image, info = received["image"], received["info"]
+        return CameraReading(rgb_of(image.encoding, image.width, image.height, image.step, image.data),
+                             *intrinsics_of(info.distortion_model, info.K, info.D))

@@ -220,7 +220,8 @@ class ServedGraph:
             height, width, _ = picture.rgb.shape
             header = Header(stamp=stamp, frame_id=f"{name}_camera")
             images.publish(Image(header, height, width, "rgb8", 0, 3 * width, picture.rgb.tobytes()))
-            K = picture.intrinsics
+            # ROS counts pixels from the center of the first one, as OpenCV does; SMILE from its corner.
+            K = picture.intrinsics - [[0, 0, 0.5], [0, 0, 0.5], [0, 0, 0]]
             infos.publish(CameraInfo(
                 header=header, height=height, width=width, distortion_model="plumb_bob", D=[0.0] * 5,
                 K=K.ravel().tolist(), R=np.eye(3).ravel().tolist(),

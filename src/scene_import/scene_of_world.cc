@@ -51,6 +51,9 @@ class SceneIds {
   std::set<std::string> taken_;
 };
 
+/// Returns a color with the 8 bits per channel that scene files have.
+Color InFileColors(const Color& color) { return ParseColor(ToString(color)).value(); }
+
 bool IsSamePose(const RigidTransform& a, const RigidTransform& b) {
   return (a.translation() - b.translation()).norm() < kSamePlace &&
          (a.rotation() - b.rotation()).norm() < kSamePlace;
@@ -93,6 +96,7 @@ class SceneMaker {
     scene_.name = foreign_.name;
     const ImportTable chosen = TakeTable(table, &merged_, &findings_);
     scene_.table = chosen.spec;
+    scene_.table.color = InFileColors(chosen.spec.color);
     X_TW_ = chosen.X_WT.inverse();
     for (MergedObject& object : merged_.objects) object.X_WO = OnTable(object.X_WO);
     RemoveBelowTable(&merged_, &findings_);
@@ -176,7 +180,7 @@ class SceneMaker {
         continue;
       }
       parts.push_back({.X_PE = shape.X_BE,
-                       .color = ColorOf(shape, merged).value_or(Color()),
+                       .color = InFileColors(ColorOf(shape, merged).value_or(Color())),
                        .shape = SceneShapeOf(shape.geometry)});
     }
     return parts;
@@ -316,9 +320,9 @@ class SceneMaker {
     const double strongest = std::max({light.color.red, light.color.green, light.color.blue});
     if (!(strongest > 0)) return;
     lighting.brightness = std::min(std::round(strongest * 1e6) / 1e6, 4.0);
-    lighting.color = {std::clamp(light.color.red / strongest, 0.0, 1.0),
-                      std::clamp(light.color.green / strongest, 0.0, 1.0),
-                      std::clamp(light.color.blue / strongest, 0.0, 1.0)};
+    lighting.color = InFileColors({std::clamp(light.color.red / strongest, 0.0, 1.0),
+                                   std::clamp(light.color.green / strongest, 0.0, 1.0),
+                                   std::clamp(light.color.blue / strongest, 0.0, 1.0)});
   }
 
   const ForeignWorld& foreign_;

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
@@ -28,7 +29,7 @@ struct ExportOptions {
   std::vector<std::string> runs;
   std::string format, out, part = "all";
   recording::TimeRange range;
-  double rate = sim::kTicksPerSecond;
+  std::optional<double> rate;  ///< points per second; unset: that of ticks
   bool no_grippers = false, slow_down = false, allow_breaches = false;
 };
 
@@ -187,7 +188,8 @@ int ExportMotion(const ExportOptions& options) {
     throw std::invalid_argument("the robot of " + Quoted(demo) + " has no " +
                                 Printable(options.part) + ", expected " + OneOf(parts));
   }
-  motion.trajectory = JointMotionOf(recording, motion.channels, options.range, options.rate);
+  motion.trajectory = JointMotionOf(recording, motion.channels, options.range,
+                                    options.rate.value_or(sim::kTicksPerSecond));
   const double factor = options.slow_down ? SlowDown(&motion) : 1;
   RequireReadable(motion.trajectory, demo);
   const bool is_refused = ReportBreaches(motion, demo);
@@ -292,8 +294,10 @@ void AddExport(CLI::App* program, ExitAnswer answer) {
           "all movable joints")
       ->capture_default_str();
   command->add_flag("--no-grippers", options->no_grippers, "no gripper openings");
-  command->add_option("--rate", options->rate, "points per second")
-      ->capture_default_str()
+  command
+      ->add_option("--rate", options->rate,
+                   "points per second of a recording (default: " +
+                       std::to_string(sim::kTicksPerSecond) + ")")
       ->check(NumberBetween(0.001, sim::kTicksPerSecond));
   command->add_flag("--slow-down", options->slow_down,
                     "stretch the time until no joint exceeds its velocity limit");

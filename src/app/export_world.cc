@@ -25,23 +25,25 @@ void AddWorldExportOptions(CLI::App* command, WorldExport* options) {
 }
 
 int ExportWorld(const std::string& source, const std::string& format, const std::string& out,
-                const WorldExport& options, const recording::TimeRange& range, double rate) {
+                const WorldExport& options, const recording::TimeRange& range,
+                std::optional<double> rate) {
   RequireOutsideOfRecordings(out);
   const bool is_recording = recording::IsRecording(source);
   const char* unused =
       is_recording
           ? "--after, --path and options of the robot are for scene files, found the recording "
-          : "--from and --to-time are for recordings, found the scene file ";
-  if (is_recording ? options != WorldExport() : range != recording::TimeRange()) {
+          : "--from, --to-time and --rate are for recordings, found the scene file ";
+  if (is_recording ? options != WorldExport() : range != recording::TimeRange() || rate) {
     throw std::invalid_argument(unused + Quoted(source));
   }
   if (is_recording) interchange::RequireAnimated(format, source);
   const interchange::ExportedScene scene =
-      is_recording ? interchange::SceneOf(OpenAndReport(source), range, rate)
-                   : interchange::SceneAfter(
-                         options.after, std::make_shared<const model::Model>(
-                                            scene_xml::LoadScene(source, options.path.reader()),
-                                            PlaceRobot(options.robot, options.path)));
+      is_recording
+          ? interchange::SceneOf(OpenAndReport(source), range, rate.value_or(sim::kTicksPerSecond))
+          : interchange::SceneAfter(options.after,
+                                    std::make_shared<const model::Model>(
+                                        scene_xml::LoadScene(source, options.path.reader()),
+                                        PlaceRobot(options.robot, options.path)));
   for (const std::string& words : WriteScene(scene, format, out)) {
     std::fprintf(stderr, "left out: %s\n", words.c_str());
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "app/options.h"
@@ -21,9 +22,10 @@ struct WorldExport {
 void AddWorldExportOptions(CLI::App* command, WorldExport* options);
 
 /// Writes a scene, or the motion of a recording, for another simulator, and says what is left out.
-/// @param range, rate  of a recording, see interchange::SceneOf().
+/// @param range, rate  of a recording, see interchange::SceneOf(); a scene file has neither.
 /// @returns the exit code.
 int ExportWorld(const std::string& source, const std::string& format, const std::string& out,
-                const WorldExport& options, const recording::TimeRange& range, double rate);
+                const WorldExport& options, const recording::TimeRange& range,
+                std::optional<double> rate);
 
 }  // namespace smile::app

@@ -5,6 +5,7 @@
 
 #include "base/wording.h"
 #include "scene_import/internal_import_table.h"
+#include "scene_import/internal_source_element.h"
 
 namespace smile::scene_import {
 namespace {
@@ -157,10 +158,10 @@ ImportTable TakeTable(const std::string& name, MergedWorld* world, ImportFinding
   const ForeignShape shape = object.shapes[table->shape];
   scene::TableSpec& spec = result.spec;
   result.X_WT = table->X_WT;
-  spec.x_span = table->x_span > 0 && table->x_span <= kMaxGroundSpan
+  spec.x_span = table->x_span >= kMinSpan && table->x_span <= kMaxGroundSpan
                     ? table->x_span
                     : GroundSpan(*world, table->X_WT, 0, spec.x_span);
-  spec.y_span = table->y_span > 0 && table->y_span <= kMaxGroundSpan
+  spec.y_span = table->y_span >= kMinSpan && table->y_span <= kMaxGroundSpan
                     ? table->y_span
                     : GroundSpan(*world, table->X_WT, 1, spec.y_span);
   spec.color = ColorOfTable(object, shape).value_or(spec.color);

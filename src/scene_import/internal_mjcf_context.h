@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "scene_import/internal_model_files.h"
 #include "scene_import/internal_source_element.h"
@@ -44,6 +45,8 @@ struct MjcfContext {
   MjcfCompiler compiler;
   MjcfDefaults defaults;
   std::map<std::string, const SourceElement*> meshes, materials;  ///< assets by name
+  /// Shapes of meshes that were made already, by name.
+  std::map<std::string, std::vector<ForeignShape>>* mesh_shapes = nullptr;
   ModelFiles* files = nullptr;
   ImportFindings* findings = nullptr;
 };

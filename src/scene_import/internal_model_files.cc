@@ -108,10 +108,7 @@ std::optional<scene::SurfaceMesh> ModelFiles::ReadSurface(const std::string& nam
   if (known != surfaces_.end()) return known->second;
   try {
     scene::SurfaceMesh surface = mesh::ImportMesh(*path);
-    num_triangles_ += surface.triangles.size();
-    if (num_triangles_ <= kMaxTriangles) return surfaces_[*path] = std::move(surface);
-    findings->Refuse(place, "found more than " + std::to_string(kMaxTriangles) +
-                                " triangles in all meshes, expected fewer");
+    return surfaces_[*path] = std::move(surface);
   } catch (const InputError& wrong) {
     findings->Refuse(place, "file " + Quoted(name) + ": " + wrong.diagnostics().front().message);
   }
@@ -135,6 +132,13 @@ std::optional<ForeignShape> ModelFiles::MeshShape(scene::SurfaceMesh surface, co
                                                   ImportFindings* findings) {
   try {
     ScaleSurface(scale, &surface);
+    num_triangles_ +=
+        surface.triangles.empty() ? surface.vertices.size() : surface.triangles.size();
+    if (num_triangles_ > kMaxTriangles) {
+      findings->Refuse(place, "found more than " + std::to_string(kMaxTriangles) +
+                                  " triangles in all meshes, expected fewer");
+      return std::nullopt;
+    }
     if (surface.triangles.empty()) surface = HullOf(std::move(surface));
     std::vector<scene::Hull> pieces = mesh::ConvexPieces(surface);
     ForeignShape shape{.X_BE = CylinderFromZ().inverse()};

@@ -15,6 +15,7 @@ namespace smile::scene_import {
 namespace {
 
 constexpr int kMaxIncludes = 64;
+constexpr int kMaxDepth = 200;  ///< of elements, through all includes
 constexpr std::size_t kMaxIncludedBytes = 16u << 20;
 /// Brightness of a light of SMILE's usual strength, as in the export.
 constexpr double kUsualDiffuse = 0.6;
@@ -25,13 +26,18 @@ class MjcfInclusion {
   MjcfInclusion(const ModelFiles& files, ImportFindings* findings)
       : files_(files), findings_(*findings) {}
 
-  void Expand(SourceElement* element) {
+  void Expand(SourceElement* element, int depth = 0) {
+    if (depth > kMaxDepth) {
+      element->children.clear();
+      return findings_.Refuse(element->place(),
+                              "found elements more than " + std::to_string(kMaxDepth) + " deep");
+    }
     std::vector<SourceElement> children;
     for (SourceElement& child : element->children) {
       if (child.name == "include") {
-        Include(child, &children);
+        Include(child, depth, &children);
       } else {
-        Expand(&child);
+        Expand(&child, depth + 1);
         children.push_back(std::move(child));
       }
     }
@@ -39,7 +45,7 @@ class MjcfInclusion {
   }
 
  private:
-  void Include(const SourceElement& include, std::vector<SourceElement>* children) {
+  void Include(const SourceElement& include, int depth, std::vector<SourceElement>* children) {
     const std::string* name = include.FindAttribute("file");
     const auto path = files_.Find(name ? *name : "", include.place(), &findings_);
     if (!path) return;
@@ -51,7 +57,7 @@ class MjcfInclusion {
     }
     std::optional<SourceElement> root = ParseIncluded(*path, *name);
     if (!root) return;
-    Expand(&*root);
+    Expand(&*root, depth + 1);
     for (SourceElement& child : root->children) children->push_back(std::move(child));
   }
 
@@ -75,6 +81,7 @@ class MjcfReader {
  public:
   MjcfReader(const SourceElement& root, ModelFiles* files, ImportFindings* findings)
       : root_(root), findings_(*findings) {
+    context_.mesh_shapes = &mesh_shapes_;
     context_.files = files;
     context_.findings = findings;
   }
@@ -315,6 +322,7 @@ class MjcfReader {
 
   const SourceElement& root_;
   ImportFindings& findings_;
+  std::map<std::string, std::vector<ForeignShape>> mesh_shapes_;
   MjcfContext context_;
   ForeignWorld world_;
 };

@@ -13,6 +13,7 @@ namespace {
 // Elements of MJCF may be as deep as XML allows; classes are copies of those around them.
 constexpr int kMaxClassDepth = 32;
 constexpr std::size_t kMaxClasses = 1000;
+constexpr std::size_t kMaxClassBytes = 1 << 16;
 
 bool IsEulerSequence(const std::string& letters) {
   return letters.size() == 3 && letters.find_first_not_of("xyzXYZ") == std::string::npos;
@@ -88,7 +89,10 @@ std::optional<Matrix3> MjcfRotationOf(ElementReader* reader, const MjcfCompiler&
 
 void MjcfDefaults::Add(const SourceElement& element, ImportFindings* findings) {
   const std::string* name = element.FindAttribute("class");
-  AddClass(element, name ? *name : "main", classes_["main"], 0, findings);
+  const std::string top = name ? *name : "main";
+  AddClass(element, top, classes_["main"], 0, findings);
+  // Elements without a class have that at the top, whatever its name.
+  classes_["main"] = classes_[top];
 }
 
 void MjcfDefaults::AddClass(const SourceElement& element, const std::string& name,
@@ -100,6 +104,14 @@ void MjcfDefaults::AddClass(const SourceElement& element, const std::string& nam
   for (const SourceElement& child : element.children) {
     if (child.name == "default") continue;
     for (const auto& [key, value] : child.attributes) inherited[child.name][key] = value;
+  }
+  std::size_t num_bytes = 0;
+  for (const auto& [element_name, attributes] : inherited) {
+    for (const auto& [key, value] : attributes) num_bytes += key.size() + value.size();
+  }
+  if (num_bytes > kMaxClassBytes) {
+    return findings->Refuse(
+        element.place(), "found a class of more than " + std::to_string(kMaxClassBytes) + " bytes");
   }
   classes_[name] = inherited;
   for (const SourceElement& child : element.children) {

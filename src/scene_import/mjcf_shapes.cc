@@ -39,7 +39,46 @@ GeomFrame GeomFrameOf(ElementReader* reader, const MjcfCompiler& compiler) {
   return frame;
 }
 
-/// Makes the shape of a mesh asset.
+/// Reads the corners of a mesh that stands in the model; nullopt after a fault.
+std::optional<scene::SurfaceMesh> WrittenCorners(ElementReader* asset) {
+  const std::vector<double> v = asset->Numbers("vertex", 12, 300'000);
+  if (v.empty()) return std::nullopt;
+  scene::SurfaceMesh surface;
+  for (std::size_t i = 2; i < v.size(); i += 3) {
+    // From the axes of files to those of scenes, see CylinderFromZ().
+    surface.vertices.emplace_back(static_cast<float>(v[i - 2]), static_cast<float>(-v[i]),
+                                  static_cast<float>(v[i - 1]));
+  }
+  return surface;
+}
+
+/// Makes the shape of a mesh asset; nullopt after a fault.
+std::optional<ForeignShape> ShapeOfAsset(const std::string& name, const SourceElement& asset,
+                                         const MjcfContext& context) {
+  const SourceElement completed = context.defaults.Completed(asset, "", context.findings);
+  ElementReader reader(completed, context.findings);
+  const Vector3 scale = reader.Vector("scale", {1, 1, 1});
+  if (!(scale.cwiseAbs().minCoeff() > 1e-9) || scale.cwiseAbs().maxCoeff() > kMaxLength) {
+    reader.Refuse("found a scale of 0 or beyond 1e5");
+    return std::nullopt;
+  }
+  if (reader.Has("refpos") || reader.Has("refquat")) {
+    reader.Refuse("found refpos or refquat, expected a mesh in its own frame");
+    return std::nullopt;
+  }
+  if (reader.Has("vertex")) {
+    // MuJoCo collides meshes as their hulls, so faces make no difference.
+    const std::optional<scene::SurfaceMesh> corners = WrittenCorners(&reader);
+    if (!corners) return std::nullopt;
+    return context.files->MeshShape(*corners, scale, name, reader.place(), context.findings);
+  }
+  const std::string file = reader.Text("file");
+  const std::string& folder = context.compiler.mesh_folder;
+  return context.files->MeshShape(folder.empty() ? file : folder + "/" + file, scale,
+                                  reader.place(), context.findings);
+}
+
+/// Returns the shape of the mesh that a geom names.
 std::vector<ForeignShape> MjcfMeshShapes(ElementReader* geom, const MjcfContext& context) {
   const std::string name = geom->Text("mesh");
   const auto asset = context.meshes.find(name);
@@ -47,37 +86,12 @@ std::vector<ForeignShape> MjcfMeshShapes(ElementReader* geom, const MjcfContext&
     geom->Refuse("found mesh=" + Quoted(name) + ", expected a mesh of asset");
     return {};
   }
-  const SourceElement completed = context.defaults.Completed(*asset->second, "", context.findings);
-  ElementReader reader(completed, context.findings);
-  const Vector3 scale = reader.Vector("scale", {1, 1, 1});
-  if (!(scale.cwiseAbs().minCoeff() > 1e-9) || scale.cwiseAbs().maxCoeff() > kMaxLength) {
-    reader.Refuse("found a scale of 0 or beyond 1e5");
-    return {};
-  }
-  if (reader.Has("refpos") || reader.Has("refquat")) {
-    reader.Refuse("found refpos or refquat, expected a mesh in its own frame");
-    return {};
-  }
-  std::optional<ForeignShape> shape;
-  if (reader.Has("vertex")) {
-    scene::SurfaceMesh surface;
-    const std::vector<double> v = reader.Numbers("vertex", 12, 300'000);
-    for (std::size_t i = 2; i < v.size(); i += 3) {
-      // From the axes of files to those of scenes, see CylinderFromZ().
-      surface.vertices.emplace_back(static_cast<float>(v[i - 2]), static_cast<float>(-v[i]),
-                                    static_cast<float>(v[i - 1]));
-    }
-    if (v.empty()) return {};
-    // MuJoCo collides meshes as their hulls.
-    shape =
-        context.files->MeshShape(std::move(surface), scale, name, reader.place(), context.findings);
-  } else {
-    const std::string file = reader.Text("file");
-    const std::string& folder = context.compiler.mesh_folder;
-    shape = context.files->MeshShape(folder.empty() ? file : folder + "/" + file, scale,
-                                     reader.place(), context.findings);
-  }
-  return shape ? std::vector{*shape} : std::vector<ForeignShape>();
+  const auto known = context.mesh_shapes->find(name);
+  if (known != context.mesh_shapes->end()) return known->second;
+  const std::optional<ForeignShape> shape = ShapeOfAsset(name, *asset->second, context);
+  std::vector<ForeignShape>& made = (*context.mesh_shapes)[name];
+  if (shape) made.push_back(*shape);
+  return made;
 }
 
 std::vector<ForeignShape> BoxShapes(const std::vector<double>& half, ElementReader* geom) {

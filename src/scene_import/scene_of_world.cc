@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -20,6 +21,7 @@ namespace {
 // As of the readers of scenes.
 constexpr std::size_t kMaxIdLetters = 90;  // and room for a number
 constexpr std::size_t kMaxPieces = 4096;
+constexpr std::size_t kMaxShapes = 8192;  ///< of an object, with those that are only seen
 // Angles of view that a scene's camera may have [rad].
 constexpr double kMinView = std::numbers::pi / 180, kMaxView = 170 * std::numbers::pi / 180;
 constexpr double kSamePlace = 1e-6;
@@ -37,8 +39,9 @@ class SceneIds {
     }
     if (id.empty()) id = "obj";
     std::string unique = id;
-    for (int number = 2; !taken_.insert(unique).second; ++number) {
-      unique = id + "_" + std::to_string(number);
+    // Continues to count where the last object of that name did.
+    for (int& number = numbers_[id]; !taken_.insert(unique).second;) {
+      unique = id + "_" + std::to_string(++number + 1);
     }
     if (unique != name && !name.empty()) {
       findings->Remark(place, "changed: it is called " + unique + " here");
@@ -49,7 +52,11 @@ class SceneIds {
 
  private:
   std::set<std::string> taken_;
+  std::map<std::string, int> numbers_;  // of the last object of each name
 };
+
+/// Returns a color with the 8 bits per channel that scene files have.
+Color InFileColors(const Color& color) { return ParseColor(ToString(color)).value(); }
 
 bool IsSamePose(const RigidTransform& a, const RigidTransform& b) {
   return (a.translation() - b.translation()).norm() < kSamePlace &&
@@ -93,6 +100,7 @@ class SceneMaker {
     scene_.name = foreign_.name;
     const ImportTable chosen = TakeTable(table, &merged_, &findings_);
     scene_.table = chosen.spec;
+    scene_.table.color = InFileColors(chosen.spec.color);
     X_TW_ = chosen.X_WT.inverse();
     for (MergedObject& object : merged_.objects) object.X_WO = OnTable(object.X_WO);
     RemoveBelowTable(&merged_, &findings_);
@@ -129,6 +137,10 @@ class SceneMaker {
 
   void AddObject(std::size_t index) {
     const MergedObject& merged = merged_.objects[index];
+    if (merged.shapes.size() > kMaxShapes) {
+      return findings_.Refuse(
+          merged.place, "found more than " + std::to_string(kMaxShapes) + " shapes in an object");
+    }
     RemarkDrawn(merged);
     std::vector<scene::Part> parts = PartsOf(merged);
     if (parts.empty()) {
@@ -175,8 +187,9 @@ class SceneMaker {
         findings_.Remark(shape.place, "left out: a plane that is not the table");
         continue;
       }
+      IsPosition(shape.X_BE.translation(), shape.place, &findings_);
       parts.push_back({.X_PE = shape.X_BE,
-                       .color = ColorOf(shape, merged).value_or(Color()),
+                       .color = InFileColors(ColorOf(shape, merged).value_or(Color())),
                        .shape = SceneShapeOf(shape.geometry)});
     }
     return parts;
@@ -285,6 +298,7 @@ class SceneMaker {
     const RigidTransform X_WC = X_TW_ * foreign.X_WC;
     if (!IsPosition(X_WC.translation(), foreign.place, &findings_)) return;
     scene::CameraSpec camera{.p_WC = X_WC.translation(), .p_WQ = X_WC * Vector3::UnitZ()};
+    if (!IsPosition(camera.p_WQ, foreign.place, &findings_)) return;
     camera.up_in_world = -X_WC.rotation().col(1);
     camera.vertical_field_of_view = foreign.vertical_field_of_view;
     if (!(camera.vertical_field_of_view >= kMinView && camera.vertical_field_of_view <= kMaxView)) {
@@ -316,9 +330,9 @@ class SceneMaker {
     const double strongest = std::max({light.color.red, light.color.green, light.color.blue});
     if (!(strongest > 0)) return;
     lighting.brightness = std::min(std::round(strongest * 1e6) / 1e6, 4.0);
-    lighting.color = {std::clamp(light.color.red / strongest, 0.0, 1.0),
-                      std::clamp(light.color.green / strongest, 0.0, 1.0),
-                      std::clamp(light.color.blue / strongest, 0.0, 1.0)};
+    lighting.color = InFileColors({std::clamp(light.color.red / strongest, 0.0, 1.0),
+                                   std::clamp(light.color.green / strongest, 0.0, 1.0),
+                                   std::clamp(light.color.blue / strongest, 0.0, 1.0)});
   }
 
   const ForeignWorld& foreign_;

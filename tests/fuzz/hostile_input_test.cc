@@ -63,7 +63,7 @@ const HostileReader kReaders[] = {
     {"classic", FaultWithClassic, ReasonThrownBy<InputError, ReadSegments>, 7, 10},
     {"json", FaultWithJson, ReasonThrownBy<std::invalid_argument, kReadJson>, 5, 14},
     {"mesh", FaultWithMesh, ReasonThrownBy<InputError, ImportHostileMesh>, 16, 27},
-    {"model", FaultWithModel, ReasonThrownBy<InputError, ImportHostileModel>, 5, 10},
+    {"model", FaultWithModel, ReasonThrownBy<InputError, ImportHostileModel>, 6, 10},
     {"page", FaultWithPageInput, ReasonAgainstPageInput, 5, 6},
     {"robot", FaultWithRobot, ReasonThrownBy<InputError, ReadHostileRobot>, 7, 18, "robots"},
     {"scene", FaultWithScene, ReasonAgainstScene, 24, 25, "scenes", ".xml"},

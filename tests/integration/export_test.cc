@@ -166,8 +166,11 @@ TEST_F(Exports, ReportErrors) {
   EXPECT_EQ(Smile("export demo --to gltf --after 1 --out x.glb").err,
             "smile: --after, --path and options of the robot are for scene files, found the "
             "recording \"demo\"\n");
-  EXPECT_EQ(Smile("export pair.xml --to gltf --from 1 --out x.glb").err,
-            "smile: --from and --to-time are for recordings, found the scene file \"pair.xml\"\n");
+  for (const std::string option : {"--from 1", "--to-time 1", "--rate 60"}) {
+    EXPECT_EQ(Smile("export pair.xml --to gltf " + option + " --out x.glb").err,
+              "smile: --from, --to-time and --rate are for recordings, found the scene file "
+              "\"pair.xml\"\n");
+  }
   EXPECT_EQ(Smile("export demo --to usd --out demo/x.usda").exit_code, 1);
   Write("broken.csv", "time,left_s0\n0,0.25\n1,half\n");
   EXPECT_EQ(Smile("run pair.xml --trajectory broken.csv").err,
@@ -177,6 +180,21 @@ TEST_F(Exports, ReportErrors) {
   EXPECT_EQ(fast.exit_code, 1);
   EXPECT_EQ(fast.err,
             "fast.csv: at 0 s, left_s0: velocity is -5 rad/s, expected at least -1.5 rad/s\n");
+}
+
+TEST_F(Exports, AreImportedAgain) {
+  Write("pair.xml", PairOfBlocks());
+  ASSERT_EQ(Smile("export pair.xml --no-robot --to mjcf --out pair.mjcf").exit_code, 0);
+  const Answer imported = Smile("import pair.mjcf --from mjcf --out again.xml");
+  EXPECT_EQ(imported.exit_code, 0) << imported.err;
+  EXPECT_NE(imported.err.find("pair.mjcf:"), std::string::npos) << imported.err;
+  EXPECT_EQ(Smile("check again.xml").exit_code, 0);
+  EXPECT_EQ(Smile("import pair.mjcf --from mjfc --out x.xml").err,
+            "smile: --from is \"mjfc\", expected mjcf, sdf or urdf\n");
+  EXPECT_EQ(Smile("import pair.mjcf --from mjcf --title t --out x.xml").exit_code, 2);
+  EXPECT_EQ(Smile("import pair.mjcf --from mjcf --table t --out x.xml").err,
+            "smile: --table is \"t\", expected the name of a level, fixed box or plane\n");
+  EXPECT_EQ(Smile("import pair.xml --from sdf --out x.xml").exit_code, 1);
 }
 
 // Python makes the datasets, with packages that may be missing.

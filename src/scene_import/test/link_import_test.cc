@@ -83,7 +83,7 @@ TEST(SdfImport, RefusesCirclesAndUnknownFrames) {
 }
 
 constexpr const char* kMug = R"(
-  <material name="tin"><color rgba="0.5 0.6 0.7 1"/></material>
+  <material name="tin"><color rgba="0.4 0.6 0.8 1"/></material>
   <link name="mug"><inertial><mass value="0.4"/></inertial>
     <visual><geometry><cylinder radius="0.04" length="0.1"/></geometry><material name="tin"/></visual>
     <collision><geometry><cylinder radius="0.04" length="0.1"/></geometry></collision></link>
@@ -105,7 +105,7 @@ TEST(UrdfImport, AnObjectOfTwoLinksIsOneWithItsMesh) {
   EXPECT_LT((scene.objects[0].center_of_mass - Vector3(0.01, 0, 0)).norm(), 1e-12);
   const auto& parts = std::get<scene::Composite>(scene.objects[0].whole.shape).parts;
   ASSERT_EQ(parts.size(), 2u);
-  EXPECT_EQ(parts[0].color, (Color{0.5, 0.6, 0.7}));
+  EXPECT_EQ(parts[0].color, (Color{0.4, 0.6, 0.8}));
   // The mesh stands as in its file: the corners 1 m along its axes are scaled by 0.1, 0.1, 0.2.
   Vector3 most = Vector3::Zero();
   for (const auto& vertex : std::get<scene::Custom>(parts[1].shape).mesh->surface.vertices) {

@@ -69,12 +69,19 @@ function insert(field: string, given: Arguments, counted: string): string {
   const value = given[name];
   if (value === undefined) throw new Error(`message without its argument: {${field}}`);
   if (kind === undefined) return String(value);
-  if (kind === "number") return rest === "" ? formatted(Number(value), {}) : decimal(Number(value), DECIMALS[rest]!);
+  if (kind === "number") return numberIn(rest, Number(value));
   const cases = casesOf(rest);
   const word = kind === "plural" ? plurals.select(Number(value)) : String(value);
   const chosen = cases.get(word) ?? cases.get("other");
   if (chosen === undefined) throw new Error(`message without a case for ${word}: {${field}}`);
   return render(chosen, given, kind === "plural" ? formatted(Number(value), {}) : counted);
+}
+
+function numberIn(style: string, value: number): string {
+  if (style === "") return formatted(value, {});
+  const digits = DECIMALS[style];
+  if (digits === undefined) throw new Error(`message with the unknown style of numbers ${style}`);
+  return decimal(value, digits);
 }
 
 /** `one {…} other {…}` as a map. */

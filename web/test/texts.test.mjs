@@ -91,17 +91,38 @@ test("no element has a text of its own", () => {
   assert.deepEqual(texts, []);
 });
 
-test("the page of a study is English, whatever the browser prefers; the studio follows it", async () => {
-  const entryPoints = [new URL("web/src/language.ts", ROOT).pathname];
+/** A module of the page, in a browser with these languages. */
+async function moduleOf(path, { html = "web/index.html", languages }) {
+  const entryPoints = [new URL(path, ROOT).pathname];
   const { outputFiles } = await build({ entryPoints, bundle: true, write: false, format: "iife", globalName: "page" });
-  const languageOf = (html) => {
-    const named = /<html[^>]* data-language="(\w+)"/.exec(read(html));
-    const document = { documentElement: { dataset: named === null ? {} : { language: named[1] } } };
-    const localStorage = { getItem: () => null, setItem: () => undefined };
-    return runInNewContext(`${outputFiles[0].text}; page.language`, { document, localStorage, navigator: { languages: ["fr", "de-AT"] } });
-  };
-  assert.equal(languageOf("web/study.html"), "en");
-  assert.equal(languageOf("web/index.html"), "de");
+  const named = /<html[^>]* data-language="(\w+)"/.exec(read(html));
+  const document = { documentElement: { dataset: named === null ? {} : { language: named[1] } } };
+  const localStorage = { getItem: () => null, setItem: () => undefined };
+  return runInNewContext(`${outputFiles[0].text}; page`, { document, localStorage, navigator: { languages } });
+}
+
+test("the page of a study is English, whatever the browser prefers; the studio follows it", async () => {
+  const languageOf = async (html, ...languages) => (await moduleOf("web/src/language.ts", { html, languages })).language;
+  assert.equal(await languageOf("web/study.html", "de"), "en");
+  assert.equal(await languageOf("web/index.html", "fr", "de-AT"), "de");
+  assert.equal(await languageOf("web/index.html", "fr"), "en");
+});
+
+test("numbers, plurals and lists are those of the language", async () => {
+  const { texts: german } = await moduleOf("web/src/texts.ts", { languages: ["de"] });
+  const { texts: english } = await moduleOf("web/src/texts.ts", { languages: ["en"] });
+  const said = ({ seconds, objects, people, timeline, datasets }) => [
+    seconds(1234.56), objects.show(1), objects.show(2), objects.placeAt([1, -0.5, 0]), people.wanted([3, 5]),
+    timeline.overKeeps(["left"]), datasets.episodes(1, 2),
+  ];
+  assert.deepEqual(said(english), [
+    "1234.6 s", "1 object", "2 objects", "1.00, −0.50, 0.00", "Visitors 3 and 5 request control.",
+    "Keep what the left hand does", "1 of 2 episodes",
+  ]);
+  assert.deepEqual(said(german), [
+    "1234,6 s", "1 Objekt", "2 Objekte", "1,00; −0,50; 0,00", "Die Besucher 3 und 5 bitten um die Steuerung.",
+    "Behalten, was die linke Hand tut", "1 von 2 Episoden",
+  ]);
 });
 
 const browser = new Browser();
@@ -127,7 +148,7 @@ async function judge(page, state) {
   const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
   assert.ok(overflow <= 0, `${state}: ${overflow} px too wide`);
   const cut = await page.evaluate(() =>
-    [...document.querySelectorAll("button, [role=tablist]")]
+    [...document.querySelectorAll("button, [role=tablist], .record")]
       .filter((one) => one.clientWidth > 1 && one.scrollWidth > one.clientWidth + 1)
       .map((one) => one.textContent),
   );

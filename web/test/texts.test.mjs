@@ -83,7 +83,9 @@ test("the last word of each id is used", () => {
   assert.deepEqual(unused, []);
 });
 
-test("no element has a text of its own", () => {
+test("no element has a text of its own, and the view of the tables has none", () => {
+  const [, view] = read("web/src/texts.ts").replace(/template: `[^`]*`/, "").split("export const texts");
+  assert.deepEqual(view.match(/(?<=[:>?] )["`][^"`\n]*[A-Za-z]{2}[^"`\n]*["`]/g) ?? [], []);
   const texts = sources.filter(({ name }) => name.endsWith(".tsx")).flatMap(({ name, text }) => {
     const found = text.match(/<(\w+)[^<>=]*>\s*[A-Z][a-z]+ ?[^<{]*<\/\1>|\b(?:aria-label|title|label|alt|placeholder)="[A-Za-z][^"]*"/g);
     return (found ?? []).map((one) => `${name}: ${one}`);

@@ -131,7 +131,7 @@ build_page() {
   exec 9>"$project/build/.page.lock"
   flock 9
   if [[ -f $page/.built ]]; then
-    newer=$(find "$web" -name node_modules -prune -o -name dist -prune -o -name test -prune -o -newer "$page/.built" -print -quit)
+    newer=$(find "$web" "$web/../texts" -name node_modules -prune -o -name dist -prune -o -name test -prune -o -newer "$page/.built" -print -quit)
   fi
   if [[ ! -f $page/.built || -n $newer ]]; then
     install_page_packages

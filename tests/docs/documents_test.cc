@@ -196,7 +196,7 @@ INSTANTIATE_TEST_SUITE_P(
         "docs/importing.md", "docs/learner.md", "docs/motion.md", "docs/other-simulators.md",
         "docs/python.md", "docs/performance.md", "docs/recording-format.md", "docs/results.md",
         "docs/robot.md", "docs/robots.md", "docs/scene-format.md", "docs/scenes.md",
-        "docs/studies.md", "docs/studio.md", "docs/studio-protocol.md",
+        "docs/studies.md", "docs/studio.md", "docs/studio-protocol.md", "docs/translating.md",
         "docs/tutorials/first-demonstration.md", "docs/tutorials/robot-program.md",
         "docs/tutorials/evaluate-two-learners.md", "docs/tutorials/scene-with-a-mechanism.md"));
 

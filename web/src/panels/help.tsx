@@ -1,8 +1,9 @@
 import { keys } from "../keys";
+import { LANGUAGES, languageChoice, type Language } from "../language";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Dialog } from "../ui/dialog";
-import { keyName } from "./key_names";
+import { keyName, meaningOf } from "./key_names";
 import { isHelpOpen, returnToDefaultLayout } from "./page";
 import { startTour } from "./tour";
 
@@ -45,7 +46,7 @@ export function Help() {
                 <dt>
                   <kbd>{keyName(key.keys[0]!)}</kbd>
                 </dt>
-                <dd>{key.does}</dd>
+                <dd>{meaningOf(key.what)}</dd>
               </div>
             ))}
           </dl>
@@ -61,7 +62,30 @@ export function Help() {
             returnToDefaultLayout();
           }}
         />
+        <LanguageChoice />
       </div>
     </Dialog>
+  );
+}
+
+/** Texts are read once, when the page is loaded: another language loads it again. */
+function LanguageChoice() {
+  const { language: words } = texts;
+  const choose = (choice: string) => {
+    languageChoice.value = choice as "browser" | Language;
+    location.reload();
+  };
+  return (
+    <label class="language" title={words.why}>
+      <span>{words.label}</span>
+      <select value={languageChoice.value} onChange={(event) => choose(event.currentTarget.value)}>
+        <option value="browser">{words.ofBrowser}</option>
+        {Object.entries(LANGUAGES).map(([tag, name]) => (
+          <option key={tag} value={tag} lang={tag}>
+            {name}
+          </option>
+        ))}
+      </select>
+    </label>
   );
 }

@@ -1,16 +1,12 @@
 import { keys, type Key } from "../keys";
+import { texts } from "../texts";
 
 const NAMES: Record<string, string> = {
-  Control: "Ctrl",
+  ...texts.keyNames,
   arrowleft: "←",
   arrowright: "→",
   arrowup: "↑",
   arrowdown: "↓",
-  space: "Space",
-  enter: "Enter",
-  escape: "Esc",
-  backspace: "Backspace",
-  delete: "Del",
 };
 
 /** "Control+z" as it stands on keyboards: "Ctrl+Z". */
@@ -29,8 +25,15 @@ export function keyFor(what: string): string {
 /** For an element that does what a key does: its tooltip, in these words or in the table's, with the key. */
 export function keyHint(what: string, words?: string): { title: string; "aria-keyshortcuts": string } {
   const key = keyFor(what);
-  const { does } = rowOf(what);
+  const does = meaningOf(what);
   return { title: `${words ?? does.charAt(0).toUpperCase() + does.slice(1)} (${key})`, "aria-keyshortcuts": key };
+}
+
+/** The words for what a key does. */
+export function meaningOf(what: string): string {
+  const meaning = texts.keys[what as keyof typeof texts.keys];
+  if (meaning === undefined) throw new Error(`no text for the key that does ${what}`);
+  return meaning;
 }
 
 function rowOf(what: string): Key {

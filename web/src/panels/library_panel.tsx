@@ -1,5 +1,6 @@
 import { useSignal } from "@preact/signals";
 import { may } from "../allowed";
+import { language } from "../language";
 import type { Allowed, LibraryEntry, Timeline } from "../protocol";
 import { ask, notify, state } from "../studio";
 import { texts } from "../texts";
@@ -15,12 +16,12 @@ import { TitleInPlace } from "./title_in_place";
 
 const { library: words } = texts;
 
-/** When it was made, as people here write it, but short; whatever cannot be read as a time stays as it is. */
+/** When it was made, as readers of the language write it, but short; whatever cannot be read as a time stays as it is. */
 function whenMade(made: string): string {
   const time = new Date(made);
   if (Number.isNaN(time.getTime())) return made;
   const fields = { month: "short", day: "numeric", hour: "2-digit", minute: "2-digit", hourCycle: "h23" } as const;
-  return time.toLocaleString(undefined, fields);
+  return time.toLocaleString(language, fields);
 }
 
 async function bin(id: string): Promise<void> {

@@ -1,0 +1,195 @@
+// The tables of texts: the same messages in all languages, all of them used, and no text outside of them.
+
+import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { after, before, test } from "node:test";
+import { runInNewContext } from "node:vm";
+import { build } from "esbuild";
+import { Browser } from "./workbench.mjs";
+
+const ROOT = new URL("../..", import.meta.url);
+const read = (path) => readFileSync(new URL(path, ROOT), "utf8");
+const AXE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const tableOf = (language) => new Map(leaves(JSON.parse(read(`texts/${language}.json`))));
+const sources = readdirSync(new URL("web/src", ROOT), { recursive: true })
+  .filter((name) => /\.tsx?$/.test(name))
+  .map((name) => ({ name, text: read(`web/src/${name}`) }));
+const en = tableOf("en");
+const others = readdirSync(new URL("texts", ROOT)).map((name) => name.replace(".json", "")).filter((name) => name !== "en");
+
+/** Each message with its id. */
+function leaves(table, id = "") {
+  return Object.entries(table).flatMap(([key, value]) => {
+    const path = id === "" ? key : `${id}.${key}`;
+    return typeof value === "string" ? [[path, value]] : leaves(value, path);
+  });
+}
+
+/** The contents of the outermost braces of a text. */
+function braced(text) {
+  const found = [];
+  for (let k = 0, depth = 0, open = 0; k < text.length; k++) {
+    if (text[k] === "{" && depth++ === 0) open = k;
+    if (text[k] === "}" && --depth === 0) found.push(text.slice(open + 1, k));
+  }
+  return found;
+}
+
+/** The names of a message's arguments, sorted. */
+function argumentsOf(message) {
+  const names = braced(message).flatMap((field) => {
+    const [name, kind] = field.split(",").map((part) => part.trim());
+    return kind === "plural" || kind === "select" ? [name, ...braced(field).flatMap(argumentsOf)] : [name];
+  });
+  return [...new Set(names)].sort();
+}
+
+for (const language of others) {
+  test(`${language} has the messages of English, with the same arguments`, () => {
+    const table = tableOf(language);
+    assert.deepEqual([...table.keys()].sort(), [...en.keys()].sort());
+    for (const [id, message] of en) assert.deepEqual(argumentsOf(table.get(id)), argumentsOf(message), id);
+    // Words that both languages have are short: a sentence that is the same was not translated.
+    const same = [...en].filter(([id, message]) => table.get(id) === message && /\p{Ll}{2,} \p{Ll}{2,} \p{Ll}{2,}/u.test(message));
+    assert.deepEqual(same, []);
+  });
+}
+
+test("each message with arguments is said with these, in one place", () => {
+  const text = read("web/src/texts.ts");
+  const said = new Map();
+  for (const { 0: call, 1: id, index } of text.matchAll(/say\(\s*t\.([\w.]+),\s*(?=\{)/g)) {
+    let [given] = braced(text.slice(index + call.length));
+    while (/\([^()]*\)/.test(given)) given = given.replace(/\([^()]*\)/g, "");
+    said.set(id, given.split(",").map((one) => one.split(":")[0].trim()).filter(Boolean).sort());
+  }
+  for (const [id, message] of en) {
+    const wanted = argumentsOf(message);
+    if (wanted.length > 0) assert.deepEqual(said.get(id), wanted, id);
+  }
+});
+
+test("the last word of each id is used", () => {
+  const all = sources.map(({ text }) => text).join("\n");
+  // Tables whose entries the program, the page's state or a list names.
+  const named = new RegExp(
+    "^(properties|progress|keys|keyNames|theme|tour[.]steps|help[.]mouseHelp|.*[.](names|meanings|sentences|axes|axisNames|" +
+      "snaps|snapsWhy|directions|details|cameras|moods|statuses|levels|stopsHow|kinds|formats|outcome|obstacles|titles|parts|" +
+      "how|arms)|views[.](front|robot|top|left|right)$)",
+  );
+  const isUsed = (key) => new RegExp(`[.]${key}\\b|const \\{[^}]*\\b${key}\\b[^}]*\\} = texts`).test(all);
+  const unused = [...en.keys()].filter((id) => !named.test(id) && !isUsed(id.split(".").at(-1)));
+  assert.deepEqual(unused, []);
+});
+
+test("no element has a text of its own, and the view of the tables has none", () => {
+  const [, view] = read("web/src/texts.ts").replace(/template: `[^`]*`/, "").split("export const texts");
+  assert.deepEqual(view.match(/(?<=[:>?] )["`][^"`\n]*[A-Za-z]{2}[^"`\n]*["`]/g) ?? [], []);
+  const texts = sources.filter(({ name }) => name.endsWith(".tsx")).flatMap(({ name, text }) => {
+    const found = text.match(/<(\w+)[^<>=]*>\s*[A-Z][a-z]+ ?[^<{]*<\/\1>|\b(?:aria-label|title|label|alt|placeholder)="[A-Za-z][^"]*"/g);
+    return (found ?? []).map((one) => `${name}: ${one}`);
+  });
+  assert.deepEqual(texts, []);
+});
+
+/** A module of the page, in a browser with these languages. */
+async function moduleOf(path, { html = "web/index.html", languages }) {
+  const entryPoints = [new URL(path, ROOT).pathname];
+  const { outputFiles } = await build({ entryPoints, bundle: true, write: false, format: "iife", globalName: "page" });
+  const named = /<html[^>]* data-language="(\w+)"/.exec(read(html));
+  const document = { documentElement: { dataset: named === null ? {} : { language: named[1] } } };
+  const localStorage = { getItem: () => null, setItem: () => undefined };
+  return runInNewContext(`${outputFiles[0].text}; page`, { document, localStorage, navigator: { languages } });
+}
+
+test("the page of a study is English, whatever the browser prefers; the studio follows it", async () => {
+  const languageOf = async (html, ...languages) => (await moduleOf("web/src/language.ts", { html, languages })).language;
+  assert.equal(await languageOf("web/study.html", "de"), "en");
+  assert.equal(await languageOf("web/index.html", "fr", "de-AT"), "de");
+  assert.equal(await languageOf("web/index.html", "fr"), "en");
+});
+
+test("numbers, plurals and lists are those of the language", async () => {
+  const { texts: german } = await moduleOf("web/src/texts.ts", { languages: ["de"] });
+  const { texts: english } = await moduleOf("web/src/texts.ts", { languages: ["en"] });
+  const said = ({ seconds, objects, people, timeline, datasets }) => [
+    seconds(1234.56), objects.show(1), objects.show(2), objects.placeAt([1, -0.5, 0]), people.wanted([3, 5]),
+    timeline.overKeeps(["left"]), datasets.episodes(1, 2),
+  ];
+  assert.deepEqual(said(english), [
+    "1234.6 s", "1 object", "2 objects", "1.00, −0.50, 0.00", "Visitors 3 and 5 request control.",
+    "Keep what the left hand does", "1 of 2 episodes",
+  ]);
+  assert.deepEqual(said(german), [
+    "1234,6 s", "1 Objekt", "2 Objekte", "1,00; −0,50; 0,00", "Die Besucher 3 und 5 bitten um die Steuerung.",
+    "Behalten, was die linke Hand tut", "1 von 2 Episoden",
+  ]);
+});
+
+const browser = new Browser();
+before(() => browser.start());
+after(() => browser.close());
+
+/** All that people or screen readers read on the page. */
+function words() {
+  const read = [];
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (walker.nextNode()) read.push(walker.currentNode.textContent.trim());
+  for (const element of document.querySelectorAll("*")) {
+    for (const name of ["aria-label", "title", "placeholder", "alt"]) read.push(element.getAttribute(name)?.trim());
+  }
+  return read.filter(Boolean);
+}
+
+async function judge(page, state) {
+  const german = tableOf("de");
+  const english = new Set([...en].filter(([id, message]) => german.get(id) !== message).map(([, message]) => message));
+  for (const message of german.values()) english.delete(message);
+  assert.deepEqual((await page.evaluate(words)).filter((word) => english.has(word)), [], state);
+  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  assert.ok(overflow <= 0, `${state}: ${overflow} px too wide`);
+  const cut = await page.evaluate(() =>
+    [...document.querySelectorAll("button, [role=tablist], .record")]
+      .filter((one) => one.clientWidth > 1 && one.scrollWidth > one.clientWidth + 1)
+      .map((one) => one.textContent),
+  );
+  assert.deepEqual(cut, [], `${state}: wider than their places`);
+}
+
+async function hasNoBarrier(page) {
+  await page.evaluate(AXE);
+  const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ["violations"] }));
+  assert.deepEqual(violations.filter(({ impact }) => impact === "serious" || impact === "critical").map(({ id }) => id), []);
+}
+
+test("in a German browser the page is German, and English where that is chosen", async (t) => {
+  const { page } = await browser.workplace(t, { studio: ["--no-pictures"], page: { locale: "de-DE" } });
+  assert.equal(await page.locator("html").getAttribute("lang"), "de");
+  await page.getByRole("button", { name: "Aufnehmen", disabled: false }).click();
+  await page.getByRole("button", { name: "Beenden", disabled: false }).waitFor();
+  for (const tab of ["Bibliothek", "Roboter", "Gehirn", "Hände", "Objekte"]) {
+    await page.getByRole("tab", { name: tab }).click();
+    await judge(page, tab);
+  }
+  await page.getByRole("button", { name: "Hilfe" }).click();
+  await page.getByRole("dialog").waitFor();
+  await judge(page, "Hilfe");
+  await hasNoBarrier(page);
+
+  await page.getByLabel("Sprache").selectOption("en");
+  await page.getByRole("button", { name: "Help" }).waitFor();
+  assert.equal(await page.locator("html").getAttribute("lang"), "en");
+});
+
+test("German fits a telephone", async (t) => {
+  const { page } = await browser.workplace(t, {
+    studio: ["--no-pictures"],
+    page: { locale: "de-DE", viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true },
+  });
+  await judge(page, "at the beginning");
+  await page.getByRole("button", { name: "Hilfe" }).click();
+  await page.getByRole("dialog").waitFor();
+  await judge(page, "Hilfe");
+  await hasNoBarrier(page);
+});

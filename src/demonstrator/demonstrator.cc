@@ -1,6 +1,5 @@
-// Hands are goals with limits of force, not bodies. A command changes goals and holds at once or is
-// refused with a reason and without effect; motion happens in BeforeStep(). All state is in
-// DemonstratorState, so saving and undoing copy one value.
+// Carrying is the task of Hands, on our physics as their Engine; here are the rules of our worlds.
+// All state is in DemonstratorState, so saving and undoing copy one value.
 
 #include "demonstrator/demonstrator.h"
 
@@ -8,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "demonstrator/internal_tabletop_engine.h"
 #include "math/angles.h"
 
 namespace smile::demonstrator {
@@ -16,12 +16,16 @@ using world::Named;
 
 namespace {
 
-/// Returns the name of a hand as a singular subject.
-std::string NameOf(HandName hand) {
-  if (hand == HandName::kBoth) return "the pair of hands";
-  if (hand == HandName::kAny) return "the hand 'any'";
-  return "the " + std::string(ToString(hand)) + " hand";
-}
+/// Hands on our physics, for the time of a call.
+struct OurHands {
+  OurHands(physics::World* world, const world::Tabletop* tabletop, HandStates* states,
+           const ServoConfig& servo)
+      : engine(world, tabletop), hands(&engine, states, servo) {}
+  Hands* operator->() { return &hands; }
+
+  TabletopEngine engine;
+  Hands hands;
+};
 
 }  // namespace
 
@@ -29,99 +33,34 @@ Demonstrator::Demonstrator(physics::World* world, world::Tabletop* tabletop)
     : world_(world), tabletop_(tabletop) {}
 
 std::string Demonstrator::WhatHolds(HandName name) const {
-  return NameOf(name) + " holds " + Named(tabletop_->Find(hand(name).held)->id());
+  HandStates states = state_.hands;
+  return OurHands(world_, tabletop_, &states, servo_)->WhatHolds(name);
 }
 
-/// Returns true if one of the hands holds a body; otherwise a carried body is held by the robot.
+/// A carried body that is in no hand is held by the robot.
 bool Demonstrator::IsInAHand(physics::BodyId body) const {
-  return std::ranges::any_of(state_.hands, [body](const Hand& one) { return one.held == body; });
-}
-
-std::optional<Refusal> Demonstrator::RefuseToTake(HandName name, std::string_view object_id) const {
-  // The order of checks decides which reason people read: existence, then the hand, then the
-  // object.
-  if (auto refusal = tabletop_->RefuseToReach(object_id)) return refusal;
-  const Hand& own = hand(name);
-  if (own.is_holding()) {
-    return NameOf(name) + " already holds " + Named(tabletop_->Find(own.held)->id()) +
-           "; release it first";
-  }
-  const physics::Body& body = world_->body(tabletop_->Find(object_id)->body);
-  if (body.is_static()) return Named(object_id) + " is fixed (its mass is 0)";
-  if (body.is_carried() && !IsInAHand(body.id())) return Named(object_id) + " is held by the robot";
-  return std::nullopt;
+  HandStates states = state_.hands;
+  return OurHands(world_, tabletop_, &states, servo_)->IsInAHand(body);
 }
 
 GraspPlan Demonstrator::PlanGrasp(HandName name, std::string_view object_id) const {
-  if (auto refusal = RefuseToTake(name, object_id)) return {.refusal = std::move(refusal)};
-  GraspPlan plan;
-  const physics::BodyId body = tabletop_->Find(object_id)->body;
-  for (HandName other : kHandNames) {
-    // Whichever hand holds the object hands it over.
-    if (hand(other).held == body) plan.to_release.push_back(other);
-  }
-  // The rules apply to the situation after the object is handed over. `any` stands for whichever
-  // physical hand is free, so whether it conflicts depends on the others.
-  const auto holds = [&](HandName other) {
-    return hand(other).is_holding() && hand(other).held != body;
-  };
-  const auto release = [&](HandName other) {
-    if (holds(other)) plan.to_release.push_back(other);
-  };
-  using enum HandName;
-  switch (name) {
-    case kLeft:
-    case kRight:
-      // A single hand needs one physical hand: not the pair's, and not the one that `any` uses
-      // while the other is busy.
-      release(kBoth);
-      if (holds(name == kLeft ? kRight : kLeft)) release(kAny);
-      break;
-    case kBoth:
-      for (HandName other : {kLeft, kRight, kAny}) release(other);
-      break;
-    case kAny:
-      if (holds(kBoth)) return {.refusal = "both hands are occupied: " + WhatHolds(kBoth)};
-      if (holds(kLeft) && holds(kRight)) {
-        return {.refusal =
-                    "both hands are occupied: " + WhatHolds(kLeft) + ", " + WhatHolds(kRight)};
-      }
-      break;
-  }
-  return plan;
+  HandStates states = state_.hands;
+  return OurHands(world_, tabletop_, &states, servo_)->PlanGrasp(name, object_id);
 }
 
 std::optional<Refusal> Demonstrator::Grasp(HandName name, std::string_view object_id,
                                            const std::optional<Vector3>& p_WQ) {
-  const GraspPlan plan = PlanGrasp(name, object_id);
-  if (plan.refusal) return plan.refusal;
-  if (!plan.to_release.empty()) return WhatHolds(plan.to_release.front()) + "; release it first";
-  physics::Body& body = world_->body(tabletop_->Find(object_id)->body);
-  // The goal starts where the body is, so a grasp moves nothing.
-  const RigidTransform X_WB = body.pose_in_world();
-  body.SetCarried(true);
-  MutableHand(name) = {.held = body.id(),
-                       .X_WB_goal = X_WB,
-                       .p_BH = p_WQ ? X_WB.inverse() * *p_WQ : Vector3(0, 0, 0),
-                       .speed = servo_.max_speed};
-  return std::nullopt;
+  return OurHands(world_, tabletop_, &state_.hands, servo_)->Grasp(name, object_id, p_WQ);
 }
 
 std::optional<Refusal> Demonstrator::RefuseIfEmpty(HandName name) const {
-  if (hand(name).is_holding()) return std::nullopt;
-  return NameOf(name) + " holds nothing";
+  HandStates states = state_.hands;
+  return OurHands(world_, tabletop_, &states, servo_)->RefuseIfEmpty(name);
 }
 
 std::optional<Refusal> Demonstrator::MoveTo(HandName name, const Vector3& p_WH,
                                             const std::optional<double>& speed) {
-  if (auto refusal = RefuseIfEmpty(name)) return refusal;
-  Hand& mover = MutableHand(name);
-  // Keep the orientation; the grasped point goes to p_WH. Of the goal, not of the body: turns that
-  // are still in progress are not lost.
-  const Matrix3 R_WB = mover.X_WB_goal.rotation();
-  mover.X_WB_goal = RigidTransform(R_WB, p_WH - R_WB * mover.p_BH);
-  mover.speed = speed.value_or(servo_.max_speed);
-  return std::nullopt;
+  return OurHands(world_, tabletop_, &state_.hands, servo_)->MoveTo(name, p_WH, speed);
 }
 
 void Demonstrator::TurnPlane(HandName name, double angle_deg) {
@@ -159,23 +98,11 @@ std::optional<Vector3> Demonstrator::PointOnPlane(HandName name, const Ray& ray,
 }
 
 std::optional<Refusal> Demonstrator::Rotate(HandName name, const Vector3& angles_deg) {
-  if (auto refusal = RefuseIfEmpty(name)) return refusal;
-  Hand& turner = MutableHand(name);
-  // Rotates the goal, not the body: the servo turns the body at its own speed.
-  turner.X_WB_goal =
-      RigidTransform(Matrix3(RotationFromFixedAxes(angles_deg) * turner.X_WB_goal.rotation()),
-                     turner.X_WB_goal.translation());
-  return std::nullopt;
+  return OurHands(world_, tabletop_, &state_.hands, servo_)->Rotate(name, angles_deg);
 }
 
 std::optional<Refusal> Demonstrator::Release(HandName name) {
-  if (auto refusal = RefuseIfEmpty(name)) return refusal;
-  physics::Body& body = world_->body(hand(name).held);
-  body.SetCarried(false);
-  // A released object is not thrown.
-  body.SetVelocity(Vector3::Zero(), Vector3::Zero());
-  MutableHand(name) = Hand();
-  return std::nullopt;
+  return OurHands(world_, tabletop_, &state_.hands, servo_)->Release(name);
 }
 
 std::optional<Refusal> Demonstrator::Destroy(HandName name) {
@@ -291,11 +218,7 @@ void Demonstrator::FollowWork(const world::Object& tool, const world::Object& wo
 }
 
 void Demonstrator::BeforeStep() {
-  for (const Hand& hand : state_.hands) {
-    if (!hand.is_holding()) continue;
-    DriveTowards(hand.X_WB_goal, hand.speed, world_->config().step_seconds, servo_,
-                 &world_->body(hand.held));
-  }
+  OurHands(world_, tabletop_, &state_.hands, servo_)->BeforeStep();
 }
 
 bool Demonstrator::has_arrived() const {
@@ -303,27 +226,12 @@ bool Demonstrator::has_arrived() const {
 }
 
 bool Demonstrator::has_arrived(HandName name) const {
-  // A servo approaches its goal asymptotically; below this no one sees a difference.
-  constexpr double kNear = 0.0005, kAligned = DegreesToRadians(0.5);
-  const Hand& wanting = hand(name);
-  if (!wanting.is_holding()) return true;
-  const RigidTransform X_WB = world_->body(wanting.held).pose_in_world();
-  const double gap = (X_WB.translation() - wanting.X_WB_goal.translation()).norm();
-  const double turn =
-      RotationVectorBetween(X_WB.quaternion(), wanting.X_WB_goal.quaternion()).norm();
-  return gap <= kNear && turn <= kAligned;
+  HandStates states = state_.hands;
+  return OurHands(world_, tabletop_, &states, servo_)->has_arrived(name);
 }
 
 void Demonstrator::AddToHash(StateHash* hash) const {
-  for (const Hand& hand : state_.hands) {
-    hash->Add(std::uint64_t{hand.held.value});
-    // An empty hand has no goal; stale numbers must not enter the hash.
-    if (!hand.is_holding()) continue;
-    for (double number : hand.X_WB_goal.rotation().reshaped()) hash->Add(number);
-    for (double number : hand.X_WB_goal.translation()) hash->Add(number);
-    for (double number : hand.p_BH) hash->Add(number);
-    hash->Add(hand.speed);
-  }
+  demonstrator::AddToHash(state_.hands, hash);
   hash->Add(state_.plane_angles_deg);
   for (const auto& [body, properties] : state_.attention) {
     hash->Add(std::uint64_t{body.value});

@@ -8,13 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "demonstrator/hand.h"
-#include "demonstrator/servo.h"
+#include "demonstrator/hands.h"
 #include "world/tabletop.h"
 
 namespace smile::demonstrator {
-
-using world::Refusal;
 
 /// Limits of the properties of an object that can matter: their number, and the length of a name.
 inline constexpr std::size_t kMaxProperties = 32, kMaxPropertyLength = 256;
@@ -22,19 +19,13 @@ inline constexpr std::size_t kMaxProperties = 32, kMaxPropertyLength = 256;
 /// State of the demonstrator's four hands and of the properties it pointed out; a plain value, part
 /// of each saved state.
 struct DemonstratorState {
-  std::array<Hand, kHandNames.size()> hands;
+  HandStates hands;
   /// Direction of each hand's motion plane: from the x axis, counterclockwise seen from above.
   std::array<double, kHandNames.size()> plane_angles_deg = {};
   /// Properties that matter, for the objects for which any were named.
   std::map<physics::BodyId, std::vector<std::string>> attention;
 
   bool operator==(const DemonstratorState&) const = default;
-};
-
-/// Preconditions for a hand to take an object.
-struct GraspPlan {
-  std::optional<Refusal> refusal;    ///< reason why it cannot
-  std::vector<HandName> to_release;  ///< hands that must release first, in this order
 };
 
 /// Ray of a mouse pointer: from an origin [m] in a direction of any length.
@@ -123,8 +114,6 @@ class Demonstrator {
 
  private:
   Hand& MutableHand(HandName name) { return state_.hands[static_cast<std::size_t>(name)]; }
-  /// Returns the reason why a hand cannot take an object, regardless of what other hands hold.
-  std::optional<Refusal> RefuseToTake(HandName name, std::string_view object_id) const;
   std::string WhatHolds(HandName name) const;
   std::optional<Refusal> RefuseIfEmpty(HandName name) const;
   std::optional<Refusal> RefuseIfHolding(HandName name, const char* what) const;

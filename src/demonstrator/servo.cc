@@ -16,9 +16,9 @@ Vector3 Limited(const Vector3& v, double max_length) {
 
 }  // namespace
 
-void DriveTowards(const RigidTransform& X_WB_goal, double speed, double step_seconds,
-                  const ServoConfig& config, physics::Body* body) {
-  const RigidTransform X_WB = body->pose_in_world();
+void DriveTowards(const RigidTransform& X_WB_goal, double speed, const ServoConfig& config,
+                  mechanics::BodyId body, Engine* engine) {
+  const auto [X_WB, v, w] = engine->MotionOf(body);
   // Position and rotation are driven independently: a blocked rotation does not stop the
   // translation.
   const Vector3 gap = X_WB_goal.translation() - X_WB.translation();
@@ -30,10 +30,9 @@ void DriveTowards(const RigidTransform& X_WB_goal, double speed, double step_sec
   const Vector3 w_wanted = Limited(turn / config.response_seconds, config.max_angular_speed);
   // The change per step is limited, that is, force per mass: a blocked object pushes no harder
   // however far away its goal is.
-  const Vector3 v = body->linear_velocity();
-  const Vector3 w = body->angular_velocity();
-  body->SetVelocity(v + Limited(v_wanted - v, config.max_acceleration * step_seconds),
-                    w + Limited(w_wanted - w, config.max_angular_acceleration * step_seconds));
+  const double step_seconds = engine->step_seconds();
+  engine->SetVelocity(body, v + Limited(v_wanted - v, config.max_acceleration * step_seconds),
+                      w + Limited(w_wanted - w, config.max_angular_acceleration * step_seconds));
 }
 
 }  // namespace smile::demonstrator

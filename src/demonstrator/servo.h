@@ -1,6 +1,6 @@
 #pragma once
 
-#include "physics/body.h"
+#include "demonstrator/engine.h"
 
 namespace smile::demonstrator {
 
@@ -19,7 +19,7 @@ struct ServoConfig {
 /// of velocity, that is, limited force. Obstacles are pushed no harder than that.
 ///
 /// @param speed  greatest speed [m/s]; the servo's own limit also applies.
-void DriveTowards(const RigidTransform& X_WB_goal, double speed, double step_seconds,
-                  const ServoConfig& config, physics::Body* body);
+void DriveTowards(const RigidTransform& X_WB_goal, double speed, const ServoConfig& config,
+                  mechanics::BodyId body, Engine* engine);
 
 }  // namespace smile::demonstrator

@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include <cmath>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -44,6 +45,14 @@ inline std::vector<double> NumbersFrom(const char* name, const Array& array, std
     }
   }
   return {array.data(), array.data() + count};
+}
+
+/// Demands that a speed, if given, is a finite number above 0 [m/s].
+inline void RequireSpeed(const std::optional<double>& speed) {
+  if (speed && !(*speed > 0 && std::isfinite(*speed))) {
+    throw std::invalid_argument("speed is " + std::to_string(*speed) +
+                                " m/s, expected a finite number above 0");
+  }
 }
 
 inline Vector3 Vector3From(const char* name, const Array& array) {

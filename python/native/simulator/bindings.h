@@ -15,5 +15,6 @@ void BindFilms(pybind11::module_& m);
 void BindRobotMotion(pybind11::module_& m);
 void BindEpisode(pybind11::module_& m);
 void BindViewer(pybind11::module_& m);
+void BindHands(pybind11::module_& m);
 
 }  // namespace smile::python

@@ -55,4 +55,5 @@ PYBIND11_MODULE(smile_simulator_native, m) {
   smile::python::BindRobotMotion(m);
   smile::python::BindEpisode(m);
   smile::python::BindViewer(m);
+  smile::python::BindHands(m);
 }

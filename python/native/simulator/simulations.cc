@@ -173,10 +173,7 @@ void BindCommands(py::class_<Handle>& simulation) {
            [](Handle& handle, demonstrator::HandName hand, const Array& position,
               std::optional<double> speed) {
              const Handle::Use use(&handle);
-             if (speed && !(*speed > 0 && std::isfinite(*speed))) {
-               throw std::invalid_argument("speed is " + std::to_string(*speed) +
-                                           " m/s, expected a finite number above 0");
-             }
+             RequireSpeed(speed);
              return use->Apply(sim::MoveTo{
                  .hand = hand, .p_WH = Vector3From("position", position), .speed = speed});
            })

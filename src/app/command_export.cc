@@ -27,10 +27,24 @@ namespace {
 
 struct ExportOptions {
   std::vector<std::string> runs;
-  std::string format, out, part = "all";
+  std::string format, out;
   recording::TimeRange range;
-  std::optional<double> rate;  ///< points per second; unset: that of ticks
+  std::optional<double> rate;       ///< points per second; unset: that of ticks
+  std::optional<std::string> part;  ///< of the robot; unset: all of it
   bool no_grippers = false, slow_down = false, allow_breaches = false;
+
+  std::string part_or_all() const { return part.value_or("all"); }
+
+  /// Demands that none is set that only trajectories of the robot heed.
+  void RequireNoneOfTrajectories() const {
+    for (const auto& [name, is_set] :
+         {std::pair{"--arm", part.has_value()}, std::pair{"--no-grippers", no_grippers},
+          std::pair{"--slow-down", slow_down}, std::pair{"--allow-breaches", allow_breaches}}) {
+      if (!is_set) continue;
+      throw std::invalid_argument(std::string(name) + " is for trajectories, and --to is " +
+                                  Quoted(format));
+    }
+  }
 };
 
 /// Options of datasets, which the Python package smile.datasets makes; all are optional.
@@ -113,7 +127,7 @@ std::vector<motion::TrajectoryChannel> ChosenChannels(const robot::RobotModel& m
   std::vector<motion::TrajectoryChannel> chosen;
   for (const motion::TrajectoryChannel& channel : motion::ChannelsOf(model)) {
     if (options.no_grippers && channel.is_gripper()) continue;
-    if (IsOfPart(channel, model, options.part)) chosen.push_back(channel);
+    if (IsOfPart(channel, model, options.part_or_all())) chosen.push_back(channel);
   }
   return chosen;
 }
@@ -186,7 +200,7 @@ int ExportMotion(const ExportOptions& options) {
     if (model.head) parts.push_back("head");
     for (const robot::Arm& arm : model.arms) parts.push_back(arm.name);
     throw std::invalid_argument("the robot of " + Quoted(demo) + " has no " +
-                                Printable(options.part) + ", expected " + OneOf(parts));
+                                Printable(options.part_or_all()) + ", expected " + OneOf(parts));
   }
   motion.trajectory = JointMotionOf(recording, motion.channels, options.range,
                                     options.rate.value_or(sim::kTicksPerSecond));
@@ -211,6 +225,7 @@ int Export(const ExportOptions& options, const DatasetOptions& dataset, const Wo
   const std::vector<std::string> arguments = dataset.arguments();
   if (std::ranges::find(datasets::kDatasetFormats, options.format) !=
       datasets::kDatasetFormats.end()) {
+    options.RequireNoneOfTrajectories();
     RequireOutsideOfRecordings(options.out);
     std::vector<std::string> words{"export"};
     words.insert(words.end(), options.runs.begin(), options.runs.end());
@@ -224,6 +239,7 @@ int Export(const ExportOptions& options, const DatasetOptions& dataset, const Wo
   }
   const std::vector<std::string_view> worlds = interchange::WorldFormatNames();
   if (std::ranges::find(worlds, options.format) != worlds.end()) {
+    options.RequireNoneOfTrajectories();
     RequireOne(options, "scene or recording");
     return ExportWorld(options.runs.front(), options.format, options.out, world, options.range,
                        options.rate);
@@ -287,12 +303,9 @@ void AddExport(CLI::App* program, ExitAnswer answer) {
                       "start [s] (default: the start of the recording)");
   command->add_option("--to-time", options->range.to,
                       "end [s] (default: the end of the recording)");
-  command
-      ->add_option(
-          "--arm", options->part,
-          "joints to export: an arm by its name (left, right), both for all arms, head, or "
-          "all movable joints")
-      ->capture_default_str();
+  command->add_option("--arm", options->part,
+                      "joints to export: an arm by its name (left, right), both for all arms, "
+                      "head, or all movable joints (default: all)");
   command->add_flag("--no-grippers", options->no_grippers, "no gripper openings");
   command
       ->add_option("--rate", options->rate,

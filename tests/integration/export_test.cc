@@ -171,6 +171,13 @@ TEST_F(Exports, ReportErrors) {
               "smile: --from, --to-time and --rate are for recordings, found the scene file "
               "\"pair.xml\"\n");
   }
+  for (const std::string option : {"--arm", "--no-grippers", "--slow-down", "--allow-breaches"}) {
+    for (const std::string format : {"usd", "csv"}) {
+      const std::string value = option == "--arm" ? " all" : "";
+      EXPECT_EQ(Smile("export pair.xml --to " + format + " " + option + value + " --out x.out").err,
+                "smile: " + option + " is for trajectories, and --to is \"" + format + "\"\n");
+    }
+  }
   EXPECT_EQ(Smile("export demo --to usd --out demo/x.usda").exit_code, 1);
   Write("broken.csv", "time,left_s0\n0,0.25\n1,half\n");
   EXPECT_EQ(Smile("run pair.xml --trajectory broken.csv").err,

@@ -94,11 +94,11 @@ test("clips are shifted and stretched with mouse and keys, and show where hands 
   await person.dragTo("RedBlock", [null, null, 2]);
   await page.keyboard.press("Backspace");
   await page.keyboard.press("e");
-  await witness.until(() => witness.state.still, "the block lies");
+  await witness.until(() => witness.state.hands.left.object === null && witness.state.still, "the block lies");
   await person.grasp("RedBlock", "right");
   await person.dragTo("RedBlock", [null, null, 3]);
   await page.keyboard.press("Backspace");
-  await witness.until(() => witness.state.still, "it lies again");
+  await witness.until(() => witness.state.hands.right.object === null && witness.state.still, "it lies again");
   await person.press("Finish");
   await witness.until(() => witness.state.recording === null, "the end of the recording");
 

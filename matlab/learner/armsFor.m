@@ -1,8 +1,8 @@
 function able = armsFor(steps, arms)
 % Returns the arms whose grippers can hold the blocks of all steps except those that stay or have a knob. It is an error
 % if there are none.
-  held = arrayfun(@heldPart, asBlocks(steps(~[steps.stays] & ~[steps.hasKnob])));
-  sizes = vertcat(held.size, [0, 0, 0]);
+  sizes = [0, 0, 0];
+  for block = asBlocks(steps(~[steps.stays] & ~[steps.hasKnob])), sizes(end + 1, :) = heldPart(block).size; end
   width = max(sizes(:, 2));
   least = width + constants().arms.opening_margin;
   able = arms(arrayfun(@(arm) canHold(arm, width), arms));

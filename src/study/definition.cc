@@ -258,25 +258,31 @@ void ReadPages(const JsonNode& node, Definition* read) {
   }
 }
 
+/// Returns the tag of a language that the page has.
+std::string LanguageIn(const JsonNode& node) {
+  static constexpr std::array<std::string_view, SMILE_NUM_PAGE_LANGUAGES> kLanguages{
+      SMILE_PAGE_LANGUAGES};
+  const std::string language = node.ShortString(kMaxTitleBytes);
+  if (std::ranges::find(kLanguages, language) == kLanguages.end()) {
+    node.Fail("found " + Quoted(language) + ", expected " + OneOf(kLanguages));
+  }
+  return language;
+}
+
 void Read(const JsonNode& node, Definition* read) {
-  static constexpr std::array<std::string_view, 14> kMembers{"format",
-                                                             "name",
-                                                             "title",
-                                                             "consent",
-                                                             "conditions",
-                                                             "instructions",
-                                                             "practice",
-                                                             "tasks",
-                                                             "tasks_per_condition",
-                                                             "break_seconds",
-                                                             "after_condition",
-                                                             "at_end",
-                                                             "thanks",
+  static constexpr std::array<std::string_view, 15> kMembers{"format",        "name",
+                                                             "title",         "language",
+                                                             "consent",       "conditions",
+                                                             "instructions",  "practice",
+                                                             "tasks",         "tasks_per_condition",
+                                                             "break_seconds", "after_condition",
+                                                             "at_end",        "thanks",
                                                              "completion_url"};
   node.ExpectMembers(kMembers);
   node.Member("format").Whole(kFormat, kFormat);
   read->name = NameIn(node.Member("name"));
   read->title = node.Member("title").ShortString(kMaxTitleBytes);
+  if (node.Has("language")) read->language = LanguageIn(node.Member("language"));
   const JsonNode consent = node.Member("consent");
   read->consent = ReadFile(read->folder / PublicFileIn(consent, read->folder), kMaxConsentBytes);
   if (read->consent.empty()) consent.Fail("the file is empty, expected the text of the consent");

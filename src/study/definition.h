@@ -62,6 +62,8 @@ struct Definition {
   std::filesystem::path folder;  ///< of the file; other paths begin there
   std::string text;              ///< of the file
   std::string name, title;
+  std::string language =
+      "en";             ///< of the page's own texts, for all participants: texts/LANGUAGE.json
   std::string consent;  ///< the text itself
   std::vector<Condition> conditions;
   std::vector<Instruction> instructions;

@@ -40,6 +40,20 @@ std::optional<DoorPath> Parse(const std::string& path) {
                   path.substr(std::min(end + 1, path.size()))};
 }
 
+/// Returns the page of participants, with its texts in a language.
+/// @throws std::runtime_error if the file cannot be read, or is another page.
+std::string PageIn(const std::string& language, const std::filesystem::path& file) {
+  constexpr std::string_view kLanguage = R"(lang="en" data-language="en")";
+  std::string html = ReadFile(file, kMaxMessageBytes);
+  const std::size_t found = html.find(kLanguage);
+  if (found == std::string::npos) {
+    throw std::runtime_error(file.string() + " is not the page of a study: it has no " +
+                             std::string(kLanguage));
+  }
+  const std::string tag = '"' + language + '"';
+  return html.replace(found, kLanguage.size(), "lang=" + tag + " data-language=" + tag);
+}
+
 std::string MediaTypeOf(const std::string& file) {
   return file.ends_with(".mp4") ? "video/mp4" : "image/png";
 }
@@ -85,7 +99,7 @@ class StudyServer::Impl {
         study_(data_.study()),
         options_(std::move(options)),
         files_(PublicFilesOf(study_)),
-        page_html_(ReadFile(options_.page / "index.html", kMaxMessageBytes)),
+        page_html_(PageIn(study_.language, options_.page / "index.html")),
         web_(WebOptions(), &mailbox_) {
     doors_.Set(data_);
     services_ = {.send = [this](PageId page, const Json& message) { Send(page, message); },

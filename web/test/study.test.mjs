@@ -163,6 +163,19 @@ test("participants take part side by side, from the consent to the completion co
   assert.match(smile("study", "report", study.data), /report\.html/);
 });
 
+test("the page is in the language of the study, whatever the browser prefers", async (t) => {
+  const study = new Study({ ...STUDY, language: "de" });
+  t.after(() => study.remove());
+  const [link] = await study.serve(1);
+  t.after(() => study.stop());
+  const participant = await Stacker.at(browser.browser, link);
+  await participant.press("Ich willige ein");
+  await participant.sees("Welcome");
+  await participant.press("Weiter");
+  assert.equal(await participant.page.evaluate(() => `${document.documentElement.lang} ${navigator.language.slice(0, 2)}`), "de en");
+  await participant.context.close();
+});
+
 test("a participant continues after closing the page, and after the server was killed", async (t) => {
   const study = new Study(STUDY);
   t.after(() => study.remove());

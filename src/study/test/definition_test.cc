@@ -66,6 +66,16 @@ TEST_F(DefinitionFile, ReportsUnknownMembersAndBrokenText) {
   EXPECT_THROW(ReadDefinition(file()), InputError);
 }
 
+TEST_F(DefinitionFile, NamesALanguageOfThePage) {
+  Json study = Study();
+  study["language"] = "de";
+  Fault(study);
+  EXPECT_EQ(ReadDefinition(file()).language, "de");
+  study["language"] = "xx";
+  EXPECT_NE(Fault(study).find("found \"xx\", expected de or en"), std::string::npos)
+      << Fault(study);
+}
+
 TEST(JsonLines, FindsTheLineOfAnElement) {
   const std::string text = "{\n \"a\": [1,\n  {\"b\": \"x\\\"}\"}],\n \"c\": 2\n}";
   EXPECT_EQ(LineOf(text, ""), 1);

@@ -40,18 +40,18 @@ std::optional<DoorPath> Parse(const std::string& path) {
                   path.substr(std::min(end + 1, path.size()))};
 }
 
-/// Returns the page of participants, with its texts in a language.
-/// @throws std::runtime_error if the file cannot be read, or is another page.
+/// Returns the page of participants, with its texts in a language; the file is English.
+/// @throws std::runtime_error if the file cannot be read, or does not say so.
 std::string PageIn(const std::string& language, const std::filesystem::path& file) {
-  constexpr std::string_view kLanguage = R"(lang="en" data-language="en")";
+  constexpr std::string_view kEnglish = R"(lang="en" data-language="en")";
   std::string html = ReadFile(file, kMaxMessageBytes);
-  const std::size_t found = html.find(kLanguage);
+  if (language == "en") return html;
+  const std::size_t found = html.find(kEnglish);
   if (found == std::string::npos) {
-    throw std::runtime_error(file.string() + " is not the page of a study: it has no " +
-                             std::string(kLanguage));
+    throw std::runtime_error(file.string() + " has no " + std::string(kEnglish));
   }
   const std::string tag = '"' + language + '"';
-  return html.replace(found, kLanguage.size(), "lang=" + tag + " data-language=" + tag);
+  return html.replace(found, kEnglish.size(), "lang=" + tag + " data-language=" + tag);
 }
 
 std::string MediaTypeOf(const std::string& file) {

@@ -184,6 +184,10 @@ class Paged(unittest.TestCase):
         self.page = Page(stage(), folder=Path(FOLDER.name) / "demos", tell=self.told.append)
         self.addCleanup(self.page.close)
 
+    def test_is_refused_at_no_port(self):
+        with self.assertRaisesRegex(ValueError, "port is 99999, expected a whole number from 0 to 65535"):
+            Page(stage(), port=99999)
+
     def test_answers_everything_with_a_reason(self):
         before = self.page.demonstrator.hash
         for command, reason in (
@@ -216,6 +220,14 @@ class Paged(unittest.TestCase):
         for file in files:
             replayed = replay(file, mujoco.MjModel.from_xml_string(MODEL))
             self.assertEqual([row["do"] for row in replayed.events], ["grasp", "move", "release"])
+
+    def test_advances_also_by_steps_longer_than_a_frame(self):
+        on = self.page.demonstrator
+        on.model.opt.timestep = 0.05
+        self.page._set_speed({"factor": 0.1})
+        for _ in range(2 * 30):
+            self.page.update()
+        self.assertAlmostEqual(on.steps, 2, delta=1)
 
     def test_stops_time_where_numbers_explode(self):
         on = self.page.demonstrator

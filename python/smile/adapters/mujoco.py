@@ -239,14 +239,16 @@ def main(arguments: list[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     try:
         page = Demonstrator(options.model).page(port=options.port, folder=options.recordings)
+        for words in page.left_out:
+            print(words, file=sys.stderr)
+        print(page.url, flush=True)
+        if options.open:
+            webbrowser.open(page.url)
+        page.serve()
+        return 0
     except (ValueError, RuntimeError) as error:
         print(f"smile.adapters.mujoco: {error}", file=sys.stderr)
         return 1
-    print(page.url, flush=True)
-    if options.open:
-        webbrowser.open(page.url)
-    page.serve()
-    return 0
 
 
 if __name__ == "__main__":

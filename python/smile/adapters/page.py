@@ -6,6 +6,7 @@ import json
 import re
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Protocol
@@ -30,7 +31,7 @@ Row = dict[str, Any]
 _UNIT = 0.1
 _FRAME = 1 / 60
 _FRAMES_PER_STATE, _FRAMES_PER_KEY = 3, 60
-_MOST_STEPS_AT_ONCE = 4
+_MOST_STEPS_AT_ONCE, _MOST_FRAMES_LATE = 4, 6
 _SPEEDS = (0.1, 4.0)
 # Slower than this, an object is at rest [m/s or rad/s].
 _REST = 0.01
@@ -57,15 +58,17 @@ class Page:
     """
 
     def __init__(self, demonstrator: Demonstrator, *, port: int = 0, folder: str | Path = "recordings",
-                 tell: Callable[[str], None] = print) -> None:
+                 tell: Callable[[str], None] = partial(print, flush=True)) -> None:
         """Starts to serve the page; update() carries out what people do there.
 
         port    of the page; 0 for the first free one from 8470 on
         folder  of recordings; made when the first one is written
-        tell    called with a line about each recording, and about what is not drawn
+        tell    called with a line about each recording
 
         Raises RuntimeError if the page is not built, or the port is taken.
         """
+        if isinstance(port, bool) or not isinstance(port, int) or not 0 <= port <= 65535:
+            raise ValueError(f"port is {port!r}, expected a whole number from 0 to 65535")
         self.demonstrator, self.folder, self._tell = demonstrator, Path(folder), tell
         self._engine: DrawnEngine = demonstrator.engine  # type: ignore[assignment]
         self._drawing = self._engine.drawing()
@@ -80,13 +83,16 @@ class Page:
         self._put_contents()
         for name, carry_out in self._requests().items():
             self._server.handle(name, _in_json(carry_out))
-        for words in self._drawing.left_out:
-            tell(words)
 
     @property
     def url(self) -> str:
         """Link of the page."""
         return self._server.link
+
+    @property
+    def left_out(self) -> list[str]:
+        """What is not drawn, in words."""
+        return list(self._drawing.left_out)
 
     def serve(self) -> None:
         """Updates 60 times a second, until close() or Ctrl-C."""
@@ -95,7 +101,7 @@ class Page:
             while not self._server.is_closed:
                 self.update()
                 # After a long interruption, frames do not catch up in a burst.
-                due = max(due + _FRAME, time.monotonic() - 6 * _FRAME)
+                due = max(due + _FRAME, time.monotonic() - _MOST_FRAMES_LATE * _FRAME)
                 time.sleep(max(0.0, due - time.monotonic()))
         except KeyboardInterrupt:
             pass
@@ -248,13 +254,14 @@ class Page:
         now = time.monotonic()
         deadline = now + _FRAME
         if not self._is_paused:
-            # At least one step per frame, so that a slow simulation advances; what is late is dropped.
-            self._owed = min(self._owed + _FRAME * self._speed, 6 * _FRAME * self._speed)
-            while self._owed >= self._engine.step_seconds:
-                count = min(_MOST_STEPS_AT_ONCE, int(self._owed / self._engine.step_seconds))
+            # Some steps per frame in any case, so that a slow simulation advances; what is late is dropped.
+            step, frame = self._engine.step_seconds, _FRAME * self._speed
+            self._owed = min(self._owed + frame, max(_MOST_FRAMES_LATE * frame, step))
+            while self._owed >= step:
+                count = min(_MOST_STEPS_AT_ONCE, int(self._owed / step))
                 self.demonstrator.step(count)
-                self._owed -= count * self._engine.step_seconds
-                self._passed += count * self._engine.step_seconds
+                self._owed -= count * step
+                self._passed += count * step
                 if time.monotonic() > deadline:
                     break
         began, passed = self._measured_from

@@ -207,6 +207,24 @@ class Paged(unittest.TestCase):
         self.assertRegex(self.page._allowed({}), "needs SMILE's own worlds")
         self.assertEqual((self.page.demonstrator.hash, self.page.demonstrator.events), (before, []))
 
+    def test_moves_and_turns_as_the_mouse_wants(self):
+        do = lambda **command: self.page._command({"hand": "right", **command})
+        do(do="grasp", object="a", point=[0, 0, 1])
+        do(do="rotate", angles=[0, 0, 30])
+        # Lengths are in units of 0.1 m. The ray meets the plane through the goal, which is turned by 90 degrees.
+        do(do="plane", angle=90)
+        do(do="drag", origin=[-5, 2, 4], direction=[1, 0, 0])
+        do(do="drag", origin=[3, 2, 9], direction=[0, 0, -2], level=True)
+        hand = self.page._state()["hands"]["right"]
+        np.testing.assert_allclose(hand["goal"], [3, 2, 4], atol=1e-3)
+        np.testing.assert_allclose(hand["place"], [3, 2, 3.5], atol=1e-3)
+        np.testing.assert_allclose(hand["angles"], [0, 0, 30], atol=1e-3)
+        self.assertEqual((hand["object"], hand["plane"]), ("a", 90))
+        with self.assertRaisesRegex(smile.Refused, "the ray is parallel to the motion plane of the right hand"):
+            do(do="drag", origin=[0, 0, 4], direction=[0, 1, 0])
+        self.assertTrue(self.page.demonstrator.advance_until_arrived())
+        np.testing.assert_allclose(self.page.demonstrator.poses["a"][:3], [0.3, 0.2, 0.35], atol=1e-3)
+
     def test_writes_recordings_that_replay_also_at_its_end(self):
         for end in (lambda: self.page._command({"do": "finish"}), self.page.close):
             self.page._command({"do": "start"})

@@ -25,9 +25,8 @@ def plan_to_take(arm, poses, first, q, held):
 
 
 def plan_there_and_back(arm, taken, work, put, ways, held, is_clear):
-    """Plans the paths of an arm that took something along straight lines through the tool poses of its work, on the first
-    possible Way there and back, and to its parking pose: a list, which begins with the paths on which it took that; []
-    if there is none.
+    """Plans the paths of an arm that took something through the tool poses of its work, on the first possible Way there and
+    back, and to its parking pose: a list, which begins with the paths on which it took that; [] if there is none.
 
     taken:     paths, see plan_to_take
     work, put: lists of tool poses, 4x4 [units]; it leaves what it holds at the second of put, which begins where the

@@ -14,7 +14,7 @@ from functools import partial
 from typing import Any
 
 from smile.ros.bridge import Bridge
-from smile.ros.camera import info_topic_of, intrinsics_of, rgb_of
+from smile.ros.camera import depth_of, info_topic_of, intrinsics_of, rgb_of
 from smile.ros.link import CameraReading, GripperReading, Reading, SeeingLink
 
 _CONNECTION_SECONDS = 10.0
@@ -77,6 +77,9 @@ class BridgeLink(SeeingLink):
         self._grippers: dict[str, tuple[int, GripperReading]] = {}
         self._sequences = dict.fromkeys(arms, 0)
         self._words: deque[str] = deque(maxlen=_MOST_WORDS)
+        self._watched: dict[str, dict[str, Any]] = {}
+        """the newest messages of the camera that is watched"""
+        self._watched_topic, self._has_depth = "", False
         self._bridge = Bridge(address, self._notify)
         for arm in arms:
             self._bridge.advertise(f"/robot/limb/{arm}/joint_command", "baxter_core_msgs/JointCommand")
@@ -215,16 +218,38 @@ class BridgeLink(SeeingLink):
             self._bridge.unsubscribe(one)
         if len(received) < 2:
             raise RuntimeError(self._bridge.fault or f"{topic} and {info_topic} did not both arrive within {timeout:g} s")
-        try:
-            return _camera_reading_of(received["image"], received["info"])
-        except (KeyError, TypeError, ValueError, OverflowError) as error:
-            raise ValueError(f"{topic}: the picture or its camera_info is faulty: {error}") from None
+        return _camera_reading_of(topic, received)
+
+    def watch(self, topic: str, depth_topic: str | None) -> None:
+        self._watched_topic, self._has_depth = topic, depth_topic is not None
+        topics = {"image": (topic, "sensor_msgs/Image"), "info": (info_topic_of(topic), "sensor_msgs/CameraInfo")}
+        if depth_topic is not None:
+            topics["depth"] = (depth_topic, "sensor_msgs/Image")
+        for name, (one, kind) in topics.items():
+            self._bridge.subscribe(one, kind, partial(self._watched.__setitem__, name))
+
+    def seen(self) -> CameraReading | None:
+        newest = dict(self._watched)
+        if len(newest) < (3 if self._has_depth else 2):
+            return None
+        return _camera_reading_of(self._watched_topic, newest)
 
 
-def _camera_reading_of(image: dict[str, Any], info: dict[str, Any]) -> CameraReading:
+def _image_fields(image: dict[str, Any]) -> tuple[str, int, int, int]:
     width, height, step = (int(number_of(image[name])) for name in ("width", "height", "step"))
-    rgb = rgb_of(str(image["encoding"]), width, height, step, base64.b64decode(image["data"], validate=True))
-    # ROS 2 has small letters.
-    K, D = (_list_of(info[name if name in info else name.lower()], name) for name in ("K", "D"))
-    return CameraReading(rgb, *intrinsics_of(str(info["distortion_model"]), [number_of(one) for one in K],
-                                             [number_of(one) for one in D]))
+    return str(image["encoding"]), width, height, step
+
+
+def _camera_reading_of(topic: str, messages: dict[str, dict[str, Any]]) -> CameraReading:
+    image, info, depth = messages["image"], messages["info"], messages.get("depth")
+    try:
+        rgb = rgb_of(*_image_fields(image), base64.b64decode(image["data"], validate=True))
+        stamps = [seconds_of(message["header"]["stamp"]) for message in (image, depth) if message is not None]
+        depths = None if depth is None else depth_of(*_image_fields(depth), bool(number_of(depth["is_bigendian"])),
+                                                     base64.b64decode(depth["data"], validate=True))
+        # ROS 2 has small letters.
+        K, D = (_list_of(info[name if name in info else name.lower()], name) for name in ("K", "D"))
+        return CameraReading(rgb, *intrinsics_of(str(info["distortion_model"]), [number_of(one) for one in K],
+                                                 [number_of(one) for one in D]), min(stamps), depths)
+    except (KeyError, TypeError, ValueError, OverflowError) as error:
+        raise ValueError(f"{topic}: the picture or its camera_info is faulty: {error}") from None

@@ -41,6 +41,10 @@ class CameraReading(NamedTuple):
     """(3, 3) [px]"""
     distortion: npt.NDArray[np.float64]
     """(5,) coefficients of ROS' plumb_bob"""
+    time: float
+    """at which it was taken, by the robot's clock; with depths, when the older of both was [s]"""
+    depth: npt.NDArray[np.float32] | None = None
+    """(height, width): distance along the camera's axis [m], 0 where it is not known; None without a camera of depths"""
 
 
 class RobotLink(ABC):
@@ -91,4 +95,18 @@ class SeeingLink(RobotLink):
         """Returns the next picture of a topic, with the camera_info beside it.
 
         Raises RuntimeError if they do not arrive within wall-clock time [s], ValueError if they are faulty.
+        """
+
+    @abstractmethod
+    def watch(self, topic: str, depth_topic: str | None) -> None:
+        """Receives pictures of a topic from now on, with the camera_info beside it.
+
+        depth_topic  of the depths in the same pixels; None without
+        """
+
+    @abstractmethod
+    def seen(self) -> CameraReading | None:
+        """Returns the newest picture of the topic that is watched; None before the first one.
+
+        Raises ValueError if it is faulty.
         """

@@ -17,12 +17,13 @@ from sensor_msgs.msg import CameraInfo, Image, JointState
 from std_msgs.msg import Bool, Float64
 
 from smile.ros import message_types as types
-from smile.ros.camera import info_topic_of, intrinsics_of, rgb_of
+from smile.ros.camera import depth_of, info_topic_of, intrinsics_of, rgb_of
 from smile.ros.graph import join_graph, master_is_lost
 from smile.ros.link import CameraReading, GripperReading, Reading, SeeingLink
 
 _CONNECTION_SECONDS = 10.0
 _MOST_WORDS = 5
+_PICTURE_BYTES = 1 << 25
 
 
 class RosLink(SeeingLink):
@@ -42,6 +43,9 @@ class RosLink(SeeingLink):
         self._grippers: dict[str, Any] = {}
         self._sequences = dict.fromkeys(arms, 0)
         self._words: deque[str] = deque(maxlen=_MOST_WORDS)
+        self._watched: dict[str, Any] = {}
+        """the newest messages of the camera that is watched"""
+        self._has_depth = False
         self._is_lost = master_is_lost()
         self._commands = {arm: self._publisher(f"/robot/limb/{arm}/joint_command", types.JointCommand) for arm in arms}
         self._ratios = {arm: self._publisher(f"/robot/limb/{arm}/set_speed_ratio", Float64) for arm in arms}
@@ -151,6 +155,27 @@ class RosLink(SeeingLink):
         finally:
             for subscriber in listening:
                 subscriber.unregister()
-        image, info = received["image"], received["info"]
-        return CameraReading(rgb_of(image.encoding, image.width, image.height, image.step, image.data),
-                             *intrinsics_of(info.distortion_model, info.K, info.D))
+        return _camera_reading_of(received["image"], received["info"])
+
+    def watch(self, topic: str, depth_topic: str | None) -> None:
+        self._has_depth = depth_topic is not None
+        topics = {"image": (topic, Image), "info": (info_topic_of(topic), CameraInfo)}
+        if depth_topic is not None:
+            topics["depth"] = (depth_topic, Image)
+        for name, (one, kind) in topics.items():
+            # A picture is larger than the buffer that rospy has by itself: older ones would wait in it.
+            rospy.Subscriber(one, kind, partial(self._watched.__setitem__, name), queue_size=1, buff_size=_PICTURE_BYTES)
+
+    def seen(self) -> CameraReading | None:
+        newest = dict(self._watched)
+        if len(newest) < (3 if self._has_depth else 2):
+            return None
+        return _camera_reading_of(newest["image"], newest["info"], newest.get("depth"))
+
+
+def _camera_reading_of(image: Any, info: Any, depth: Any = None) -> CameraReading:
+    rgb = rgb_of(image.encoding, image.width, image.height, image.step, image.data)
+    stamps = [message.header.stamp.to_sec() for message in (image, depth) if message is not None]
+    depths = None if depth is None else depth_of(depth.encoding, depth.width, depth.height, depth.step,
+                                                 bool(depth.is_bigendian), depth.data)
+    return CameraReading(rgb, *intrinsics_of(info.distortion_model, info.K, info.D), min(stamps), depths)

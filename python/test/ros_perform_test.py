@@ -104,13 +104,13 @@ class PerformanceTest(unittest.TestCase):
         self.sim.run_until("arrived")
         self.start = self.sim.tick
 
-    def perform(self, speed=0.9, supervisor=None, **link):
+    def perform(self, speed=0.9, supervisor=None, by_trajectory=False, **link):
         self.link = SimulatedLink(ServedRobot(self.sim, self.description), **link)
-        return Performance(self.link, plan_of(self.recording, [], speed), Watch(), supervisor).perform(lambda line: None)
+        return Performance(self.link, plan_of(self.recording, [], speed), Watch(), supervisor, by_trajectory).perform(lambda line: None)
 
-    def stops(self, words, damage, moves=True, supervisor=None):
+    def stops(self, words, damage, moves=True, supervisor=None, by_trajectory=False):
         """The performance stops for a reason, and then the arms stand."""
-        outcome = self.perform(damage=damage, moves=moves, supervisor=supervisor)
+        outcome = self.perform(damage=damage, moves=moves, supervisor=supervisor, by_trajectory=by_trajectory)
         self.assertRegex(str(outcome.reason), words)
         for _ in range(30):
             self.link.robot.step()
@@ -130,6 +130,33 @@ class PerformanceTest(unittest.TestCase):
         errors = outcome.tracking.summary()
         self.assertEqual(list(errors), self.description.arms["right"])
         self.assertLess(max(one["max"] for one in errors.values()), TOLERANCE)
+
+    def test_the_way_to_the_start_may_be_a_trajectory(self):
+        self.displace()
+        outcome = self.perform(by_trajectory=True)
+        self.assertIsNone(outcome.reason)
+        np.testing.assert_allclose(self.sim.objects["RedBlock"].position, self.recording.poses[-1, 0, :3], atol=0.002)
+
+    def test_a_trajectory_is_watched_and_cancelled(self):
+        for words, damage, moves in (
+                ("right_s1 is nan", self.after(60, lambda reading: reading._replace(positions={**reading.positions, "right_s1": math.nan})), True),
+                (r"right_\w+ is 0\.\d+ rad from where it should be", lambda tick, reading: reading, False),
+                ("the robot ended the trajectory of the right arm: the robot is not enabled", lambda tick, reading: self.off(reading), True)):
+            with self.subTest(words):
+                self.setUp()
+                self.displace()
+                self.assertEqual(self.stops(words, damage, moves=moves, by_trajectory=True).seconds, 0)
+                self.assertIsNone(self.link.robot.limbs["right"].path)
+
+    def displace(self):
+        """Turns the right arm away from the start of the recording."""
+        self.sim.apply({"do": "joint_angles", "right": (self.sim.robot.arms["right"].q - [0.5, 0, 0, 0, 0, 0, 0]).tolist()})
+
+    def off(self, reading):
+        """The motors refuse, but do not report it."""
+        self.link.robot.enable(False)
+        self.link.motors_fault = lambda: None
+        return reading
 
     def test_faulty_joint_states_stop_the_robot(self):
         def with_position(value):
@@ -237,7 +264,8 @@ class GraphTest(unittest.TestCase):
     def test_a_tower_is_built_through_the_graph(self):
         served, record = self.serve()
         report = self.folder / "report.json"
-        performed = self.perform(self.folder / "tower", "--speed", 0.8, "--max-acceleration", 30, "--yes", "--report", report)
+        performed = self.perform(self.folder / "tower", "--speed", 0.8, "--max-acceleration", 30, "--yes", "--report", report,
+                                 "--start-by-trajectory")
         self.assertEqual(performed.wait(), 0, performed.output)
         self.assertRegex(performed.output, "left gripper closes on GreenBlock\n(.*\n)+performed\n$")
         outcome = json.loads(report.read_text())

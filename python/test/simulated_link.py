@@ -3,7 +3,7 @@
 import json
 
 import numpy as np
-from smile.ros.link import CameraReading, GripperReading, Reading, RobotLink, SeeingLink
+from smile.ros.link import CameraReading, GripperReading, Reading, RobotLink, SeeingLink, TrajectoryReading
 
 
 class SimulatedLink(RobotLink):
@@ -11,7 +11,7 @@ class SimulatedLink(RobotLink):
 
     def __init__(self, robot, damage=lambda tick, reading: reading, moves=True):
         self.robot, self._damage, self._moves = robot, damage, moves
-        self.commands = 0
+        self.commands, self._trajectories = 0, {}
         self.enabled = True
 
     def wait(self, timeout):
@@ -24,6 +24,19 @@ class SimulatedLink(RobotLink):
         self.commands += 1
         if self._moves:
             self.robot.command_joints(arm, 4, names, positions, "/perform")
+
+    def follow(self, paths, tolerance):
+        for arm, path in paths.items():
+            refusal = self.robot.follow(arm, path, "/perform") if self._moves else None
+            self._trajectories[arm] = path, self.robot.time, refusal
+
+    def trajectory(self, arm):
+        path, begin, refusal = self._trajectories[arm]
+        return TrajectoryReading(True, refusal is not None or self._moves and self.robot.time > begin + path.duration + 0.1, refusal)
+
+    def cancel(self):
+        for arm in self._trajectories:
+            self.robot.stop(arm)
 
     def grip(self, arm, percent):
         self.robot.command_gripper(arm, "go", json.dumps({"position": percent}), "/perform",

@@ -141,6 +141,7 @@ def _add_perform(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
     _add_bridge(parser)
     parser.add_argument("--cell", metavar="FILE", help="calibration that `smile ros calibrate` wrote: refuse a table that is not where the scene has it (default: none; the table is not checked)")
     parser.add_argument("--enable", action="store_true", help="switch the motors on, if they are off")
+    parser.add_argument("--start-by-trajectory", action="store_true", help="let the robot's own controller follow the way to the start, as one trajectory (default: it is streamed, as the rest)")
     parser.add_argument("--dry-run", action="store_true", help="check everything and say what would be done, and move nothing")
     parser.add_argument("--page", nargs="?", const=0, type=_port, metavar="PORT", help="serve a page with a red button that stops the robot, to this machine only (default: none; without PORT any that is free)")
     parser.add_argument("--yes", action="store_true", help="do not ask before the robot moves")
@@ -203,7 +204,8 @@ def _perform_brain(options: argparse.Namespace) -> int:
 
 def _drive(link: SeeingLink, model: smile.Model, description: RobotDescription, task: BrainTask, options: argparse.Namespace) -> int:
     page = None if options.page is None or options.dry_run else StopPage(task.brain, options.page)
-    performance = BrainPerformance(link, model, description, task, Watch(tolerance=options.tolerance, silence=options.silence), page)
+    performance = BrainPerformance(link, model, description, task, Watch(tolerance=options.tolerance, silence=options.silence), page,
+                                   options.start_by_trajectory)
     try:
         if options.dry_run:
             fault = dry_run(performance)
@@ -285,7 +287,7 @@ def _perform_on(link: RobotLink, plan: Plan, options: argparse.Namespace) -> int
     page = None if options.page is None else StopPage(plan.title, options.page)
     if not _is_agreed(link, page, options):
         return FAILED
-    outcome = Performance(link, plan, watch, page).perform(lambda line: print(line, flush=True))
+    outcome = Performance(link, plan, watch, page, options.start_by_trajectory).perform(lambda line: print(line, flush=True))
     if page is not None:
         page.close("Performed." if outcome.reason is None else f"Stopped: {outcome.reason}.")
     print(outcome.tracking.table() if outcome.tracking.errors else "nothing was performed")

@@ -150,8 +150,8 @@ class BrainPerformance(WatchedRobot):
     """
 
     def __init__(self, link: RobotLink, model: smile.Model, description: RobotDescription, task: BrainTask, watch: Watch,
-                 supervisor: Supervisor | None = None) -> None:
-        super().__init__(link, description, list(model.arm_names), watch, supervisor)
+                 supervisor: Supervisor | None = None, by_trajectory: bool = False) -> None:
+        super().__init__(link, description, list(model.arm_names), watch, supervisor, by_trajectory)
         self._task, self._table = task, table_of(model)
         camera = None
         if task.camera is not None:

@@ -9,15 +9,20 @@ import os
 import threading
 import time
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
 from smile.ros.bridge import Bridge
 from smile.ros.camera import depth_of, info_topic_of, intrinsics_of, rgb_of
-from smile.ros.link import CameraReading, GripperReading, Reading, SeeingLink
+from smile.ros.joint_path import JointPath
+from smile.ros.link import CameraReading, GripperReading, Reading, SeeingLink, TrajectoryReading
+from smile.ros.trajectory_goal import KIND, action_of, goal_of, reading_of
 
 _CONNECTION_SECONDS = 10.0
+_ACTION_SECONDS = 5.0
+_ADVERTISE_SECONDS = 2.0
+"""from the announcement of a topic to its first message [s]"""
 _MOST_WORDS = 5
 _MOST_JOINTS = 1000
 _SAME_CLOCK = 60.0
@@ -77,6 +82,12 @@ class BridgeLink(SeeingLink):
         self._grippers: dict[str, tuple[int, GripperReading]] = {}
         self._sequences = dict.fromkeys(arms, 0)
         self._words: deque[str] = deque(maxlen=_MOST_WORDS)
+        self._goals: dict[str, str] = {}
+        """by arm: id of the trajectory that was sent last"""
+        self._trajectories: dict[str, tuple[int, str]] = {}
+        """status and words of trajectories, by their ids"""
+        self._serving: set[str] = set()
+        """arms whose action has reported"""
         self._watched: dict[str, dict[str, Any]] = {}
         """the newest messages of the camera that is watched"""
         self._watched_topic, self._has_depth = "", False
@@ -173,6 +184,55 @@ class BridgeLink(SeeingLink):
     def command(self, arm: str, names: Sequence[str], positions: Sequence[float]) -> None:
         self._bridge.publish(f"/robot/limb/{arm}/joint_command", {
             "mode": _POSITION_MODE, "names": list(names), "command": [float(one) for one in positions]})
+
+    def follow(self, paths: Mapping[str, JointPath], tolerance: float) -> None:
+        # An action of ROS 1 consists of topics.
+        new = [arm for arm in paths if arm not in self._serving]
+        for arm in new:
+            self._offer_action(arm)
+        with self._news:
+            self._news.wait_for(lambda: self._serving.issuperset(paths) or self._bridge.fault is not None, _ACTION_SECONDS)
+        if missing := [action_of(arm) for arm in paths if arm not in self._serving]:
+            raise RuntimeError(self._bridge.fault or f"no action {missing[0]} behind {self._bridge.address} within {_ACTION_SECONDS:g} s")
+        if new:
+            # A goal that is sent before the robot listens to its topic is lost; the bridge does not say when that is.
+            time.sleep(_ADVERTISE_SECONDS)
+        stamp = {"secs": 0, "nsecs": 0}
+        for arm, path in paths.items():
+            name = f"{self._name}-{arm}-{time.monotonic_ns()}"
+            self._trajectories[name] = 0, ""
+            self._goals[arm] = name
+            self._bridge.publish(f"{action_of(arm)}/goal", {
+                "header": {"stamp": stamp, "frame_id": ""}, "goal_id": {"stamp": stamp, "id": name}, "goal": goal_of(path, tolerance)})
+
+    def _offer_action(self, arm: str) -> None:
+        action = action_of(arm)
+        self._bridge.advertise(f"{action}/goal", f"{KIND}ActionGoal")
+        self._bridge.advertise(f"{action}/cancel", "actionlib_msgs/GoalID")
+        self._bridge.subscribe(f"{action}/result", f"{KIND}ActionResult", lambda message: self._take_status(message["status"]))
+        self._bridge.subscribe(f"{action}/status", "actionlib_msgs/GoalStatusArray", partial(self._take_statuses, arm))
+
+    def _take_statuses(self, arm: str, message: dict[str, Any]) -> None:
+        with self._news:
+            self._serving.add(arm)
+            self._news.notify_all()
+        for status in _list_of(message["status_list"], "status_list"):
+            self._take_status(status)
+
+    def _take_status(self, status: dict[str, Any]) -> None:
+        name = status["goal_id"]["id"]
+        # Of other programs; or one that is older than the result.
+        if name not in self._trajectories or reading_of(*self._trajectories[name]).is_done:
+            return
+        self._trajectories[name] = int(number_of(status["status"])), str(status["text"])[:300]
+
+    def trajectory(self, arm: str) -> TrajectoryReading:
+        return reading_of(*self._trajectories[self._goals[arm]])
+
+    def cancel(self) -> None:
+        for arm, name in self._goals.items():
+            if not self.trajectory(arm).is_done:
+                self._bridge.publish(f"{action_of(arm)}/cancel", {"stamp": {"secs": 0, "nsecs": 0}, "id": name})
 
     def grip(self, arm: str, percent: float) -> int:
         self._sequences[arm] += 1

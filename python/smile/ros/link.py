@@ -9,6 +9,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from smile.ros.joint_path import JointPath
+
 
 class Reading(NamedTuple):
     """Positions of joints at a time."""
@@ -30,6 +32,15 @@ class GripperReading(NamedTuple):
     """opening: 0 is closed, 100 open"""
     is_moving: bool
     holds: bool
+
+
+class TrajectoryReading(NamedTuple):
+    """State of a trajectory that a robot follows by itself."""
+
+    has_begun: bool
+    is_done: bool
+    fault: str | None
+    """why the robot refused or ended it; None if it did not"""
 
 
 class CameraReading(NamedTuple):
@@ -61,6 +72,23 @@ class RobotLink(ABC):
     @abstractmethod
     def command(self, arm: str, names: Sequence[str], positions: Sequence[float]) -> None:
         """Sends goals of an arm's joints [rad]. An arm without commands stops by itself."""
+
+    @abstractmethod
+    def follow(self, paths: Mapping[str, JointPath], tolerance: float) -> None:
+        """Sends trajectories of all joints of some arms, which their own controllers begin at once.
+
+        tolerance  error of a joint on the way at which a controller ends its trajectory [rad]
+
+        Raises RuntimeError if an arm has no such controller; then nothing was sent.
+        """
+
+    @abstractmethod
+    def trajectory(self, arm: str) -> TrajectoryReading:
+        """Returns the state of the trajectory that was sent last to an arm."""
+
+    @abstractmethod
+    def cancel(self) -> None:
+        """Ends the trajectories that were sent and are not done. Does nothing if there are none."""
 
     @abstractmethod
     def grip(self, arm: str, percent: float) -> int:

@@ -24,6 +24,10 @@ _SETTLE_SECONDS = 2.0
 """time at the end for the joints to arrive [s]"""
 _SETTLED = 0.01
 """[rad]"""
+_TRAJECTORY_SECONDS = 5.0
+"""time that the robot's own controller may take longer [s]"""
+_LATE_SECONDS = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5)
+"""by how much it may begin later [s]"""
 _GRIPPER_TOLERANCE = 5.0
 """[%]"""
 _GRIPPER_PATIENCE = 5.0
@@ -117,15 +121,15 @@ def write_report(outcome: Outcome, plan: Plan, path: str) -> None:
 class WatchedRobot:
     """A robot that is moved, and watched meanwhile: any fault raises Stopped.
 
-    arms   that are moved
-    names  of their joints, in the order of positions
+    arms           that are moved
+    by_trajectory  the robot's own controller follows the way to the start
     """
 
     def __init__(self, link: RobotLink, description: RobotDescription, arms: Sequence[str], watch: Watch,
-                 supervisor: Supervisor | None) -> None:
+                 supervisor: Supervisor | None, by_trajectory: bool) -> None:
         self._link, self._description, self._arms, self._watch = link, description, list(arms), watch
         self._names = [name for arm in self._arms for name in description.arms[arm]]
-        self._supervisor = supervisor or Supervisor()
+        self._supervisor, self._by_trajectory = supervisor or Supervisor(), by_trajectory
         self._last: Reading | None = None
         self._elapsed = 0.0
         self._tracking = Tracking(self._names)
@@ -217,6 +221,7 @@ class WatchedRobot:
     def _hold(self) -> None:
         """Tells the arms to stay where they are. The grippers keep what they hold."""
         assert self._last is not None
+        self._link.cancel()
         if not all(math.isfinite(self._last.positions.get(name, math.nan)) for name in self._names):
             return
         for _ in range(_HOLD_READINGS):
@@ -248,14 +253,45 @@ class WatchedRobot:
         self._last = None
         self.read()
         say(f"moving to the start: {path.duration:.1f} s")
-        self._follow(path, 1.0, lambda time, now: False, None)
+        if self._by_trajectory:
+            self._send(path)
+        else:
+            self._follow(path, 1.0, lambda time, now: False, None)
+
+    def _send(self, path: JointPath) -> None:
+        """Lets the robot's own controllers follow a path, and watches them."""
+        try:
+            self._link.follow({arm: path.ordered(self._description.arms[arm]) for arm in self._arms}, self._watch.tolerance)
+        except RuntimeError as error:
+            raise Stopped(str(error)) from None
+        # Connecting took its time.
+        self._last = None
+        begin = now = self.read().time
+        while True:
+            states = {arm: self._link.trajectory(arm) for arm in self._arms}
+            for arm, state in states.items():
+                if state.fault is not None:
+                    raise Stopped(f"the robot ended the trajectory of the {arm} arm: {state.fault}")
+            if all(state.is_done for state in states.values()):
+                return
+            if now - begin > path.duration + _TRAJECTORY_SECONDS:
+                late = next(arm for arm, state in states.items() if not state.is_done)
+                raise Stopped(f"the robot has not {'ended' if states[late].has_begun else 'begun'} the trajectory of the {late} arm "
+                              f"{_TRAJECTORY_SECONDS:g} s after it should have ended")
+            reading = self.read()
+            now = reading.time
+            # The controllers begin when they have received it.
+            errors = min((self.positions(reading) - path.at(now - begin - late)[0] for late in _LATE_SECONDS),
+                         key=lambda one: float(np.abs(one).max()))
+            self._check(errors, now - begin)
+            self._supervisor.show("Moving to the start", now - begin, path.duration, float(np.abs(errors).max()))
 
 
 class Performance(WatchedRobot):
     """A plan on its way through a robot."""
 
-    def __init__(self, link: RobotLink, plan: Plan, watch: Watch, supervisor: Supervisor | None = None) -> None:
-        super().__init__(link, plan.description, plan.arms, watch, supervisor)
+    def __init__(self, link: RobotLink, plan: Plan, watch: Watch, supervisor: Supervisor | None = None, by_trajectory: bool = False) -> None:
+        super().__init__(link, plan.description, plan.arms, watch, supervisor, by_trajectory)
         self._plan = plan
         self._waiting = list(plan.grippers)
         self._active: list[ActiveGrip] = []

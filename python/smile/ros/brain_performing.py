@@ -159,6 +159,8 @@ class BrainPerformance(WatchedRobot):
             camera = (*view.size, view.intrinsics, task.camera.X_WC)
         self._brain = _native.RobotBrain(model, task.brain, camera, task.camera is not None and task.camera.has_depth, self._look,
                                          task.demonstration, task.timeout)
+        limits = np.array([description.limits[name] for name in self._names])
+        self._bounds = limits[:, 0] - _NEAR_LIMIT, limits[:, 1] + _NEAR_LIMIT
         self._goals = np.zeros(len(self._names))
         self._velocities = np.zeros(len(self._names))
         self._grippers = {arm: GripperGoal(opening) for arm, opening in description.openings.items()}
@@ -368,7 +370,8 @@ class BrainPerformance(WatchedRobot):
             # is no faster than the readings.
             passed = min(period * self._task.speed * TICKS_PER_SECOND, 1.0)
             ticks += passed
-            self._goals = self._goals + self._velocities * (passed * _TICK)
+            # Until the next question it may be a little more than a tick, for which limits were checked.
+            self._goals = np.clip(self._goals + self._velocities * (passed * _TICK), *self._bounds)
             self._command(self._goals)
             before = reading
             reading = self.read()

@@ -259,6 +259,11 @@ class BrainOnRobotTest(unittest.TestCase):
         # Without the time in which the arms waited for the brain, on a loaded machine.
         self.assertAlmostEqual(len(outcome.tracking.times) / 60 - outcome.waits["brain"], 2.5, delta=0.1)
 
+    def test_velocities_are_limited_as_in_simulation(self):
+        outcome = self.perform(self.brain("motor.jointVelocities[0, 0] = 2.5\naux.exit = sensor.simTime >= 0.19"))
+        self.assertIsNone(outcome.reason)
+        self.assertAlmostEqual(self.sim.robot.arms["left"].q[0], 0.3, delta=0.03)  # at 1.5 rad/s
+
     def test_what_no_robot_can_do_is_refused(self):
         for step, init, words in (
                 ("motor.jointAngles = [[0] * 7] * 2", "", "motor puts the left arm at joint angles at once, which no real arm can"),

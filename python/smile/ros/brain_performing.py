@@ -28,8 +28,8 @@ else:
 _TICK = 1 / TICKS_PER_SECOND
 _NEAR_LIMIT = 1e-3
 """a joint may be beyond its limit by so much: encoders are no more exact [rad]"""
-_SPEED_ROUNDING = 1e-6
-"""part of a maximum speed by which a brain may exceed it"""
+_MOST_SPEEDS = 3.0
+"""multiple of a joint's maximum speed that is a mistake"""
 _ANSWER_PART = 0.6
 """part of the time between two readings in which a brain's answer is waited for before the arms are told to stand"""
 _START_PATIENCE = 0.05
@@ -259,10 +259,12 @@ class BrainPerformance(WatchedRobot):
     def _take_commands(self) -> None:
         """Reads the velocities of the next tick, and refuses what the arms must not do."""
         velocities = np.concatenate([self._brain.velocities(k) for k in range(len(self._arms))])
-        for name, value in zip(self._names, velocities):
-            limit = self._description.speed(name)
-            if abs(value) > limit * (1 + _SPEED_ROUNDING):
+        limits = np.array([self._description.speed(name) for name in self._names])
+        for name, value, limit in zip(self._names, velocities, limits):
+            if abs(value) > limit * _MOST_SPEEDS:
                 raise Stopped(f"the brain asks {name} for {value:.2f} rad/s, expected up to {limit:g}")
+        # As in simulation: a brain that catches up with a delay may ask for more.
+        velocities = np.clip(velocities, -limits, limits)
         self._history.append(velocities)
         self._check_accelerations()
         end = self._goals + velocities * _TICK

@@ -57,4 +57,5 @@ PYBIND11_MODULE(smile_simulator_native, m) {
   smile::python::BindViewer(m);
   smile::python::BindHands(m);
   smile::python::BindPages(m);
+  smile::python::BindRobotBrain(m);
 }

@@ -8,8 +8,8 @@
 #include "library/brain_choices.h"
 #include "library/content_routes.h"
 #include "page/control_requests.h"
+#include "page/mesh_route.h"
 #include "studio/background_jobs.h"
-#include "studio/internal_mesh_route.h"
 #include "studio/internal_studio_loop.h"
 #include "studio/library_requests.h"
 #include "studio/pose_stream.h"
@@ -123,9 +123,9 @@ class Studio::Impl {
     // Called by the web server's workers. It uses only parts that any thread may read: the meshes
     // and the content routes, both constructed before the server.
     options.get = [this](const std::string& path) {
-      const auto mesh = ParseMeshPath(path);
+      const auto mesh = page::ParseMeshPath(path);
       if (!mesh) return content_routes_.Get(path);
-      return MeshResponse(session_.MeshBytes(mesh->scene, mesh->mesh));
+      return page::MeshResponse(session_.MeshBytes(mesh->scene, mesh->mesh));
     };
     return options;
   }

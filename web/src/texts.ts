@@ -3,6 +3,7 @@
 
 import type { HandName, Job } from "./protocol";
 import { language, type Language } from "./language";
+import type { SharedEvent } from "./shared/recording";
 import { allOf, anyOf, decimal, named, say } from "./message_format";
 import de from "../../texts/de.json";
 import en from "../../texts/en.json";
@@ -209,6 +210,21 @@ export const texts = {
     cameraOf: (camera: string) => named(t.filming.cameras, camera),
     place: (folder: string, name: string) => say(t.filming.place, { folder, name }),
     downloadOf: (name: string) => say(t.filming.downloadOf, { name }),
+  },
+
+  sharing: {
+    ...t.sharing,
+    title: (title: string) => say(t.sharing.title, { title }),
+    reachable: (origin: string) => say(t.sharing.reachable, { origin }),
+    made: (when: string) => say(t.sharing.made, { when }),
+  },
+
+  shared: {
+    ...t.shared,
+    event: ({ seconds, kind, words, object = "", arm = "", state = "" }: SharedEvent) => {
+      const what = words ?? say(t.shared.what, { kind, object, arm: armName(arm), state });
+      return say(t.shared.event, { seconds, what: capital(what) });
+    },
   },
 
   timeline: {

@@ -25,7 +25,7 @@ const ends = [];
 const browser = new Browser();
 await browser.start();
 try {
-  for (const take of [atTheTable, withLetters, onAPhone, ofManyRobots]) {
+  for (const take of [atTheTable, withLetters, onAPhone, ofManyRobots, ofASharedRecording]) {
     const isWanted = process.argv.length === 2 || process.argv.includes(take.name);
     if (isWanted) await take();
     for (const end of ends.splice(0)) await end();
@@ -150,4 +150,22 @@ async function ofManyRobots() {
   await page.getByRole("region", { name: "Generated sets" }).getByRole("button", { name: "Open" }).click();
   await page.locator(".attempt img").nth(5).waitFor();
   await shoot(desk, "attempts");
+}
+
+/** As a person sees it who has only the link. */
+async function ofASharedRecording() {
+  const desk = await begin({ likes: LIKES });
+  const { studio, page, witness, person } = desk;
+  execFileSync(SMILE, ["run", shipped("scenes/tower.xml"), "--commands", shipped("examples/tower.jsonl"),
+    "--record", join(studio.recordings, "tower"), "--title", "A tower of three"]);
+  await person.showPanel("Library");
+  await page.getByRole("button", { name: /^Actions for/ }).click();
+  await page.getByRole("menuitem", { name: "Share…" }).click();
+  const dialog = page.getByRole("dialog");
+  await person.press("Make a link", dialog);
+  await page.goto(await dialog.getByRole("textbox", { name: "Link" }).inputValue());
+  await page.getByRole("slider", { name: "Moment" }).fill("6");
+  await page.locator(".segment img").first().waitFor();
+  await page.getByRole("heading").first().click(); // the slider is no longer focused
+  await shoot({ page, person: new Person(page, witness) }, "shared");
 }

@@ -22,7 +22,9 @@ std::string KeyOf(const std::filesystem::path& directory) {
 std::shared_ptr<const SharedRecording> SharedRecordings::Find(const std::string& key) {
   const std::lock_guard lock(mutex_);
   const auto found = std::ranges::find(kept_, key, &Kept::first);
-  return found == kept_.end() ? nullptr : found->second;
+  if (found == kept_.end()) return nullptr;
+  std::rotate(found, found + 1, kept_.end());
+  return kept_.back().second;
 }
 
 void SharedRecordings::Keep(Kept made) {

@@ -11,11 +11,11 @@
 
 namespace smile::sharing {
 
-/// Shared recordings: makes them one at a time, and keeps the last ones as long as their files stay
-/// the same. Thread-safe.
+/// Shared recordings: makes them one at a time, and keeps those that were used last, as long as
+/// their files stay the same. Thread-safe.
 class SharedRecordings {
  public:
-  static constexpr std::size_t kMaxKept = 4;
+  static constexpr std::size_t kMaxKept = 16;
   static constexpr int kMaxWaiting = 2;  ///< callers that wait while one is made
 
   /// Returns the recording of a directory; waits until it is made.
@@ -31,7 +31,8 @@ class SharedRecordings {
   std::mutex making_;  ///< held while a recording is made; taken before mutex_
   std::mutex mutex_;   ///< guards all members below
   int num_waiting_ = 0;
-  std::deque<Kept> kept_;  ///< by directory and state of its files, the last one last
+  std::deque<Kept>
+      kept_;  ///< by directory and state of its files, the one that was used last at the end
 };
 
 }  // namespace smile::sharing

@@ -62,13 +62,14 @@ class Watcher {
     const isThere = (wanted) => Math.abs(window.smileStudio.placeOf("RedBlock")[2] - wanted) < 0.01;
     await this.page.waitForFunction(isThere, height);
   }
+}
 
-  async violations() {
-    await this.page.evaluate(AXE);
-    return this.page.evaluate(() =>
-      window.axe.run(document, { resultTypes: ["violations"] }).then(({ violations }) => violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`)),
-    );
-  }
+/** What axe-core has to say of a page. */
+async function violationsOn(page) {
+  await page.evaluate(AXE);
+  return page.evaluate(() =>
+    window.axe.run(document, { resultTypes: ["violations"] }).then(({ violations }) => violations.map(({ id, nodes }) => `${id}: ${nodes[0].html}`)),
+  );
 }
 
 /** The status with which a WebSocket is answered. */
@@ -149,7 +150,7 @@ async function isForEveryone(watcher) {
     await page.emulateMedia({ colorScheme });
     await page.waitForFunction((theme) => document.documentElement.dataset.theme === theme, colorScheme);
     await picture(page, `${colorScheme}-${viewport.width}`);
-    assert.deepEqual(await watcher.violations(), [], `${colorScheme}, ${viewport.width} px`);
+    assert.deepEqual(await violationsOn(page), [], `${colorScheme}, ${viewport.width} px`);
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), viewport.width, "nothing is beside the page");
   }
 }
@@ -170,6 +171,7 @@ test("a shared recording is played in other browsers, and nothing can be changed
   const link = await dialog.getByRole("textbox", { name: "Link" }).inputValue();
   assert.match(link, /^http:\/\/127\.0\.0\.1:\d+\/shared\/[0-9a-f]{32}$/);
   await picture(page, "dialog");
+  assert.deepEqual(await violationsOn(page), []);
   assert.equal((await witness.request("share_links", { recording: id })).ok, false, "watchers of the studio see no links");
 
   const [watcher, other] = [await Watcher.at(studio, link), await Watcher.at(studio, link)];
@@ -195,7 +197,7 @@ test("a shared recording is played in other browsers, and nothing can be changed
     await watcher.page.getByRole("alert").getByText("no longer shared").waitFor();
   }
   await picture(watcher.page, "gone");
-  assert.deepEqual(await watcher.violations(), []);
+  assert.deepEqual(await violationsOn(watcher.page), []);
   assert.deepEqual([...watcher.complaints, ...other.complaints], []);
 });
 

@@ -314,6 +314,26 @@ TEST_F(SharingTest, APageGetsTheRecordedMotionAndNothingThatWasUndone) {
   EXPECT_TRUE(track.is_at_end());
 }
 
+TEST_F(SharingTest, KeepsTheRecordingsThatAreWatched) {
+  RecordAs("demo", R"({"do":"wait","seconds":0.1})");
+  SharedRecordings recordings;
+  const fs::path demo = library_.root() / "demo";
+  const auto watched = recordings.Get(demo);
+  for (std::size_t k = 0; k < 2 * SharedRecordings::kMaxKept; ++k) {
+    const fs::path other = root_ / ("other" + std::to_string(k));
+    fs::copy(demo, other, fs::copy_options::recursive);
+    (void)recordings.Get(other);
+    EXPECT_EQ(recordings.Get(demo), watched) << k;
+  }
+  recording::Retitle(demo, "Another title", std::nullopt);
+  EXPECT_NE(recordings.Get(demo), watched) << "it has changed";
+  std::weak_ptr<const SharedRecording> left = recordings.Get(root_ / "other0");
+  for (std::size_t k = 1; k <= SharedRecordings::kMaxKept; ++k) {
+    (void)recordings.Get(root_ / ("other" + std::to_string(k)));
+  }
+  EXPECT_TRUE(left.expired()) << "memory is bounded";
+}
+
 TEST(PoseTrack, BoundsItsLengthAndTheWorld) {
   PoseTrack track("trace.bin", 0.1);
   scene::FramePoses poses(2);

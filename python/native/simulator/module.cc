@@ -56,4 +56,5 @@ PYBIND11_MODULE(smile_simulator_native, m) {
   smile::python::BindEpisode(m);
   smile::python::BindViewer(m);
   smile::python::BindHands(m);
+  smile::python::BindPages(m);
 }

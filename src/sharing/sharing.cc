@@ -83,7 +83,7 @@ std::optional<HttpResponse> Sharing::Get(const std::string& path) {
   const std::string secret = path.substr(kPrefix.size(), end - kPrefix.size());
   try {
     // The same page for any secret: it asks for the recording, and says if there is none.
-    if (end == path.size()) return GetPage();
+    if (end + 1 >= path.size()) return GetPage();
     const auto link = links_.Find(secret);
     return link ? GetPart(*link, path.substr(end)) : std::nullopt;
   } catch (const library::LibraryError&) {

@@ -174,7 +174,7 @@ test("a shared recording is played in other browsers, and nothing can be changed
   assert.deepEqual(await violationsOn(page), []);
   assert.equal((await witness.request("share_links", { recording: id })).ok, false, "watchers of the studio see no links");
 
-  const [watcher, other] = [await Watcher.at(studio, link), await Watcher.at(studio, link)];
+  const [watcher, other] = [await Watcher.at(studio, link), await Watcher.at(studio, `${link}/`)];
   await Promise.all([watcher.isShown(), other.isShown()]);
   const title = await watcher.page.getByRole("heading", { level: 1 }).textContent();
   assert.equal(await watcher.page.title(), title);
@@ -192,7 +192,7 @@ test("a shared recording is played in other browsers, and nothing can be changed
 
   await person.press("Stop sharing", dialog);
   await dialog.getByText("This recording has no link.").waitFor();
-  for (const gone of [link, `${new URL("/shared/", link).href}${"0".repeat(32)}`]) {
+  for (const gone of [link, `${link}/`, link.slice(0, -1), new URL("/shared/", link).href, `${new URL("/shared/", link).href}${"0".repeat(32)}`]) {
     await watcher.page.goto(gone);
     await watcher.page.getByRole("alert").getByText("no longer shared").waitFor();
   }

@@ -1,4 +1,4 @@
-// Builds the pages of the studio and of studies: node build.mjs [FOLDER], by default dist.
+// Builds the pages of the studio, of studies and of shared recordings: node build.mjs [FOLDER], by default dist.
 import { build } from "esbuild";
 import { cpSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -46,4 +46,10 @@ await buildPage(join(out, "study"), {
   script: "src/study/main.tsx",
   style: "styles/study.css",
   files: [["study.html", "index.html"], ["icon.svg", "icon.svg"]],
+});
+await buildPage(join(out, "shared"), {
+  name: "shared",
+  script: "src/shared/main.tsx",
+  style: "styles/shared.css",
+  files: [["shared.html", "index.html"], ["icon.svg", "icon.svg"]],
 });

@@ -90,7 +90,7 @@ std::vector<std::string> CameraArguments(const page::RequestFields& fields) {
 DatasetRequests::DatasetRequests(DatasetOptions options, const library::Library* library)
     : options_(std::move(options)), library_(library), sets_(library->root()) {}
 
-void DatasetRequests::AddTo(page::RequestTable* table, const InBackground& in_background) {
+void DatasetRequests::AddTo(page::RequestTable* table, const page::InBackground& in_background) {
   AddReading(table, in_background);
   const auto add = [table, this](const char* name,
                                  Json (DatasetRequests::*member)(const page::Request&)) {
@@ -134,7 +134,8 @@ void DatasetRequests::AddTidying(page::RequestTable* table) {
   }};
 }
 
-void DatasetRequests::AddReading(page::RequestTable* table, const InBackground& in_background) {
+void DatasetRequests::AddReading(page::RequestTable* table,
+                                 const page::InBackground& in_background) {
   table->requests["jobs"] = {[this](const page::Request&) { return Describe(); },
                              /*is_for_anyone=*/true};
   const auto list = [this, in_background](const page::Request& request) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,9 +22,6 @@ struct DatasetOptions {
   std::vector<std::filesystem::path> brains;  ///< folders, searched in order
 };
 
-/// Answers a request in the background by what `work` returns; the library's thread does not wait.
-using InBackground = std::function<void(const page::Request& request, std::function<Json()> work)>;
-
 /// Makes generated sets and datasets in the folder of a library, as pages request it.
 class DatasetRequests {
  public:
@@ -37,10 +33,10 @@ class DatasetRequests {
   DatasetRequests(DatasetOptions options, const library::Library* library);
 
   /// Adds the requests about jobs and generated sets. This must outlive the table.
-  void AddTo(page::RequestTable* table, const InBackground& in_background);
+  void AddTo(page::RequestTable* table, const page::InBackground& in_background);
 
  private:
-  void AddReading(page::RequestTable* table, const InBackground& in_background);
+  void AddReading(page::RequestTable* table, const page::InBackground& in_background);
   void AddTidying(page::RequestTable* table);
   Json Describe() const;
   Json Generate(const page::Request& request);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <ctime>
 #include <fstream>
 #include <system_error>
 #include <tuple>
@@ -17,6 +16,7 @@
 #include "base/wording.h"
 #include "library/internal_zip.h"
 #include "library/timeline.h"
+#include "library/utc_text.h"
 #include "recording/append_file.h"
 #include "recording/recording.h"
 #include "recording/recording_names.h"
@@ -84,15 +84,6 @@ std::optional<fs::path> AttemptIn(const fs::path& generated, const std::string& 
     if (IsRecordingIn(folder / attempt, "imitation")) return folder / attempt / "imitation";
   }
   return std::nullopt;
-}
-
-/// Returns a time in ISO 8601, UTC.
-std::string TimeText(std::int64_t nanoseconds) {
-  const std::time_t seconds = nanoseconds / 1'000'000'000LL;
-  std::tm utc{};
-  char text[40];
-  if (gmtime_r(&seconds, &utc) == nullptr) return "";
-  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
 }
 
 /// Returns the tick of the last frame of the classic view; nullopt if it has none. Reads only the
@@ -234,7 +225,7 @@ Json Library::List() const {
     now.entry = is_known ? before->second.entry : EntryOf(place.directory);
     Json entry = {{"id", place.id}};
     entry.update(now.entry);
-    entry["made"] = TimeText(place.recorded);
+    entry["made"] = UtcText(place.recorded);
     entry["binned"] = place.is_binned;
     list.push_back(std::move(entry));
   }

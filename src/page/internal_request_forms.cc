@@ -138,7 +138,8 @@ std::vector<RequestForm> LibraryRequests() {
       {"bin",
        {recording},
        {recording},
-       "moves a recording to the bin and returns its new id. Refused for a recording in progress"},
+       "moves a recording to the bin, which ends its links, and returns its new id. Refused for a "
+       "recording in progress"},
       {"unbin",
        {recording},
        {recording},
@@ -265,6 +266,24 @@ std::vector<RequestForm> DatasetRequests() {
        true}};
 }
 
+/// Requests about links to single recordings.
+std::vector<RequestForm> SharingRequests() {
+  const JsonMember recording{"recording", TextShape()};
+  return {
+      {"share",
+       {recording},
+       {{"link", ShareLinkShape()}},
+       "makes a new secret link to this recording, see below"},
+      {"share_links",
+       {recording},
+       {{"links", JsonShape::List(ShareLinkShape())},
+        {"origin", TextShape(), true, "a link is `ORIGIN/shared/SECRET`"},
+        {"is_local", FlagShape(), true, "links work on this machine only"}},
+       "the links of this recording, oldest first"},
+      {"stop_sharing", {recording, {"secret", TextShape()}}, {}, "ends a link for good"},
+  };
+}
+
 /// Requests that show a recording in place of the live world.
 std::vector<RequestForm> PlaybackRequests() {
   const JsonMember recording{"recording", TextShape()};
@@ -337,7 +356,7 @@ std::vector<RequestForm> MakeRequestForms() {
   std::vector<RequestForm> all;
   for (const auto& forms :
        {ConnectionRequests(), WorldRequests(), SceneRequests(), LibraryRequests(),
-        DatasetRequests(), PlaybackRequests(), BrainRequests()}) {
+        DatasetRequests(), SharingRequests(), PlaybackRequests(), BrainRequests()}) {
     all.insert(all.end(), forms.begin(), forms.end());
   }
   return all;

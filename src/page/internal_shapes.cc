@@ -207,4 +207,9 @@ JsonShape LibraryEntryShape() {
       .Called("LibraryEntry");
 }
 
+JsonShape ShareLinkShape() {
+  return ObjectShape({{"secret", TextShape()}, {"made", TextShape(), true, "ISO 8601, UTC"}})
+      .Called("ShareLink");
+}
+
 }  // namespace smile::page

@@ -41,5 +41,6 @@ JsonShape AllowedShape();
 JsonShape DiagnosticShape();
 JsonShape ConsoleLineShape();
 JsonShape LibraryEntryShape();
+JsonShape ShareLinkShape();
 
 }  // namespace smile::page

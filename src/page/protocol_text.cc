@@ -56,6 +56,7 @@ std::vector<NamedShape> NamedShapes() {
           {ConflictShape()},
           {TimelineShape(), "All times are from the start [s]."},
           {LibraryEntryShape()},
+          {ShareLinkShape(), "Link at which anyone who has it sees one recording."},
           {GeneratedSetShape()},
           {SetAttemptShape(), "Attempt at an episode of a generated set."},
           {VariationShape(), "What can differ between the attempts of a set."},

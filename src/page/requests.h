@@ -48,6 +48,9 @@ struct DeferredMessage {
   Json message;
 };
 
+/// Answers a request in the background by what `work` returns; the caller does not wait.
+using InBackground = std::function<void(const Request& request, std::function<Json()> work)>;
+
 /// Request table: the handlers of all requests. Each part of the program adds its own.
 struct RequestTable {
   struct RegisteredRequest {

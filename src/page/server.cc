@@ -24,6 +24,7 @@ web_server::WebServerOptions WebOptions(ServerOptions options) {
           .cookie = "smile_studio",
           .files = options.page,
           .get = std::move(options.get),
+          .public_prefix = std::move(options.public_prefix),
           .may_be_framed = options.may_be_framed,
           .tls = options.tls,
           .limits = {.message_bytes = options.limits.message_bytes,
@@ -54,6 +55,8 @@ Server::Server(ServerOptions options) : impl_(std::make_unique<Impl>(std::move(o
 Server::~Server() = default;
 
 std::string Server::link() const { return impl_->web()->link(); }
+std::string Server::origin() const { return impl_->web()->origin(); }
+bool Server::is_loopback() const { return impl_->web()->is_loopback(); }
 
 std::vector<Request> Server::TakeRequests() {
   std::vector<Request> requests = impl_->clients()->TakeRequests();

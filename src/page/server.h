@@ -32,6 +32,7 @@ struct ServerOptions {
   int port = 0;                       ///< 0: the first free one from 8470 on
   std::filesystem::path page;
   web_server::HttpHandler get;  ///< for all other paths; may be empty
+  std::string public_prefix;    ///< of paths that need no token, see WebServerOptions
   /// Pages of other origins may show this one in a frame. Only for pages that can change nothing:
   /// otherwise a foreign page could make people click in it.
   bool may_be_framed = false;
@@ -60,6 +61,10 @@ class Server {
 
   /// Returns the link, such as `http://127.0.0.1:8470/`, with a token if one is required.
   std::string link() const;
+  /// Returns the beginning of all links: `http://127.0.0.1:8470`.
+  std::string origin() const;
+  /// Returns true if no other machine can connect.
+  bool is_loopback() const;
 
   /// Returns the requests since the last call: all of the controller, in order, and one of each
   /// watcher, so that many watchers do not delay the controller. The server itself carries out

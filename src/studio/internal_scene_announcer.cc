@@ -1,6 +1,6 @@
 #include "studio/internal_scene_announcer.h"
 
-#include "studio/scene_message.h"
+#include "page/scene_message.h"
 
 namespace smile::studio {
 
@@ -17,7 +17,7 @@ Json SceneAnnouncer::Announce(const model::Model& model, const std::vector<int>&
 }
 
 Json SceneAnnouncer::Describe(const model::Model& model, const std::vector<int>& variants) const {
-  return SceneMessage(number_, model, *present_, variants);
+  return page::SceneMessage(number_, model, *present_, variants);
 }
 
 std::optional<Json> SceneAnnouncer::UpdateVariants(const std::vector<int>& variants) {

@@ -31,7 +31,7 @@ class SceneAnnouncer {
  private:
   std::uint32_t number_ = 0;
   SceneMeshes meshes_;
-  std::shared_ptr<const PageMeshes> present_;
+  std::shared_ptr<const page::PageMeshes> present_;
   std::vector<int> sent_variants_;
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "studio/scene_message.h"
+#include "page/scene_message.h"
 
 namespace smile::studio {
 namespace {
@@ -69,7 +69,7 @@ Json RestingPlace::Answer(const sim::Simulation& simulation, sim::HandName hand,
   // hundredth of a millimeter decides.
   answer_ = {
       {"hand", ToString(hand)}, {"pose", nullptr}, {"stale", IsAnythingMoving(simulation, hand)}};
-  if (X_WB) answer_["pose"] = PoseInUnits(*X_WB, simulation.scene().meters_per_unit);
+  if (X_WB) answer_["pose"] = page::PoseInUnits(*X_WB, simulation.scene().meters_per_unit);
   return answer_;
 }
 

@@ -8,6 +8,7 @@
 #include "brain/brain_log.h"
 #include "library/library.h"
 #include "model/chosen_eye.h"
+#include "page/scene_message.h"
 #include "studio/internal_brain_requests.h"
 #include "studio/internal_console_updates.h"
 #include "studio/internal_eye_preview.h"
@@ -19,7 +20,6 @@
 #include "studio/internal_state_announcer.h"
 #include "studio/internal_state_machine.h"
 #include "studio/internal_world_requests.h"
-#include "studio/scene_message.h"
 
 namespace smile::studio {
 namespace {
@@ -276,7 +276,7 @@ Json Session::Impl::DescribeState() const {
   // Markers are points for people; in playback they remain those of the live world.
   state_message["markers"] = Json::array();
   for (const Vector3& point : world.markers()) {
-    state_message["markers"].push_back(PointInUnits(point, unit));
+    state_message["markers"].push_back(page::PointInUnits(point, unit));
   }
   return state_message;
 }

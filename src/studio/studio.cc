@@ -8,8 +8,9 @@
 #include "library/brain_choices.h"
 #include "library/content_routes.h"
 #include "page/control_requests.h"
+#include "page/mesh_route.h"
+#include "sharing/sharing.h"
 #include "studio/background_jobs.h"
-#include "studio/internal_mesh_route.h"
 #include "studio/internal_studio_loop.h"
 #include "studio/library_requests.h"
 #include "studio/pose_stream.h"
@@ -94,15 +95,21 @@ class Studio::Impl {
   explicit Impl(const StudioOptions& options)
       : library_(options.session.recordings),
         datasets_(DatasetOptionsOf(options), &library_),
+        sharing_({.page = options.server.page / "shared",
+                  .content = [this](const std::string& path) { return content_routes_.Get(path); }},
+                 &library_),
         session_(WithJobs(options.session, &jobs_)),
         content_routes_(ContentRoutesOptionsOf(options.session)),
         server_(WithAnswers(options.server)),
         loop_(&session_, &server_) {
     AddLibraryRequests(&library_, &jobs_, session_.table());
-    datasets_.AddTo(session_.table(), [this](const page::Request& request, auto work) {
+    const auto in_background = [this](const page::Request& request, auto work) {
       jobs_.Begin(
           {.request = request, .work = [work](const recording::Progress&) { return work(); }});
-    });
+    };
+    datasets_.AddTo(session_.table(), in_background);
+    sharing_.AddTo(session_.table(),
+                   {.origin = server_.origin(), .is_local = server_.is_loopback()}, in_background);
     page::AddControlRequests(session_.table());
     Restrict(options.refuse, session_.table());
   }
@@ -120,20 +127,23 @@ class Studio::Impl {
 
  private:
   page::ServerOptions WithAnswers(page::ServerOptions options) {
-    // Called by the web server's workers. It uses only parts that any thread may read: the meshes
-    // and the content routes, both constructed before the server.
+    options.public_prefix = sharing::kPublicPrefix;
+    // Called by the web server's workers. It uses only parts that any thread may read: the meshes,
+    // shared recordings and the content routes, all constructed before the server.
     options.get = [this](const std::string& path) {
-      const auto mesh = ParseMeshPath(path);
+      if (path.starts_with(sharing::kPublicPrefix)) return sharing_.Get(path);
+      const auto mesh = page::ParseMeshPath(path);
       if (!mesh) return content_routes_.Get(path);
-      return MeshResponse(session_.MeshBytes(mesh->scene, mesh->mesh));
+      return page::MeshResponse(session_.MeshBytes(mesh->scene, mesh->mesh));
     };
     return options;
   }
 
   // Destroyed from the last to the first: the loop and the server's threads end before the session
-  // that they serve, and jobs before the library that they read.
+  // that they serve, and jobs before what they work on.
   library::Library library_;
   datasets::DatasetRequests datasets_;
+  sharing::Sharing sharing_;
   BackgroundJobs jobs_;
   SessionAdapter session_;
   library::ContentRoutes content_routes_;

@@ -3,7 +3,7 @@
 #include <thread>
 #include <utility>
 
-#include "studio/internal_mesh_route.h"
+#include "page/mesh_route.h"
 #include "studio/internal_studio_loop.h"
 #include "studio/internal_viewer_session.h"
 
@@ -34,8 +34,8 @@ class Viewer::Impl {
         return web_server::HttpResponse{.type = "application/json",
                                         .body = R"({"scenes":[],"presets":[]})"};
       }
-      const auto mesh = ParseMeshPath(path);
-      return mesh ? MeshResponse(session_.MeshBytes(mesh->scene, mesh->mesh)) : std::nullopt;
+      const auto mesh = page::ParseMeshPath(path);
+      return mesh ? page::MeshResponse(session_.MeshBytes(mesh->scene, mesh->mesh)) : std::nullopt;
     };
     return options;
   }

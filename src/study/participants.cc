@@ -1,17 +1,15 @@
 #include "study/participants.h"
 
-#include <sys/random.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <stdexcept>
 #include <utility>
 
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "base/json_node.h"
 #include "web_server/digest.h"
+#include "web_server/secret.h"
 
 namespace smile::study {
 namespace {
@@ -20,22 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kStudyFile = "study.json";
 constexpr const char* kTokenFile = "token";
-constexpr std::size_t kTokenBytes = 16, kMaxSmallFile = 64 << 10;
-
-/// Returns 128 random bits of the system as 32 hexadecimal digits.
-std::string MakeToken() {
-  constexpr std::string_view kHexDigits = "0123456789abcdef";
-  std::array<unsigned char, kTokenBytes> bytes{};
-  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    throw std::runtime_error("no random numbers are available for a token");
-  }
-  std::string token;
-  for (const unsigned char byte : bytes) {
-    token += kHexDigits[byte >> 4];
-    token += kHexDigits[byte & 15];
-  }
-  return token;
-}
+constexpr std::size_t kMaxSmallFile = 64 << 10;
 
 }  // namespace
 
@@ -116,7 +99,7 @@ void StudyData::Add(int count) {
     const fs::path folder = folder_ / ParticipantId(num_issued_ + 1);
     MakeDirectories(folder);
     WriteFile(folder / "events.jsonl", "");
-    WriteFile(folder / kTokenFile, MakeToken());
+    WriteFile(folder / kTokenFile, web_server::RandomSecret());
     ++num_issued_;
     // Last, so that a number that was issued has all its files.
     WriteIssued();

@@ -1,12 +1,12 @@
 #include "web_server/internal_access_policy.h"
 
 #include <arpa/inet.h>
-#include <sys/random.h>
 #include <unistd.h>
 
 #include <array>
-#include <stdexcept>
 #include <utility>
+
+#include "web_server/secret.h"
 
 // The rules of access, checked for each request before anything else. They protect from three
 // parties: pages of other sites in the user's own browser (Origin), foreign names that resolve to
@@ -14,19 +14,6 @@
 
 namespace smile::web_server {
 namespace {
-
-/// Returns a token of 128 random bits, as 32 hexadecimal digits.
-std::string RandomToken() {
-  constexpr std::string_view kHexDigits = "0123456789abcdef";
-  std::array<unsigned char, 16> bytes{};
-  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    throw std::runtime_error("no random numbers are available for a token");
-  }
-  std::string token;
-  for (const unsigned char byte : bytes)
-    token.append({kHexDigits[byte >> 4], kHexDigits[byte & 15]});
-  return token;
-}
 
 std::string NameOfMachine() {
   std::array<char, 256> name{};
@@ -53,10 +40,15 @@ bool IsAddressNumber(const std::string& name) {
 AccessPolicy::AccessPolicy(Config config)
     : config_(std::move(config)),
       machine_(NameOfMachine()),
-      token_(config_.is_loopback || !config_.needs_token ? "" : RandomToken()) {}
+      token_(config_.is_loopback || !config_.needs_token ? "" : RandomSecret()) {}
 
 std::string AccessPolicy::link() const {
-  if (!config_.public_origin.empty()) return config_.public_origin + "/";
+  if (!config_.public_origin.empty()) return origin() + "/";
+  return origin() + "/" + (token_.empty() ? "" : "?token=" + token_);
+}
+
+std::string AccessPolicy::origin() const {
+  if (!config_.public_origin.empty()) return config_.public_origin;
   std::string host = config_.address;
   // All addresses of this machine are no address to connect to; its name usually is one.
   if (host == "0.0.0.0" || host == "::") {
@@ -64,8 +56,7 @@ std::string AccessPolicy::link() const {
   } else if (host.find(':') != std::string::npos) {
     host = "[" + host + "]";
   }
-  return scheme() + host + ":" + std::to_string(config_.port) + "/" +
-         (token_.empty() ? "" : "?token=" + token_);
+  return scheme() + host + ":" + std::to_string(config_.port);
 }
 
 bool AccessPolicy::IsOwnHost(std::string_view host) const {
@@ -81,38 +72,30 @@ bool AccessPolicy::IsOwnHost(std::string_view host) const {
   return name == "::1" || (name.starts_with("127.") && IsAddressNumber(name));
 }
 
-bool AccessPolicy::IsToken(std::string_view text) const {
-  // Comparison in constant time: its duration reveals nothing about the matching digits.
-  if (text.size() != token_.size()) return false;
-  unsigned difference = 0;
-  for (std::size_t k = 0; k < token_.size(); ++k) {
-    difference |= static_cast<unsigned char>(text[k]) ^ static_cast<unsigned char>(token_[k]);
-  }
-  return difference == 0;
-}
-
 void AccessPolicy::Check(const HttpRequest& request) const {
   const std::string_view host = request.Header("host");
   if (!IsOwnHost(host)) throw HttpError(403, "this server does not have the requested address");
   // Browsers send `Origin` with requests from pages; requests of other programs have none.
   const std::string_view origin = request.Header("origin");
   // A proxy may pass the name of the public server on, or replace it by that of this one.
-  const bool is_public =
+  const bool is_by_proxy =
       !config_.public_origin.empty() && LowerCase(origin) == config_.public_origin;
-  if (!origin.empty() && !is_public && LowerCase(origin) != scheme() + LowerCase(host)) {
+  if (!origin.empty() && !is_by_proxy && LowerCase(origin) != scheme() + LowerCase(host)) {
     throw HttpError(403, "pages of other sites have no access to this server");
   }
+  const bool is_public =
+      !config_.public_prefix.empty() && request.path.starts_with(config_.public_prefix);
   // A browser presents the token once in the link and afterwards in a cookie; other programs may
   // put it into each request.
-  if (token_.empty() || IsToken(request.Parameter("token")) ||
-      IsToken(request.Cookie(cookie_name()))) {
+  if (token_.empty() || is_public || IsSecret(request.Parameter("token"), token_) ||
+      IsSecret(request.Cookie(cookie_name()), token_)) {
     return;
   }
   throw HttpError(403, "open the link that the program printed: it contains a token");
 }
 
 std::string AccessPolicy::CookieFor(const HttpRequest& request) const {
-  if (token_.empty() || !IsToken(request.Parameter("token"))) return {};
+  if (token_.empty() || !IsSecret(request.Parameter("token"), token_)) return {};
   // Scripts cannot read the cookie, and other sites cannot make the browser send it. Its name has
   // the port, since browsers share cookies among all ports of a machine.
   return cookie_name() + "=" + token_ + "; HttpOnly; SameSite=Strict; Path=/" +

@@ -19,12 +19,15 @@ class AccessPolicy {
     bool is_tls = false;
     bool needs_token = true;    ///< unless it is_loopback
     std::string public_origin;  ///< of a proxy in front of the server; empty without one
+    std::string public_prefix;  ///< of the paths that need no token; empty without any
     std::string cookie;         ///< name of the token's cookie, followed by the port
   };
   explicit AccessPolicy(Config config);
 
   /// Returns the link, such as `http://127.0.0.1:8470/`, with the token if one is required.
   std::string link() const;
+  /// Returns the beginning of all links: `http://127.0.0.1:8470`.
+  std::string origin() const;
   /// @throws HttpError if the request must not be answered.
   void Check(const HttpRequest& request) const;
   /// Returns the value of `Set-Cookie` by which a browser stores the token of this request's query;
@@ -33,7 +36,6 @@ class AccessPolicy {
 
  private:
   bool IsOwnHost(std::string_view host) const;
-  bool IsToken(std::string_view text) const;
   std::string scheme() const { return config_.is_tls ? "https://" : "http://"; }
   std::string cookie_name() const { return config_.cookie + "_" + std::to_string(config_.port); }
 

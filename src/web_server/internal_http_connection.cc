@@ -82,7 +82,12 @@ HttpReply ContentReply(HttpResponse response) {
     reply.headers.emplace_back("Content-Disposition", "attachment; filename*=UTF-8''" +
                                                           PercentEncoded(response.file_name));
   }
-  reply.body = std::make_shared<const std::string>(std::move(response.body));
+  if (response.gzipped != nullptr) {
+    reply.headers.emplace_back("Content-Encoding", "gzip");
+    reply.body = std::move(response.gzipped);
+  } else {
+    reply.body = std::make_shared<const std::string>(std::move(response.body));
+  }
   return reply;
 }
 

@@ -60,6 +60,7 @@ class WebServer::Impl {
                  .is_tls = options_.tls.has_value(),
                  .needs_token = options_.needs_token,
                  .public_origin = options_.public_origin,
+                 .public_prefix = options_.public_prefix,
                  .cookie = options_.cookie}),
         connections_(options_.limits.connections),
         services_{.context = &context_,
@@ -86,6 +87,8 @@ class WebServer::Impl {
   }
 
   std::string link() const { return access_.link(); }
+  std::string origin() const { return access_.origin(); }
+  bool is_loopback() const { return listening_.is_loopback; }
 
   void Resume() {
     // One turn of the server's thread handles everything before it, so calls are merged.
@@ -175,6 +178,8 @@ WebServer::WebServer(WebServerOptions options, WebSocketHandler* handler)
 WebServer::~WebServer() = default;
 
 std::string WebServer::link() const { return impl_->link(); }
+std::string WebServer::origin() const { return impl_->origin(); }
+bool WebServer::is_loopback() const { return impl_->is_loopback(); }
 void WebServer::Resume() { impl_->Resume(); }
 
 }  // namespace smile::web_server

@@ -25,6 +25,10 @@ class WebServer {
 
   /// Returns the link, such as `http://127.0.0.1:8470/`, with the token if one is required.
   std::string link() const;
+  /// Returns the beginning of all links: `http://127.0.0.1:8470`.
+  std::string origin() const;
+  /// Returns true if no other machine can connect.
+  bool is_loopback() const;
   /// Asks the handler for messages, and if paused clients may send again. May be called from any
   /// thread; returns at once.
   void Resume();

@@ -52,6 +52,9 @@ struct WebServerOptions {
   /// Clients of other machines need the token in link(). False if paths contain secrets of their
   /// own.
   bool needs_token = true;
+  /// Prefix of paths that need no token in any case: what they lead to is public, or they contain
+  /// secrets of their own. Empty: none.
+  std::string public_prefix;
   /// Where browsers find this server if a proxy passes their requests on, as from OriginOf(); empty
   /// without one. As the proxy's clients may be anywhere, paths must contain secrets of their own.
   std::string public_origin;

@@ -139,6 +139,13 @@ export interface LibraryEntry {
   binned: boolean;
 }
 
+/** Link at which anyone who has it sees one recording. */
+export interface ShareLink {
+  secret: string;
+  /** ISO 8601, UTC */
+  made: string;
+}
+
 export interface GeneratedSet {
   name: string;
   /** the demonstration; null: unknown */
@@ -419,6 +426,9 @@ export interface Requests {
   unbin_set: { fields: { set: string }; answer: { set: string } };
   sets: { fields: object; answer: { sets: GeneratedSet[] } };
   open_set: { fields: { set: string }; answer: { set: GeneratedSet; attempts: SetAttempt[] } };
+  share: { fields: { recording: string }; answer: { link: ShareLink } };
+  share_links: { fields: { recording: string }; answer: { links: ShareLink[]; origin: string; is_local: boolean } };
+  stop_sharing: { fields: { recording: string; secret: string }; answer: object };
   show: { fields: { recording: string; seconds?: number }; answer: { length: number } };
   play: { fields: { rate?: number }; answer: object };
   live: { fields: object; answer: object };

@@ -6,6 +6,7 @@ import { language, type Language } from "./language";
 import { allOf, anyOf, decimal, named, say } from "./message_format";
 import de from "../../texts/de.json";
 import en from "../../texts/en.json";
+import type { SharedEvent } from "./shared/recording";
 
 const tables: Record<Language, typeof en> = { en, de };
 const t = tables[language];
@@ -242,6 +243,21 @@ export const texts = {
     anyOrder: (isAll: boolean) => say(t.analysis.anyOrder, { all: yes(isAll) }),
     enough: (numbers: number[]) => say(t.analysis.enough, { numbers: numbers.join(", ") }),
     nameOf: (recording: string) => say(t.analysis.nameOf, { recording }),
+  },
+
+  sharing: {
+    ...t.sharing,
+    title: (title: string) => say(t.sharing.title, { title }),
+    reachable: (origin: string) => say(t.sharing.reachable, { origin }),
+    made: (when: string) => say(t.sharing.made, { when }),
+  },
+
+  shared: {
+    ...t.shared,
+    event: ({ seconds, kind, words, object = "", arm = "", state = "" }: SharedEvent) => {
+      const what = words ?? say(t.shared.what, { kind, object, arm: armName(arm), state });
+      return say(t.shared.event, { seconds, what: capital(what) });
+    },
   },
 
   measure: {

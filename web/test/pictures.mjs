@@ -26,7 +26,7 @@ const ends = [];
 const browser = new Browser();
 await browser.start();
 try {
-  for (const take of [atTheTable, withLetters, onAPhone, ofManyRobots, inMujoco]) {
+  for (const take of [atTheTable, withLetters, onAPhone, ofManyRobots, ofASharedRecording, inMujoco]) {
     const isWanted = process.argv.length === 2 || process.argv.includes(take.name);
     if (isWanted) await take();
     for (const end of ends.splice(0)) await end();
@@ -165,4 +165,22 @@ async function inMujoco() {
   const [x, y, z] = witness.positionOf("red");
   await person.carryAbove("blue", [x, y, z + 1.6]);
   await shoot({ page, person }, "simulators/mujoco-page");
+}
+
+/** As a person sees it who has only the link. */
+async function ofASharedRecording() {
+  const desk = await begin({ likes: LIKES });
+  const { studio, page, witness, person } = desk;
+  execFileSync(SMILE, ["run", shipped("scenes/tower.xml"), "--commands", shipped("examples/tower.jsonl"),
+    "--record", join(studio.recordings, "tower"), "--title", "A tower of three"]);
+  await person.showPanel("Library");
+  await page.getByRole("button", { name: /^Actions for/ }).click();
+  await page.getByRole("menuitem", { name: "Share…" }).click();
+  const dialog = page.getByRole("dialog");
+  await person.press("Make a link", dialog);
+  await page.goto(await dialog.getByRole("textbox", { name: "Link" }).inputValue());
+  await page.getByRole("slider", { name: "Moment" }).fill("6");
+  await page.locator(".segment img").first().waitFor();
+  await page.getByRole("heading").first().click(); // the slider is no longer focused
+  await shoot({ page, person: new Person(page, witness) }, "studio-shared");
 }

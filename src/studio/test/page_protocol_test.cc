@@ -5,6 +5,7 @@
 #include "datasets/dataset_requests.h"
 #include "page/protocol_text.h"
 #include "session_fixture.h"
+#include "sharing/sharing.h"
 #include "sim/action_summary.h"
 #include "studio/library_requests.h"
 
@@ -20,6 +21,8 @@ TEST_F(PageProtocol, NamesEveryRequestAndWhoMaySendIt) {
   AddLibraryRequests(&library, &*jobs_, &table);
   datasets::DatasetRequests datasets({}, &library);
   datasets.AddTo(&table, {});
+  sharing::Sharing sharing({}, &library);
+  sharing.AddTo(&table, {}, {});
   // Those of the connection itself; see server_test.cc.
   std::map<std::string, bool> done = {{"hello", true},
                                       {"ping", true},

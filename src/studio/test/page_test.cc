@@ -4,11 +4,11 @@
 
 #include "base/bytes.h"
 #include "base/files.h"
+#include "page/scene_message.h"
 #include "recording/view_sample.h"
 #include "robot/urdf_reader.h"
 #include "scene_xml/scene_reader.h"
 #include "studio/pose_stream.h"
-#include "studio/scene_message.h"
 
 namespace smile::studio {
 namespace {
@@ -25,9 +25,9 @@ TEST(SceneMessage, UsesTheUnitsOfTheFile) {
                          .scene;
   ASSERT_TRUE(scene.has_value());
   const model::Model model(*scene);
-  const PageMeshes meshes(model.visual_model());
+  const page::PageMeshes meshes(model.visual_model());
   EXPECT_EQ(meshes.size(), 1u) << "equal frustums are one mesh";
-  const Json message = SceneMessage(
+  const Json message = page::SceneMessage(
       3, model, meshes, recording::VisualStateAt(recording::StartOf(model), model).variants);
   EXPECT_EQ(message["table"]["size"], Json::array({24.0, 12.0, 4.0}));
   EXPECT_EQ(message["visuals"][1]["block"], Json::array({2.0, 1.0, 1.0}));
@@ -64,8 +64,8 @@ TEST(SceneMessage, MarksGlowingVisualsAsFilmsDo) {
   const model::Model model(
       *scene, model::RobotPlacement{.model = robot::ReadRobot(DataFile("robots/baxter.urdf"))});
   const Json message =
-      SceneMessage(1, model, PageMeshes(model.visual_model()),
-                   recording::VisualStateAt(recording::StartOf(model), model).variants);
+      page::SceneMessage(1, model, page::PageMeshes(model.visual_model()),
+                         recording::VisualStateAt(recording::StartOf(model), model).variants);
   const auto& visuals = model.visual_model().visuals;
   ASSERT_EQ(message["visuals"].size(), visuals.size());
   int num_lamps = 0, num_of_face = 0;
@@ -88,8 +88,8 @@ TEST(SceneMessage, NamesTheJointOfTheHead) {
       robot.links[static_cast<std::size_t>(robot.head->joints.front())].joint_name;
   const model::Model model({}, model::RobotPlacement{.model = std::move(robot)});
   const Json message =
-      SceneMessage(1, model, PageMeshes(model.visual_model()),
-                   recording::VisualStateAt(recording::StartOf(model), model).variants);
+      page::SceneMessage(1, model, page::PageMeshes(model.visual_model()),
+                         recording::VisualStateAt(recording::StartOf(model), model).variants);
   std::string heads;
   for (const Json& joint : message["robot"]["joints"]) {
     if (joint["is_head"] == true) heads += joint["name"].get<std::string>();

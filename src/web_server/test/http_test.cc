@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "web_server/public_origin.h"
+#include "web_server/secret.h"
 #include "web_server_fixture.h"
 
 namespace smile::web_server {
@@ -125,6 +126,49 @@ TEST_F(WebServerTest, ElsewhereThanOnThisMachineATokenIsNeeded) {
             std::string::npos);
   EXPECT_EQ(WebClient(port).Upgrade("Cookie: a=b; " + cookie + "\r\n"), 101);
   EXPECT_EQ(WebClient(port).Upgrade("Cookie: " + cookie + "\r\nHost: evil.example\r\n"), 403);
+}
+
+TEST_F(WebServerTest, PublicPathsNeedNoTokenAndLeadNowhereElse) {
+  options_.address = "0.0.0.0";
+  options_.public_prefix = "/shared/";
+  options_.get = [](const std::string& path) -> std::optional<HttpResponse> {
+    if (path != "/shared/secret" && path != "/private") return std::nullopt;
+    return HttpResponse{.type = "text/plain",
+                        .gzipped = std::make_shared<const std::string>("bytes")};
+  };
+  EXPECT_EQ(server().link().find(server().origin() + "/?token="), 0u);
+  EXPECT_FALSE(server().is_loopback());
+  const std::string origin = server().origin();
+  const int port = std::stoi(origin.substr(origin.rfind(':') + 1));
+  const std::string answer = WebClient(port).Get("/shared/secret");
+  EXPECT_TRUE(IsStatus(answer, 200)) << answer;
+  EXPECT_NE(answer.find("Content-Encoding: gzip"), std::string::npos);
+  EXPECT_TRUE(answer.ends_with("\r\n\r\nbytes"));
+  EXPECT_TRUE(IsStatus(WebClient(port).Get("/shared/other"), 404));
+  for (const char* path : {"/private", "/", "/studio.js", "/shared", "/sharedother", "//shared/a",
+                           "/ws", "/SHARED/secret"}) {
+    EXPECT_FALSE(IsStatus(WebClient(port).Get(path), 200)) << path;
+  }
+  EXPECT_TRUE(IsStatus(WebClient(port).Get("/shared/../private"), 404));
+  EXPECT_TRUE(IsStatus(WebClient(port).Get("/shared/%2e%2e/private"), 404));
+  EXPECT_TRUE(IsStatus(WebClient(port).Get("/shared/secret", "Host: evil.example\r\n"), 403));
+  EXPECT_EQ(WebClient(port).Upgrade(), 403);
+  EXPECT_EQ(WebClient(port).Upgrade("", "/shared/secret"), 200) << "it is no WebSocket";
+}
+
+TEST(Secret, HasThirtyTwoDigitsAndNoOther) {
+  const std::string secret = RandomSecret();
+  EXPECT_EQ(secret.size(), kSecretDigits);
+  EXPECT_EQ(secret.find_first_not_of("0123456789abcdef"), std::string::npos);
+  EXPECT_NE(secret, RandomSecret());
+  EXPECT_TRUE(IsSecret(secret, secret));
+  for (std::size_t k = 0; k < secret.size(); ++k) {
+    std::string other = secret;
+    other[k] = other[k] == '0' ? '1' : '0';
+    EXPECT_FALSE(IsSecret(other, secret)) << k;
+  }
+  EXPECT_FALSE(IsSecret("", secret));
+  EXPECT_FALSE(IsSecret(secret + "0", secret));
 }
 
 TEST_F(WebServerTest, ServersFindPortsOfTheirOwn) {

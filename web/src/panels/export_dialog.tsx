@@ -1,13 +1,11 @@
 import { useEffect } from "preact/hooks";
 import { useSignal, type Signal } from "@preact/signals";
-import { may, when } from "../allowed";
+import { may } from "../allowed";
 import { request } from "../studio";
 import { texts } from "../texts";
 import { Chips } from "../ui/buttons";
-import { Dialog } from "../ui/dialog";
 import { choices, freeName, isOpen, refreshJobs } from "./datasets";
-import { Choice, JobActions, NameField, useJob } from "./generate_dialog";
-import { JobProgress } from "./job_progress";
+import { Choice, JobDialog, NameField } from "./job_dialog";
 import { exported } from "./page";
 import { titleOf } from "./recordings";
 
@@ -101,41 +99,16 @@ function Fields({ form, isSet }: { form: Form; isSet: boolean }) {
 /** Makes a dataset of a recording or a generated set, and checks it. */
 export function ExportDialog({ source }: { source: Source }) {
   const form = useForm(source);
-  const { job, error, isBusy, start } = useJob();
-  const close = () => (exported.value = null);
+  const place = (name: string) => words.place(choices.value?.folder ?? "", name);
   return (
-    <Dialog
+    <JobDialog
       title={words.title(titleOfSource(source))}
-      onClose={close}
-      actions={
-        <JobActions
-          job={job}
-          start={{
-            label: words.export,
-            ...when(may("export")),
-            isBusy: isBusy.value,
-            onClick: () => void start(request("export", wantedOf(source, form))),
-          }}
-          onClose={close}
-        />
-      }
+      start={{ label: words.export, allowed: may("export"), begin: () => request("export", wantedOf(source, form)) }}
+      hint={(job) => (isOpen(job) ? words.staysWhenClosed : place(job.name))}
+      onClose={() => (exported.value = null)}
     >
-      {job === undefined ? (
-        <>
-          <Fields form={form} isSet={"set" in source} />
-          <p class="hint">{words.place(choices.value?.folder ?? "", form.name.value)}</p>
-          {error.value !== null && (
-            <p class="said trouble" role="alert">
-              {error.value}
-            </p>
-          )}
-        </>
-      ) : (
-        <>
-          <JobProgress job={job} />
-          <p class="hint">{isOpen(job) ? words.staysWhenClosed : words.place(choices.value?.folder ?? "", job.name)}</p>
-        </>
-      )}
-    </Dialog>
+      <Fields form={form} isSet={"set" in source} />
+      <p class="hint">{place(form.name.value)}</p>
+    </JobDialog>
   );
 }

@@ -1,15 +1,12 @@
 import { useEffect } from "preact/hooks";
 import { useSignal, type Signal } from "@preact/signals";
-import { may, when } from "../allowed";
-import { jobs, request, scene } from "../studio";
-import type { Job } from "../protocol";
+import { may } from "../allowed";
+import { request, scene } from "../studio";
 import { texts } from "../texts";
-import { Button } from "../ui/buttons";
-import { Dialog } from "../ui/dialog";
 import { NumberField } from "../ui/number_field";
 import { chosenImitator, imitators, ProgramChoice, useBrains } from "./brains";
-import { choices, dismiss, freeName, isOpen, refreshJobs, refreshSets, sets, stopJob } from "./datasets";
-import { JobProgress } from "./job_progress";
+import { choices, freeName, isOpen, refreshJobs, refreshSets, sets } from "./datasets";
+import { Choice, JobDialog, NameField } from "./job_dialog";
 import { generated } from "./page";
 import { recordingOf, titleOf } from "./recordings";
 import { sceneCatalog } from "./scene_catalog";
@@ -54,35 +51,6 @@ function useForm(recording: string) {
   return form;
 }
 type Form = ReturnType<typeof useForm>;
-
-export function Choice(props: { label: string; chosen: Signal<string>; of: { value: string; label: string }[] }) {
-  return (
-    <label class="field">
-      <span class="field-label">{props.label}</span>
-      <select value={props.chosen.value} onChange={(event) => (props.chosen.value = event.currentTarget.value)}>
-        {props.of.map(({ value, label }) => (
-          <option key={value} value={value}>
-            {label}
-          </option>
-        ))}
-      </select>
-    </label>
-  );
-}
-
-export function NameField({ label, name }: { label: string; name: Signal<string> }) {
-  return (
-    <label class="field">
-      <span class="field-label">{label}</span>
-      <input
-        type="text"
-        value={name.value}
-        maxLength={100}
-        onInput={(event) => (name.value = event.currentTarget.value)}
-      />
-    </label>
-  );
-}
 
 function Fields({ form }: { form: Form }) {
   const number = (label: string, field: Signal<number>, min: number, max: number) => (
@@ -151,114 +119,33 @@ function Variations({ chosen }: { chosen: Signal<Record<string, string>> }) {
   );
 }
 
-/** Starts a job; shows why not, and how far it is. */
-export function useJob() {
-  const number = useSignal<number | null>(null);
-  const error = useSignal<string | null>(null);
-  const isBusy = useSignal(false);
-  const start = async (wanted: Promise<{ job: number }>) => {
-    isBusy.value = true;
-    error.value = null;
-    try {
-      number.value = (await wanted).job;
-    } catch (reason) {
-      error.value = (reason as Error).message;
-    }
-    isBusy.value = false;
-  };
-  const job = jobs.value.find((one) => one.job === number.value);
-  useEffect(() => {
-    // What failed can be corrected where it was entered.
-    if (job?.status !== "failed") return;
-    dismiss(job);
-    number.value = null;
-    error.value = job.words;
-  }, [job?.status]);
-  return { job, error, isBusy, start };
-}
-
-/** What the dialogs of jobs have at their end. */
-export function JobActions(props: {
-  job: Job | undefined;
-  start: { label: string; disabled: boolean; title: string | undefined; isBusy: boolean; onClick: () => void };
-  onClose: () => void;
-}) {
-  const { job } = props;
-  if (job === undefined) {
-    return (
-      <>
-        <Button label={texts.cancel} onClick={props.onClose} />
-        <Button kind="accent" {...props.start} />
-      </>
-    );
-  }
-  return (
-    <>
-      {isOpen(job) && (
-        <Button
-          label={words.stop}
-          icon="stop"
-          kind="danger"
-          {...when(job.status === "stopping" ? words.stopping : may("stop_job"), words.stopWhy(job))}
-          onClick={() => stopJob(job)}
-        />
-      )}
-      <Button label={isOpen(job) ? words.inBackground : texts.close} kind="accent" onClick={props.onClose} />
-    </>
-  );
-}
-
 /** Makes many recordings of the robot from one demonstration. */
 export function GenerateDialog({ recording }: { recording: string }) {
   useBrains();
   const form = useForm(recording);
-  const { job, error, isBusy, start } = useJob();
-  const close = () => (generated.value = null);
-  const hasBrain = imitators.value.length > 0 || texts.brain.noImitators;
-  const generate = () =>
-    start(
-      request("generate", {
-        recording,
-        name: form.name.value,
-        scene: form.scene.value,
-        brain: chosenImitator.value,
-        count: form.count.value,
-        level: form.level.value,
-        seed: form.seed.value,
-        jobs: form.jobs.value,
-        variations: form.variations.value,
-      }),
-    );
-  const allowed = when(hasBrain === true ? may("generate") : hasBrain);
+  const begin = () =>
+    request("generate", {
+      recording,
+      name: form.name.value,
+      scene: form.scene.value,
+      brain: chosenImitator.value,
+      count: form.count.value,
+      level: form.level.value,
+      seed: form.seed.value,
+      jobs: form.jobs.value,
+      variations: form.variations.value,
+    });
+  const allowed = imitators.value.length > 0 ? may("generate") : texts.brain.noImitators;
   return (
-    <Dialog
+    <JobDialog
       title={words.generateTitle(titleOf(recording))}
-      onClose={close}
-      actions={
-        <JobActions
-          job={job}
-          start={{ label: words.generate, ...allowed, isBusy: isBusy.value, onClick: () => void generate() }}
-          onClose={close}
-        />
-      }
+      start={{ label: words.generate, allowed, begin }}
+      hint={(job) => (isOpen(job) ? words.staysWhenClosed : null)}
+      onClose={() => (generated.value = null)}
     >
-      {job === undefined ? (
-        <>
-          <p class="hint">{words.generateAbout}</p>
-          <Fields form={form} />
-          {allowed.disabled && allowed.title && <p class="trouble">{allowed.title}</p>}
-          {error.value !== null && (
-            <p class="said trouble" role="alert">
-              {error.value}
-            </p>
-          )}
-        </>
-      ) : (
-        <>
-          <JobProgress job={job} />
-          {isOpen(job) && <p class="hint">{words.staysWhenClosed}</p>}
-        </>
-      )}
-    </Dialog>
+      <p class="hint">{words.generateAbout}</p>
+      <Fields form={form} />
+      {allowed !== true && <p class="trouble">{allowed}</p>}
+    </JobDialog>
   );
 }

@@ -1,6 +1,5 @@
 import { useSignal } from "@preact/signals";
 import { may } from "../allowed";
-import { language } from "../language";
 import type { Allowed, LibraryEntry, Timeline } from "../protocol";
 import { ask, notify, state } from "../studio";
 import { texts } from "../texts";
@@ -9,20 +8,12 @@ import { downloadFile } from "../ui/download";
 import { Empty, isFound, Picture, SearchField } from "../ui/card";
 import { MenuButton, type MenuEntry } from "../ui/menu";
 import { refreshSets, sets } from "./datasets";
-import { analyzed, exported, filmed, generated, isTimelineOpen, renamed, sheet, showPanel, toImitate } from "./page";
-import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf } from "./recordings";
+import { analyzed, exported, filmed, generated, isTimelineOpen, renamed, shared, sheet, showPanel, toImitate } from "./page";
+import { opened, openRecording, pictureOfRecording, recordings, refreshRecordings, titleOf, whenMade } from "./recordings";
 import { JobList, SetsList } from "./sets_list";
 import { TitleInPlace } from "./title_in_place";
 
 const { library: words } = texts;
-
-/** When it was made, as readers of the language write it, but short; whatever cannot be read as a time stays as it is. */
-function whenMade(made: string): string {
-  const time = new Date(made);
-  if (Number.isNaN(time.getTime())) return made;
-  const fields = { month: "short", day: "numeric", hour: "2-digit", minute: "2-digit", hourCycle: "h23" } as const;
-  return time.toLocaleString(language, fields);
-}
 
 async function bin(id: string): Promise<void> {
   const title = titleOf(id);
@@ -85,6 +76,7 @@ function entriesOf(recording: LibraryEntry): MenuEntry[] {
       ...unless(may("export")),
       onChoose: () => (exported.value = { recording: id }),
     },
+    { label: texts.sharing.entry, icon: "share", ...unless(may("share")), onChoose: () => (shared.value = id) },
     { label: words.analyze, icon: "search", ...unless(may("analyze")), onChoose: () => (analyzed.value = id) },
     { label: words.rename, icon: "pencil", ...unless(may("rename")), onChoose: () => (renamed.value = id) },
     { label: words.download, icon: "download", onChoose: () => download(id) },

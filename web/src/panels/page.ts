@@ -89,6 +89,8 @@ export const generated = signal<string | null>(null);
 export const exported = signal<{ recording: string } | { set: string } | null>(null);
 /** The recording of which a film is to be made. */
 export const filmed = signal<string | null>(null);
+/** The recording whose links are made and ended. */
+export const shared = signal<string | null>(null);
 /** The generated set whose attempts are looked at. */
 export const openedSet = signal<string | null>(null);
 /** What is chosen to be imitated. */

@@ -1,5 +1,6 @@
 import { signal } from "@preact/signals";
 import { isOffered } from "../allowed";
+import { language } from "../language";
 import type { LibraryEntry, Timeline } from "../protocol";
 import { ask, notify, request, state } from "../studio";
 import { texts } from "../texts";
@@ -43,6 +44,14 @@ export function titleOf(id: string): string {
   const title = recording?.title ?? "";
   if (title !== "") return title;
   return recording?.binned ? id.replace(/~\d+$/, "") : id;
+}
+
+/** When it was made, as readers of the language write it, but short; whatever cannot be read as a time stays as it is. */
+export function whenMade(made: string): string {
+  const time = new Date(made);
+  if (Number.isNaN(time.getTime())) return made;
+  const fields = { month: "short", day: "numeric", hour: "2-digit", minute: "2-digit", hourCycle: "h23" } as const;
+  return time.toLocaleString(language, fields);
 }
 
 /** As many letters as a title may have. */

@@ -4,7 +4,7 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Dialog } from "../ui/dialog";
 import { refreshSets } from "./datasets";
-import { NameField } from "./generate_dialog";
+import { NameField } from "./job_dialog";
 import { renamedSet } from "./page";
 
 const { datasets: words } = texts;

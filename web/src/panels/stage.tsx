@@ -10,7 +10,7 @@ import { keyHint } from "./key_names";
 import { Measure } from "./measure";
 import { chosenObject, detail, world } from "./page";
 
-function ViewPresets() {
+function ViewPresets({ isForLooking }: { isForLooking: boolean }) {
   const object = heldObject.value ?? chosenObject.value;
   return (
     <div class="views" role="group" aria-label={texts.views.group}>
@@ -19,14 +19,16 @@ function ViewPresets() {
           {texts.views[view]}
         </button>
       ))}
-      <button
-        type="button"
-        {...keyHint("view.focus", texts.views.focusWhy)}
-        disabled={object === null}
-        onClick={() => object !== null && world.value?.focus(object)}
-      >
-        {texts.views.focus}
-      </button>
+      {!isForLooking && (
+        <button
+          type="button"
+          {...keyHint("view.focus", texts.views.focusWhy)}
+          disabled={object === null}
+          onClick={() => object !== null && world.value?.focus(object)}
+        >
+          {texts.views.focus}
+        </button>
+      )}
       <button
         type="button"
         {...keyHint("measure", texts.measure.why)}
@@ -39,8 +41,8 @@ function ViewPresets() {
   );
 }
 
-/** The world, and what lies over it. */
-export function Stage({ children }: { children: ComponentChildren }) {
+/** The world, and what lies over it; where nothing can be taken or selected, it is for looking only. */
+export function Stage({ children, isForLooking = false }: { children: ComponentChildren; isForLooking?: boolean }) {
   const host = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const mounted = mountWorld(host.current!);
@@ -55,7 +57,7 @@ export function Stage({ children }: { children: ComponentChildren }) {
     <main class="stage">
       <div class="world" ref={host} role="group" aria-label={texts.views.world} />
       {!canDraw.value && <p class="stage-note">{texts.views.cannotDraw}</p>}
-      <ViewPresets />
+      <ViewPresets isForLooking={isForLooking} />
       <Measure />
       {children}
     </main>

@@ -18,13 +18,14 @@ import { Help } from "./help";
 import { LibraryPanel } from "./library_panel";
 import { isRecording, isWatched, recordingId, shownRecording } from "./derived_signals";
 import { ObjectsPanel } from "./objects_panel";
-import { analyzed, editedScene, exported, filmed, generated, isHelpOpen, isLeftOpen, isRightOpen, leftTab, leftTabs, openedSet, panelWidths, renamed, renamedSet, rightTab, rightTabs, sheet } from "./page";
+import { analyzed, editedScene, exported, filmed, generated, isHelpOpen, isLeftOpen, isRightOpen, leftTab, leftTabs, openedSet, panelWidths, renamed, renamedSet, rightTab, rightTabs, shared, sheet } from "./page";
 import { onRecordingFinished, onRecordingShown, refreshRecordings } from "./recordings";
 import { RenameDialog } from "./rename_dialog";
 import { RenameSetDialog } from "./rename_set_dialog";
 import { RobotPanel } from "./robot_panel";
 import { SceneEditor } from "./scene_editor";
 import { SetDialog } from "./set_dialog";
+import { ShareDialog } from "./share_dialog";
 import { Sidebar } from "./sidebar";
 import { Stage } from "./stage";
 import { TabBar } from "./tab_bar";
@@ -127,6 +128,7 @@ export function StudioPage() {
       {analyzed.value !== null && <AnalysisDialog recording={analyzed.value} />}
       {exported.value !== null && <ExportDialog source={exported.value} />}
       {filmed.value !== null && <FilmDialog recording={filmed.value} />}
+      {shared.value !== null && <ShareDialog recording={shared.value} />}
       {openedSet.value !== null && <SetDialog key={openedSet.value} name={openedSet.value} />}
       {generated.value !== null && <GenerateDialog recording={generated.value} />}
     </div>

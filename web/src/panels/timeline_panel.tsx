@@ -1,62 +1,29 @@
 import { useEffect, useRef } from "preact/hooks";
 import { signal, useSignal } from "@preact/signals";
-import type { ActionSummary, Allowed, Segment, Timeline } from "../protocol";
+import type { Allowed, Timeline } from "../protocol";
 import { may, when } from "../allowed";
 import { ask, state } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
-import { Picture } from "../ui/card";
 import { isSmall } from "../ui/media";
 import { Menu } from "../ui/menu";
 import { endOfClip } from "./clips";
 import { EditDialog, type EditKind } from "./edit_dialog";
 import { isRecording, liveSegments, mayControl, recordingId } from "./derived_signals";
-import { isTimelineOpen, renamed, sheet } from "./page";
+import { isTimelineOpen, renamed, shared, sheet } from "./page";
 import { Over, RecordOverButton } from "./record_over";
 import { attemptOf, chosenSegment, opened, pictureOfSegment } from "./recordings";
+import { RateChoice, Scrubber } from "./scrubber";
+import { SegmentCard, wordsOf } from "./segment_card";
 import { TitleInPlace } from "./title_in_place";
 import { Tracks } from "./tracks";
 
 const { timeline: words } = texts;
-const RATES = [0.25, 0.5, 1, 2, 4];
 const HALF_TICK = 1 / 120; // [s]
 const rate = signal(1);
 /** The moment of the opened recording that is looked at [s]. */
 const moment = signal(0);
 const edited = signal<{ kind: EditKind; segment: number } | null>(null);
-
-function wordsOf({ deed }: { deed: ActionSummary | null }): string {
-  return deed?.words ?? words.start;
-}
-
-/** One segment: how it ends, and what it is. */
-function SegmentCard(props: {
-  recording: string;
-  segment: Segment;
-  isNow: boolean;
-  isChosen: boolean;
-  onChoose?: (() => void) | undefined;
-}) {
-  const { segment } = props;
-  const title = wordsOf(segment);
-  return (
-    <li class={`segment ${props.isNow ? "now" : ""}`} style={{ flexGrow: Math.max(0.5, segment.seconds) }}>
-      <button
-        type="button"
-        aria-pressed={props.isChosen}
-        aria-current={props.isNow ? "time" : undefined}
-        disabled={props.onChoose === undefined}
-        onClick={props.onChoose}
-        title={title}
-      >
-        <Picture source={pictureOfSegment(props.recording, segment.number)} alt="" />
-        <span class="visually-hidden">{segment.number}: </span>
-        <span class="segment-words">{title}</span>
-        <small>{texts.seconds(segment.seconds)}</small>
-      </button>
-    </li>
-  );
-}
 
 /** The recording in the making: segments come as they are done. */
 function LiveTimeline({ id }: { id: string }) {
@@ -69,7 +36,7 @@ function LiveTimeline({ id }: { id: string }) {
       {segments.map((segment, k) => (
         <SegmentCard
           key={segment.number}
-          recording={id}
+          picture={pictureOfSegment(id, segment.number)}
           segment={segment}
           isNow={k === segments.length - 1}
           isChosen={false}
@@ -112,30 +79,6 @@ async function correct(id: string, seconds: number): Promise<void> {
   if (reply !== null) opened.value = null;
 }
 
-function Scrubber({ id, timeline }: { id: string; timeline: Timeline }) {
-  return (
-    <div class="scrubber">
-      <input
-        type="range"
-        aria-label={words.scrub}
-        aria-valuetext={words.of(moment.value, timeline.seconds)}
-        min={0}
-        max={timeline.seconds}
-        step={0.05}
-        value={moment.value}
-        disabled={may("show") !== true}
-        style={{ "--filled": `${(100 * moment.value) / Math.max(timeline.seconds, 1e-9)}%` }}
-        onInput={(event) => void show(id, event.currentTarget.valueAsNumber)}
-      />
-      <div class="marks" aria-hidden="true">
-        {timeline.segments.slice(1).map((segment) => (
-          <i key={segment.number} style={{ left: `${(100 * segment.begin) / Math.max(timeline.seconds, 1e-9)}%` }} />
-        ))}
-      </div>
-    </div>
-  );
-}
-
 /** Where playback begins: a segment or recording played to its end starts again, else it continues from the moment. */
 function beginOfPlay({ segments, seconds }: Timeline): number {
   const chosen = segments.find(({ number }) => number === chosenSegment.value);
@@ -166,17 +109,7 @@ function PlayButtons({ id, timeline }: { id: string; timeline: Timeline }) {
         {...when(may("show"))}
         onClick={() => void (isPlaying ? ask("play", { rate: 0 }) : play())}
       />
-      <select
-        aria-label={words.rate}
-        value={rate.value}
-        onChange={(event) => chooseRate(Number(event.currentTarget.value))}
-      >
-        {RATES.map((one) => (
-          <option key={one} value={one}>
-            {texts.time.factor(one)}
-          </option>
-        ))}
-      </select>
+      <RateChoice rate={rate.value} onChoose={chooseRate} />
     </>
   );
 }
@@ -267,13 +200,19 @@ function OpenedTimeline({ id, timeline }: { id: string; timeline: Timeline }) {
   };
   return (
     <>
-      <Scrubber id={id} timeline={timeline} />
+      <Scrubber
+        seconds={now}
+        length={timeline.seconds}
+        marks={timeline.segments.slice(1).map(({ begin }) => begin)}
+        disabled={may("show") !== true}
+        onMoment={(seconds) => void show(id, seconds)}
+      />
       <Tracks id={id} timeline={timeline} />
       <ol class="segments" aria-label={words.segments}>
         {timeline.segments.map(({ number, deed, begin, end }) => (
           <SegmentCard
             key={number}
-            recording={id}
+            picture={pictureOfSegment(id, number)}
             segment={{ number, deed, seconds: end - begin }}
             isNow={now > begin && now <= end}
             isChosen={chosenSegment.value === number}
@@ -344,6 +283,14 @@ function Head() {
             isIconOnly
             disabled={!mayControl.value || attemptOf(open.id) !== null}
             onClick={() => (renamed.value = open.id)}
+          />
+          <Button
+            label={texts.sharing.entry}
+            icon="share"
+            kind="quiet"
+            isIconOnly
+            {...when(may("share"))}
+            onClick={() => (shared.value = open.id)}
           />
           <div class="timeline-buttons">
             <PlayButtons id={open.id} timeline={open.timeline} />

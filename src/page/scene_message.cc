@@ -1,4 +1,4 @@
-#include "studio/scene_message.h"
+#include "page/scene_message.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "scene/parts.h"
 #include "scene/units.h"
 
-namespace smile::studio {
+namespace smile::page {
 namespace {
 
 /// Returns `#rrggbb`.
@@ -234,4 +234,4 @@ Json SceneMessage(std::uint32_t number, const model::Model& model, const PageMes
           {"robot", DescribeRobot(model)}};
 }
 
-}  // namespace smile::studio
+}  // namespace smile::page

@@ -1,10 +1,10 @@
-#include "studio/page_meshes.h"
+#include "page/page_meshes.h"
 
 #include "base/bytes.h"
 
 // Meshes are transferred once per scene and scaled by the page: many visuals share one unit mesh.
 
-namespace smile::studio {
+namespace smile::page {
 namespace {
 
 /// Returns true for shapes that a page makes from their sizes, so that no mesh is transferred.
@@ -56,4 +56,4 @@ std::string BytesOf(const mesh::TriangleMesh& mesh) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-}  // namespace smile::studio
+}  // namespace smile::page

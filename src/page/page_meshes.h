@@ -9,7 +9,7 @@
 #include "mesh/primitives.h"
 #include "scene/visual_model.h"
 
-namespace smile::studio {
+namespace smile::page {
 
 /// Meshes that a page needs to draw a visual model: of all shapes except blocks, cylinders and
 /// spheres. Equal meshes are listed once. Immutable, so that any thread may read.
@@ -31,4 +31,4 @@ class PageMeshes {
 /// Returns `u32 corners, u32 triangles`, corners, normals, triangles: little-endian.
 std::string BytesOf(const mesh::TriangleMesh& mesh);
 
-}  // namespace smile::studio
+}  // namespace smile::page

@@ -1,9 +1,9 @@
-#include "studio/internal_mesh_route.h"
+#include "page/mesh_route.h"
 
 #include <charconv>
 #include <utility>
 
-namespace smile::studio {
+namespace smile::page {
 
 std::optional<MeshName> ParseMeshPath(std::string_view path) {
   // std::from_chars accepts neither signs nor blanks, and refuses numbers that do not fit the type.
@@ -23,4 +23,4 @@ std::optional<web_server::HttpResponse> MeshResponse(std::optional<std::string> 
   return web_server::HttpResponse{.type = "application/octet-stream", .body = *std::move(bytes)};
 }
 
-}  // namespace smile::studio
+}  // namespace smile::page

@@ -5,9 +5,9 @@
 
 #include "base/json.h"
 #include "model/model.h"
-#include "studio/page_meshes.h"
+#include "page/page_meshes.h"
 
-namespace smile::studio {
+namespace smile::page {
 
 /// Returns the constant facts about a scene and its robot, in the scene's units; see
 /// docs/studio-protocol.md.
@@ -20,4 +20,4 @@ Json PoseInUnits(const RigidTransform& X_AB, double meters_per_unit);
 /// Returns `[x, y, z]`, in units.
 Json PointInUnits(const Vector3& p, double meters_per_unit);
 
-}  // namespace smile::studio
+}  // namespace smile::page

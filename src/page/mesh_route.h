@@ -8,7 +8,7 @@
 
 #include "web_server/http.h"
 
-namespace smile::studio {
+namespace smile::page {
 
 /// Name of a mesh in a path. Each scene numbers its meshes from 0.
 struct MeshName {
@@ -22,4 +22,4 @@ std::optional<MeshName> ParseMeshPath(std::string_view path);
 /// Returns the answer that contains the bytes of a mesh.
 std::optional<web_server::HttpResponse> MeshResponse(std::optional<std::string> bytes);
 
-}  // namespace smile::studio
+}  // namespace smile::page

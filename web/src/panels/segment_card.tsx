@@ -1,0 +1,37 @@
+import type { ActionSummary, Segment } from "../protocol";
+import { texts } from "../texts";
+import { Picture } from "../ui/card";
+
+/** What a segment or a step of a history is, in words. */
+export function wordsOf({ deed }: { deed: ActionSummary | null }): string {
+  return deed?.words ?? texts.timeline.start;
+}
+
+/** One segment: how it ends, and what it is. */
+export function SegmentCard(props: {
+  picture: string;
+  segment: Segment;
+  isNow: boolean;
+  isChosen: boolean;
+  onChoose?: (() => void) | undefined;
+}) {
+  const { segment } = props;
+  const title = wordsOf(segment);
+  return (
+    <li class={`segment ${props.isNow ? "now" : ""}`} style={{ flexGrow: Math.max(0.5, segment.seconds) }}>
+      <button
+        type="button"
+        aria-pressed={props.isChosen}
+        aria-current={props.isNow ? "time" : undefined}
+        disabled={props.onChoose === undefined}
+        onClick={props.onChoose}
+        title={title}
+      >
+        <Picture source={props.picture} alt="" />
+        <span class="visually-hidden">{segment.number}: </span>
+        <span class="segment-words">{title}</span>
+        <small>{texts.seconds(segment.seconds)}</small>
+      </button>
+    </li>
+  );
+}

@@ -59,7 +59,9 @@ async function judgeOf(page) {
   async function settle() {
     await page.evaluate(() => {
       const moving = document.getAnimations().filter((one) => one.effect?.getComputedTiming().endTime !== Infinity);
-      return Promise.allSettled(moving.map((one) => one.finished)).then(() => undefined);
+      const ended = Promise.allSettled(moving.map((one) => one.finished));
+      // An animation whose element is no longer drawn never finishes.
+      return Promise.race([ended, new Promise((resolve) => setTimeout(resolve, 3000))]).then(() => undefined);
     });
   }
 

@@ -9,10 +9,11 @@
 
 #include "demonstrator/internal_tabletop_engine.h"
 #include "math/angles.h"
+#include "world/refusal_names.h"
 
 namespace smile::demonstrator {
 
-using world::Named;
+using texts::Say;
 
 namespace {
 
@@ -32,7 +33,7 @@ struct OurHands {
 Demonstrator::Demonstrator(physics::World* world, world::Tabletop* tabletop)
     : world_(world), tabletop_(tabletop) {}
 
-std::string Demonstrator::WhatHolds(HandName name) const {
+Refusal Demonstrator::WhatHolds(HandName name) const {
   HandStates states = state_.hands;
   return OurHands(world_, tabletop_, &states, servo_)->WhatHolds(name);
 }
@@ -77,7 +78,7 @@ std::optional<Vector3> Demonstrator::PointOnPlane(HandName name, const Ray& ray,
   if (auto empty = RefuseIfEmpty(name)) return no(*empty);
   // Directions of any length come from clients; a zero or infinite one has no norm of 1.
   const Vector3 direction = ray.direction_in_world.stableNormalized();
-  if (!(direction.norm() > 0.5)) return no("the ray has no direction");
+  if (!(direction.norm() > 0.5)) return no(Say("hands.rayWithoutDirection"));
 
   const double angle = DegreesToRadians(plane_angle_deg(name));
   const Vector3 normal =
@@ -87,13 +88,13 @@ std::optional<Vector3> Demonstrator::PointOnPlane(HandName name, const Ray& ray,
   const Vector3 p_WH = hand(name).X_WB_goal * hand(name).p_BH;
   // Intersection of the ray with the plane through the hand's goal.
   const double approach = normal.dot(direction);
-  const std::string plane =
-      std::string(is_level ? "the horizontal plane of " : "the motion plane of ") + NameOf(name);
-  if (!(std::abs(approach) > kParallel)) return no("the ray is parallel to " + plane);
+  const Refusal plane = is_level ? Say("hands.levelPlane", {{"hand", ToString(name)}})
+                                 : Say("hands.motionPlane", {{"hand", ToString(name)}});
+  if (!(std::abs(approach) > kParallel)) return no(Say("hands.rayIsParallel", {{"plane", plane}}));
   const double distance = normal.dot(p_WH - ray.p_WOrigin) / approach;
-  if (!(distance >= 0)) return no("the ray points away from " + plane);
+  if (!(distance >= 0)) return no(Say("hands.rayPointsAway", {{"plane", plane}}));
   const Vector3 p_WHit = ray.p_WOrigin + distance * direction;
-  if (!(distance <= kFar)) return no("the ray meets " + plane + " more than 100 m away");
+  if (!(distance <= kFar)) return no(Say("hands.rayMeetsFar", {{"plane", plane}}));
   return p_WHit;
 }
 
@@ -117,17 +118,21 @@ std::optional<Refusal> Demonstrator::Destroy(HandName name) {
 
 std::optional<Refusal> Demonstrator::Remove(const world::Object& object) {
   for (HandName name : kHandNames) {
-    if (hand(name).held == object.body) return WhatHolds(name) + "; release it first";
+    if (hand(name).held == object.body) {
+      return Say("hands.releaseFirst", {{"why", WhatHolds(name)}});
+    }
   }
-  if (world_->body(object.body).is_carried()) return Named(object.id()) + " is held by the robot";
+  if (world_->body(object.body).is_carried()) {
+    return Say("world.heldByRobot", {{"object", world::ObjectName(object.id())}});
+  }
   state_.attention.erase(object.body);
   tabletop_->Destroy(object);
   return std::nullopt;
 }
 
-std::optional<Refusal> Demonstrator::RefuseIfHolding(HandName name, const char* what) const {
+std::optional<Refusal> Demonstrator::RefuseIfHolding(HandName name, const char* action) const {
   if (!hand(name).is_holding()) return std::nullopt;
-  return WhatHolds(name) + "; it must be empty to " + what;
+  return Say("hands.mustBeEmpty", {{"why", WhatHolds(name)}, {"action", action}});
 }
 
 std::optional<Refusal> Demonstrator::PointAt(HandName name, std::string_view part_id) const {
@@ -137,7 +142,7 @@ std::optional<Refusal> Demonstrator::PointAt(HandName name, std::string_view par
 
 std::optional<Refusal> Demonstrator::Trigger(HandName name, std::string_view control,
                                              std::string_view part) {
-  if (auto refusal = RefuseIfHolding(name, "trigger a control")) return refusal;
+  if (auto refusal = RefuseIfHolding(name, "trigger")) return refusal;
   return tabletop_->Trigger(control, part);
 }
 
@@ -157,10 +162,12 @@ std::optional<Refusal> Demonstrator::Turn(HandName name, std::string_view object
   const world::Object* object = tabletop_->Find(object_id);
   const Hand& own = hand(name);
   if (own.is_holding() && own.held != object->body) {
-    return RefuseIfHolding(name, "fasten or loosen anything else");
+    return RefuseIfHolding(name, "turn");
   }
   const physics::Body& body = world_->body(object->body);
-  if (body.is_carried() && !IsInAHand(body.id())) return Named(object_id) + " is held by the robot";
+  if (body.is_carried() && !IsInAHand(body.id())) {
+    return Say("world.heldByRobot", {{"object", world::ObjectName(object_id)}});
+  }
   // Of several guest points of an object, the one nearest to this point is turned.
   const Vector3 p_WPoint = p_WQ.value_or(body.pose_in_world().translation());
   return MoveGoalsWith([&] { return (tabletop_->*turning)(*object, p_WPoint); });

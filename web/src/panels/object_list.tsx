@@ -16,7 +16,7 @@ const { objects: words } = texts;
 async function take(object: string): Promise<void> {
   const reply = await command({ do: "grasp", hand: currentHand.value, object });
   if (reply === null) return;
-  if (reply.deed) notify(reply.deed.words);
+  if (reply.deed) notify(texts.action(reply.deed));
   showPanel("hands");
   // Keys move it at once, for users of the keyboard.
   setTimeout(() => document.getElementById("nudge")?.focus(), 100);

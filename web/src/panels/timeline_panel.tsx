@@ -26,7 +26,7 @@ const moment = signal(0);
 const edited = signal<{ kind: EditKind; segment: number } | null>(null);
 
 function wordsOf({ deed }: { deed: ActionSummary | null }): string {
-  return deed?.words ?? words.start;
+  return deed === null ? words.start : texts.action(deed);
 }
 
 /** One segment: how it ends, and what it is. */

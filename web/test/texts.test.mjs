@@ -185,15 +185,16 @@ function words() {
   return read.filter(Boolean);
 }
 
-async function judge(page, state) {
+/** @param names  of objects and cameras in files, which are no words of the page */
+async function judge(page, state, names = []) {
   const german = tableOf("de");
   const english = new Set([...en].filter(([id, message]) => german.get(id) !== message).map(([, message]) => message));
-  for (const message of german.values()) english.delete(message);
+  for (const message of [...german.values(), ...names]) english.delete(message);
   assert.deepEqual((await page.evaluate(words)).filter((word) => english.has(word)), [], state);
   const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
   assert.ok(overflow <= 0, `${state}: ${overflow} px too wide`);
   const cut = await page.evaluate(() =>
-    [...document.querySelectorAll("button, [role=tablist], .record")]
+    [...document.querySelectorAll("button:not(.title-in-place), [role=tablist], .record")]
       .filter((one) => one.clientWidth > 1 && one.scrollWidth > one.clientWidth + 1)
       .map((one) => one.textContent),
   );
@@ -223,6 +224,81 @@ test("in a German browser the page is German, and English where that is chosen",
   await page.getByLabel("Sprache").selectOption("en");
   await page.getByRole("button", { name: "Help" }).waitFor();
   assert.equal(await page.locator("html").getAttribute("lang"), "en");
+});
+
+test("what the program refuses, and what it names, is German in a German browser", async (t) => {
+  const dock = new URL("scenes/dock.xml", ROOT).pathname;
+  const { page, witness, person } = await browser.workplace(t, {
+    studio: [dock, "--no-robot", "--no-pictures"],
+    page: { locale: "de-DE" },
+  });
+  await person.press("Oben");
+  const undo = page.getByRole("button", { name: "Rückgängig", exact: true });
+  assert.match(await undo.getAttribute("title"), /es gibt nichts rückgängig zu machen/);
+  const lamp = [-4.9, 0, 0.98];
+  const menu = await person.menuAt(lamp);
+  const trigger = person.entry("Auslösen", menu);
+  assert.equal(await trigger.getAttribute("aria-disabled"), "true");
+  await trigger.getByText("eine Reihe von Lampen").waitFor();
+  await page.keyboard.press("Escape");
+
+  await page.getByRole("button", { name: "Aufnehmen", disabled: false }).click();
+  await person.grasp("Spare");
+  await page.getByText("irgendeine Hand nimmt Spare").first().waitFor();
+  await judge(page, "with an object", ["Bin"]);
+  // Fields of numbers have a comma, and take a point, too.
+  const height = page.getByRole("group", { name: /^Ort/ }).getByRole("spinbutton", { name: "z", exact: true });
+  for (const typed of ["3,25", "2.75"]) {
+    await height.fill(typed);
+    await height.press("Enter");
+    const wanted = Number(typed.replace(",", "."));
+    await witness.until(() => Math.abs(witness.handOf("Spare").place[2] - wanted) < 1e-6, `it is at ${typed}`);
+    await page.waitForFunction(([field, text]) => field.value === text, [await height.elementHandle(), typed.replace(".", ",")]);
+  }
+  await height.press("ArrowUp");
+  await height.press("Enter");
+  await witness.until(() => Math.abs(witness.handOf("Spare").place[2] - 2.85) < 1e-6, "a step up");
+});
+
+test("the large dialogs, the timeline and the tour are German, and their words fit", async (t) => {
+  const tower = new URL("scenes/tower.xml", ROOT).pathname;
+  const { page, witness, person } = await browser.workplace(t, { studio: [tower, "--no-pictures"], page: { locale: "de-DE" } });
+  const german = tableOf("de");
+  await page.getByRole("button", { name: "Aufnehmen", disabled: false }).click();
+  await person.grasp("RedBlock");
+  await person.press("Loslassen");
+  await witness.until(() => !witness.isHolding, "it is released");
+  await person.press("Beenden");
+  await page.getByRole("button", { name: german.get("timeline.trim"), disabled: true }).waitFor();
+  await judge(page, "timeline");
+
+  await person.showPanel("Bibliothek");
+  for (const id of ["datasets.generateEntry", "filming.entry", "exporting.entry", "library.analyze", "library.rename"]) {
+    await page.getByRole("button", { name: /^Aktionen für/ }).first().click();
+    await page.getByRole("menuitem", { name: german.get(id) }).click();
+    await judgeDialog(id);
+  }
+  const segments = page.getByRole("list", { name: german.get("timeline.segments"), exact: true });
+  await segments.getByRole("button").nth(1).click();
+  for (const id of ["timeline.trim", "timeline.shift", "timeline.drop"]) {
+    await page.getByRole("button", { name: german.get(id), disabled: false }).click();
+    await judgeDialog(id);
+  }
+  await person.showPanel("Objekte");
+  await page.getByRole("button", { name: german.get("objects.write"), exact: true }).click();
+  await judgeDialog("scene editor");
+  await person.press("Hilfe");
+  await page.getByRole("button", { name: german.get("help.tour") }).click();
+  await page.getByText(german.get("tour.steps.welcome.0")).waitFor();
+  await judge(page, "tour");
+
+  async function judgeDialog(state) {
+    const dialog = page.getByRole("dialog");
+    await dialog.waitFor();
+    await judge(page, state, ["left", "right"]);
+    await page.keyboard.press("Escape");
+    await dialog.waitFor({ state: "detached" });
+  }
 });
 
 test("German fits a telephone", async (t) => {

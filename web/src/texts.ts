@@ -91,6 +91,8 @@ export const texts = {
 
   objects: {
     ...t.objects,
+    /** @param shape  that the scene names: of its own elements, or any word */
+    kindOf: (shape: string) => named(t.objects.kinds, shape),
     heldBy: (hand: HandName) => say(t.objects.heldBy, { hand }),
     onFloor: (ids: string[]) => say(t.objects.onFloor, { objects: ids.join(", ") }),
     show: (number: number) => say(t.objects.show, { number }),

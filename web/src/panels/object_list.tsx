@@ -133,7 +133,7 @@ export function ObjectList() {
 function ObjectNote({ object }: { object: SceneObject }) {
   const hand = holders.value[object.id];
   if (hand === undefined) {
-    return <span class="object-note">{object.fixed ? words.isFixed : object.shape}</span>;
+    return <span class="object-note">{object.fixed ? words.isFixed : words.kindOf(object.shape)}</span>;
   }
   return (
     <span class="object-note held" style={{ "--hand": handColors[hand] }}>

@@ -1,4 +1,4 @@
-function state = initialTaskState(steps, container, presses, shown)
+function state = initialTaskState(steps, container, presses, shown, choices)
 % Returns the state of the learner at the beginning of a task.
 %   steps      see newStep; once a site is chosen, at their places in this scene
 %   container  that some of them go into, see measureContainer; once a site is chosen, in this scene
@@ -20,6 +20,7 @@ function state = initialTaskState(steps, container, presses, shown)
 %   notes      that were not told yet, see asNote
 %   presses    of switches and buttons, and uses of tools, in the demonstrated order: see newPress; optional
 %   shown      the eye of the demonstration, which shows them
+%   choices    between several good ways, see choicesOf; optional
 %   alignments  how the scene lies in the demonstration around each control, see align: control, angle, place
 %   lastPicture, numLooks, numStill  seen before the scene was still, number of pictures until then, and of the last of
 %              them in which nothing moved
@@ -31,13 +32,14 @@ function state = initialTaskState(steps, container, presses, shown)
     presses = noPresses();
     shown = [];
   end
+  if nargin < 5, choices = choicesOf(struct()); end
   n = numel(steps);
   state = struct('steps', steps, 'container', {container}, 'hasSite', false, 'known', noBlocks(), ...
                  'unknownObjects', noBlocks(), 'unexplained', zeros(0, 2), 'done', false(1, n), ...
                  'attempts', zeros(1, n), 'numTemporary', 0, 'placementErrors', NaN(n, 2), 'numBlocked', 0, ...
                  'firstFailure', '', 'insistsOn', [], 'left', noBlocks(), 'grasp', [], ...
                  'failures', {struct('position', {}, 'arm', {}, 'yaw', {})}, 'moved', '', ...
-                 'notes', asNote({}, {}), 'presses', presses, 'shown', shown, ...
+                 'notes', asNote({}, {}), 'presses', presses, 'shown', shown, 'choices', choices, ...
                  'alignments', struct('angle', {}, 'place', {}, 'control', {}), 'lastPicture', [], 'numLooks', 0, ...
                  'numStill', 0, 'claim', [], 'surface', [], 'unseenColors', NaN);
   % What has to be turned may lie on any of its faces.

@@ -26,7 +26,7 @@ function [actions, place, is_temporary, reason] = planMove(state, k, move, eye, 
     end
     sites{2} = [asBlocks(steps(state.done)), container];
     [actions, reason] = planPickAndPlace(arms, withDepth(block, state.surface), withDepth(goal, state.surface), others, ...
-                                         sensor, state.failures);
+                                         sensor, state.failures, wayOf(state.choices, sum(state.attempts) + state.numTemporary));
     place = block;
     place.position = move.goal.position;
     place.yaw = move.goal.yaw;

@@ -1,10 +1,12 @@
-function [actions, reason] = planPickAndPlace(arms, block, goal, others, sensor, failures)
+function [actions, reason] = planPickAndPlace(arms, block, goal, others, sensor, failures, way)
 % Plans the actions that bring a block to a goal, a step or a block, and end with an observation; {} and a
 % reason if no arm can do it.
 %   arms    those that may do it, see armsOf
 %   others  obstacles, as blocks
 %   failures  grasps that failed and are not to be repeated, see newGrasp; [] for none
+%   way     in which it is preferably held and carried, see wayOf; optional
   actions = {};
+  if nargin < 7, way = wayOf(choicesOf(struct()), 0); end
   goal.knob = block.knob;
   held = heldPart(block);
   target = heldPart(goal);
@@ -19,27 +21,27 @@ function [actions, reason] = planPickAndPlace(arms, block, goal, others, sensor,
   % What cannot be lifted as high as necessary to pass over all others is lifted less on a low way.
   trials = false;
   if ~isDragged(goal) && isempty(block.knob) && hasLowWay(block, goal, others), trials = [false, true]; end
-  for is_low = trials
+  [is_low, rises] = ndgrid(trials, way.rises);
+  for trial = [is_low'(:)'; rises'(:)']
     for arm = nearestFirst(able, block.position(1) + goal.position(1))
       bottom = goal.position(3) - goal.size(3) / 2;
       extent = target.position(3) + target.size(3) / 2 - bottom;
-      height = transferHeight(arm, [others, held], bottom, extent);
+      height = transferHeight(arm, [others, held], bottom, extent) + trial(2);
       if isDragged(goal)
         height = block.position(3) + block.size(3) / 2 + constants().motion_planning.drag_tool_height;
       end
       lift = height;
-      if is_low, lift = block.position(3) + block.size(3) + constants().motion_planning.clearance; end
+      if trial(1), lift = block.position(3) + block.size(3) + constants().motion_planning.clearance; end
       q = sensor.arms(arm.index).joints(:)';
       has_failed = arrayfun(@(yaw) hasFailed(newGrasp(held.position, arm, yaw), failures), grasp_yaws);
-      for place_yaw = place_yaws
-        for grasp_yaw = grasp_yaws(~has_failed)
-          % The object turns with the hand; it may look the same after some turns.
-          turned = block;
-          turned.yaw = block.yaw + place_yaw - grasp_yaw;
-          if ~isTurnedTo(turned, goal) && ~(isempty(block.knob) && isempty(block.parts)), continue; end
-          actions = planArmPickAndPlace(arm, held, grasp_yaw, target, place_yaw, height, lift, others, q);
-          if ~isempty(actions), return; end
-        end
+      [at_start, at_goal] = ndgrid(grasp_yaws(~has_failed), place_yaws);
+      for yaws = shuffled([at_start(:)'; at_goal(:)'], way.seed)
+        % The object turns with the hand; it may look the same after some turns.
+        turned = block;
+        turned.yaw = block.yaw + yaws(2) - yaws(1);
+        if ~isTurnedTo(turned, goal) && ~(isempty(block.knob) && isempty(block.parts)), continue; end
+        actions = planArmPickAndPlace(arm, held, yaws(1), target, yaws(2), height, lift, others, q);
+        if ~isempty(actions), return; end
       end
     end
   end

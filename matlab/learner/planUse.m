@@ -21,19 +21,25 @@ function [actions, state, problem] = planUse(use, alignment, surface, state, arm
   avoided = [surroundingsOf(around), surroundingsOf(fixed)];
   problem = 'no arm brings it there and back';
   able = arms(arrayfun(@(arm) canHold(arm, tool.size(2)), arms));
+  holds = toolHolds(nearestFirst(able, tool.position(1)), tool, others, state.failures);
+  whole = wholeOf(looks, tool.position(3));
+  loads = cell(size(holds));
+  taken = loads;
   for it = waysPast(avoided(1))
     begin = way{2} + it.part * (way{1} - way{2});
-    for arm = nearestFirst(able, tool.position(1))
-      q = sensor.arms(arm.index).joints(:)';
-      for across = graspYaws(tool, others)
-        attempt = newGrasp(tool.position, arm, across);
-        if hasFailed(attempt, state.failures), continue; end
-        actions = planArmUse(arm, tool, looks, across, {begin, way{2}}, turn, avoided, it.ways, q);
-        if isempty(actions), continue; end
-        state.grasp = attempt;
-        problem = '';
-        return
+    for k = 1:numel(holds)
+      hold = holds(k);
+      % It is planned once how the tool is taken, when that comes first.
+      if isempty(loads{k})
+        loads{k} = loadOf(whole, hold.poses{2});
+        taken{k} = planToTake(hold, sensor.arms(hold.arm.index).joints(:)', boxAround(loads{k}));
       end
+      if isempty(taken{k}), continue; end
+      actions = planHeldUse(hold, taken{k}, loads{k}, tool, {begin, way{2}}, turn, avoided, it.ways);
+      if isempty(actions), continue; end
+      state.grasp = hold.grasp;
+      problem = '';
+      return
     end
   end
 end

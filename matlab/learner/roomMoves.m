@@ -29,13 +29,13 @@ function [place, blocks] = roomFor(state, move, movable, site, arms, eye, sensor
   left = noBlocks();
   if isempty(move.goal), left = [state.left, block]; end
   places = freePlacements(arms, eye, block, [fixed, site], move.goal, state.unexplained);
-  in_way = cell(1, numel(places));
-  is_possible = false(1, numel(places));
-  for i = 1:numel(places)
-    covered = footprint(places(i), c.place_margin / 2);
-    in_way{i} = movable(~arrayfun(@(j) isFree(covered, known(j)), movable));
-    is_possible(i) = ~isempty(in_way{i}) && numel(in_way{i}) <= c.max_put_aside && ~isNear(places(i), left);
-  end
+  covered = footprint(places, c.place_margin / 2);
+  is_in_way = false(numel(places), numel(movable));
+  for j = 1:numel(movable), is_in_way(:, j) = ~isFree(covered, known(movable(j))); end
+  num_in_way = sum(is_in_way, 2)';
+  is_possible = num_in_way > 0 & num_in_way <= c.max_put_aside;
+  is_possible(is_possible) = ~arrayfun(@(place) isNear(place, left), places(is_possible));
+  in_way = arrayfun(@(i) movable(is_in_way(i, :)), 1:numel(places), 'UniformOutput', false);
   places = places(is_possible);
   in_way = in_way(is_possible);
   [~, order] = sort(cellfun(@numel, in_way));

@@ -45,7 +45,7 @@ class Studio:
         if not (speed == 0 or (math.isfinite(speed) and 0.01 <= speed <= 1000)):
             raise ValueError(f"speed is {speed!r}, expected 0 or a number from 0.01 to 1000")
         self.height = height
-        self._native = _native.Viewer(_native_of(simulation), _page(), port, float(speed))
+        self._native = _native.Viewer(_native_of(simulation), page_folder(), port, float(speed))
         _open.add(self)
 
     @property
@@ -131,7 +131,8 @@ def _native_of(simulation: Simulation) -> _native.Simulation:
     return simulation._native
 
 
-def _page() -> str:
+def page_folder() -> str:
+    """Returns the folder of the studio's page. Raises RuntimeError if it is not built."""
     try:
         return os.fspath(data_file("build/page"))
     except RuntimeError:

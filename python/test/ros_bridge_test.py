@@ -158,6 +158,14 @@ class MisbehaviorTest(unittest.TestCase):
             self.assertEqual(list(reading.positions), self.names)
             self.assertLess(abs(reading.age), 5)
 
+    @mock.patch("smile.ros.bridge_link._ACTION_SECONDS", 0.5)
+    def test_a_robot_without_the_action_does_not_begin(self):
+        self.serve()
+        self.robot.positions[self.plan.path.names[0]] += 0.1
+        link = BridgeLink(self.server.address, self.plan.arms, self.names)
+        outcome = Performance(link, self.plan, Watch(silence=5, age=5, jump=5), by_trajectory=True).perform(lambda line: None)
+        self.assertRegex(str(outcome.reason), "^no action /robot/limb/right/follow_joint_trajectory behind ws://.* within 0.5 s$")
+
     @mock.patch("smile.ros.bridge_link._CONNECTION_SECONDS", 2.0)
     def test_without_server_or_robot_nothing_begins(self):
         for address in ("http://robot", "ws://", "robot:9090"):
@@ -249,7 +257,9 @@ class GraphTest(unittest.TestCase):
         # Without a master of its own.
         performed = Program(self.folder, "perform", [
             "env", "-u", "ROS_MASTER_URI", PROGRAM, "ros", "perform", GOLDEN, "--bridge", server.address, "--speed", 0.9,
-            "--max-acceleration", 30, "--tolerance", 0.3, "--yes", "--silence", 30, "--page", "--report", report])
+            "--max-acceleration", 30, "--tolerance", 0.3, "--yes", "--silence", 30, "--page", "--report", report,
+            # ROS 2 has no actions of topics.
+            *(["--start-by-trajectory"] if version == 1 else [])])
         self.addCleanup(performed.end)
         self.assertEqual(performed.wait(), 0, performed.output)
         self.assertRegex(performed.output, "right gripper closes on RedBlock\n(.*\n)+stop button: http://127.0.0.1:[0-9]+/\n(.*\n)+performed\n$")

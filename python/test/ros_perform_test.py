@@ -22,59 +22,17 @@ import numpy as np
 import smile
 from smile.ros.__main__ import switch_on
 from smile.ros.joint_path import JointPath
-from smile.ros.link import GripperReading, Reading, RobotLink
 from smile.ros.motion_plan import approach, faults, plan_of
 from smile.ros.performing import Performance, Watch
-from smile.ros.serve import describe
+from smile.ros.description import describe
 from smile.ros.served_robot import ServedRobot
 from smile.ros.stop_page import StopPage
+from simulated_link import SimulatedLink
 
 PROJECT, PROGRAM = Path(sys.argv[1]), os.environ["SMILE"]
 GOLDEN = PROJECT / "tests/golden/recordings/imitation"
 TOLERANCE = 0.005
 """greatest error of a joint in these performances [rad]"""
-
-
-class SimulatedLink(RobotLink):
-    """A robot in this process: each reading is a tick. `damage` makes another reading of it."""
-
-    def __init__(self, robot, damage=lambda tick, reading: reading, moves=True):
-        self.robot, self._damage, self._moves = robot, damage, moves
-        self.commands = 0
-        self.enabled = True
-
-    def wait(self, timeout):
-        self.robot.step()
-        names = [name for joints in self.robot.description.arms.values() for name in joints]
-        q = np.concatenate([self.robot.robot.arms[arm].q for arm in self.robot.limbs]).tolist()
-        return self._damage(self.robot.sim.tick, Reading(self.robot.time, 0.0, dict(zip(names, q))))
-
-    def command(self, arm, names, positions):
-        self.commands += 1
-        if self._moves:
-            self.robot.command_joints(arm, 4, names, positions, "/perform")
-
-    def grip(self, arm, percent):
-        self.robot.command_gripper(arm, "go", json.dumps({"position": percent}), "/perform",
-                                   self.robot.grippers[arm].sequence + 1)
-        return self.robot.grippers[arm].sequence
-
-    def gripper(self, arm):
-        gripper, hand = self.robot.grippers[arm], self.robot.robot.arms[arm]
-        return GripperReading(gripper.sequence, self.robot.description.openings[arm].percent(hand.gripper),
-                              gripper.is_moving, bool(hand.held))
-
-    def enable(self):
-        self.robot.enable(True)
-
-    def motors_fault(self):
-        return None if self.robot.is_enabled else "the motors are off"
-
-    def connection_fault(self):
-        return None
-
-    def words(self):
-        return []
 
 
 class PlanTest(unittest.TestCase):
@@ -109,7 +67,7 @@ class PlanTest(unittest.TestCase):
 
     def test_refuses_limits_and_places_outside_of_the_workspace(self):
         for joint, value, words in (("right_e1", 3.0, r"right_e1 is 3\.0000 rad at 1\.00 s, expected -0\.0500 to 2\.6180"),
-                                    ("right_e1", 0.3, r"the right tool is at \(.*\) m at 1\.00 s, outside of the workspace")):
+                                    ("right_e1", 0.3, r"the right tool is at \(.*\) m, outside of the workspace from .* at 1\.00 s")):
             plan = self.plan(speed=0.01)
             positions = plan.path.positions.copy()
             positions[60, plan.path.names.index(joint)] = value
@@ -146,13 +104,13 @@ class PerformanceTest(unittest.TestCase):
         self.sim.run_until("arrived")
         self.start = self.sim.tick
 
-    def perform(self, speed=0.9, supervisor=None, **link):
+    def perform(self, speed=0.9, supervisor=None, by_trajectory=False, **link):
         self.link = SimulatedLink(ServedRobot(self.sim, self.description), **link)
-        return Performance(self.link, plan_of(self.recording, [], speed), Watch(), supervisor).perform(lambda line: None)
+        return Performance(self.link, plan_of(self.recording, [], speed), Watch(), supervisor, by_trajectory).perform(lambda line: None)
 
-    def stops(self, words, damage, moves=True, supervisor=None):
+    def stops(self, words, damage, moves=True, supervisor=None, by_trajectory=False):
         """The performance stops for a reason, and then the arms stand."""
-        outcome = self.perform(damage=damage, moves=moves, supervisor=supervisor)
+        outcome = self.perform(damage=damage, moves=moves, supervisor=supervisor, by_trajectory=by_trajectory)
         self.assertRegex(str(outcome.reason), words)
         for _ in range(30):
             self.link.robot.step()
@@ -172,6 +130,33 @@ class PerformanceTest(unittest.TestCase):
         errors = outcome.tracking.summary()
         self.assertEqual(list(errors), self.description.arms["right"])
         self.assertLess(max(one["max"] for one in errors.values()), TOLERANCE)
+
+    def test_the_way_to_the_start_may_be_a_trajectory(self):
+        self.displace()
+        outcome = self.perform(by_trajectory=True)
+        self.assertIsNone(outcome.reason)
+        np.testing.assert_allclose(self.sim.objects["RedBlock"].position, self.recording.poses[-1, 0, :3], atol=0.002)
+
+    def test_a_trajectory_is_watched_and_cancelled(self):
+        for words, damage, moves in (
+                ("right_s1 is nan", self.after(60, lambda reading: reading._replace(positions={**reading.positions, "right_s1": math.nan})), True),
+                (r"right_\w+ is 0\.\d+ rad from where it should be", lambda tick, reading: reading, False),
+                ("the robot ended the trajectory of the right arm: the robot is not enabled", lambda tick, reading: self.off(reading), True)):
+            with self.subTest(words):
+                self.setUp()
+                self.displace()
+                self.assertEqual(self.stops(words, damage, moves=moves, by_trajectory=True).seconds, 0)
+                self.assertIsNone(self.link.robot.limbs["right"].path)
+
+    def displace(self):
+        """Turns the right arm away from the start of the recording."""
+        self.sim.apply({"do": "joint_angles", "right": (self.sim.robot.arms["right"].q - [0.5, 0, 0, 0, 0, 0, 0]).tolist()})
+
+    def off(self, reading):
+        """The motors refuse, but do not report it."""
+        self.link.robot.enable(False)
+        self.link.motors_fault = lambda: None
+        return reading
 
     def test_faulty_joint_states_stop_the_robot(self):
         def with_position(value):
@@ -279,7 +264,8 @@ class GraphTest(unittest.TestCase):
     def test_a_tower_is_built_through_the_graph(self):
         served, record = self.serve()
         report = self.folder / "report.json"
-        performed = self.perform(self.folder / "tower", "--speed", 0.8, "--max-acceleration", 30, "--yes", "--report", report)
+        performed = self.perform(self.folder / "tower", "--speed", 0.8, "--max-acceleration", 30, "--yes", "--report", report,
+                                 "--start-by-trajectory")
         self.assertEqual(performed.wait(), 0, performed.output)
         self.assertRegex(performed.output, "left gripper closes on GreenBlock\n(.*\n)+performed\n$")
         outcome = json.loads(report.read_text())

@@ -26,7 +26,7 @@ import smile
 from smile.ros import message_types as types
 from smile.ros.description import RobotDescription, matrix_of, quaternion_of
 from smile.ros.joint_path import JointPath
-from smile.ros.serve import describe
+from smile.ros.description import describe
 from smile.ros.served_robot import COMMAND_TIMEOUT, ServedRobot
 
 PROJECT, PROGRAM = Path(sys.argv[1]), os.environ["SMILE"]

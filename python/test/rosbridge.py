@@ -33,20 +33,11 @@ def json_of(value, kind, version=1):
     return value
 
 
-def fill(message, values):
-    """Sets the fields of a ROS 1 message that consists of plain values."""
-    for name, value in values.items():
-        if not hasattr(message, name):
-            raise ValueError(f"{message._type} has no field {name}")
-        setattr(message, name, value)
-    return message
-
-
 def class_of(kind):
     """The class of a message type, as package/Name or package/msg/Name."""
     from smile.ros import message_types
     package, *_, name = kind.split("/")
-    if package == "baxter_core_msgs":
+    if package in ("baxter_core_msgs", "control_msgs"):
         return getattr(message_types, name)
     return getattr(importlib.import_module(f"{package}.msg"), name)
 
@@ -62,6 +53,7 @@ class GraphTopics:
         self._publishers[topic] = rospy.Publisher(topic, class_of(kind), queue_size=10, tcp_nodelay=True)
 
     def publish(self, topic, values):
+        from smile.ros.message_types import fill
         self._publishers[topic].publish(fill(self._publishers[topic].data_class(), values))
 
     def subscribe(self, topic, kind, send):

@@ -35,15 +35,12 @@ struct ExportOptions {
 
   std::string part_or_all() const { return part.value_or("all"); }
 
-  /// Demands that none is set that only trajectories of the robot heed.
-  void RequireNoneOfTrajectories() const {
-    for (const auto& [name, is_set] :
-         {std::pair{"--arm", part.has_value()}, std::pair{"--no-grippers", no_grippers},
-          std::pair{"--slow-down", slow_down}, std::pair{"--allow-breaches", allow_breaches}}) {
-      if (!is_set) continue;
-      throw std::invalid_argument(std::string(name) + " is for trajectories, and --to is " +
-                                  Quoted(format));
-    }
+  /// Returns an option that is set and only for trajectories of the robot; empty without one.
+  std::string OfTrajectories() const {
+    if (part) return "--arm is";
+    if (no_grippers) return "--no-grippers is";
+    if (slow_down) return "--slow-down is";
+    return allow_breaches ? "--allow-breaches is" : "";
   }
 };
 
@@ -110,14 +107,12 @@ const Format& FormatOf(const ExportOptions& options) {
 bool IsOfPart(const motion::TrajectoryChannel& channel, const robot::RobotModel& model,
               const std::string& part) {
   if (part == "all") return true;
-  if (model.head && std::ranges::count(model.head->joints, channel.joint) > 0) {
+  if (model.head && std::ranges::count(model.head->joints, channel.joint) > 0)
     return part == "head";
-  }
   for (int arm = 0; arm < static_cast<int>(model.arms.size()); ++arm) {
     const auto& joints = model.arms[arm].joints;
-    const bool is_of_arm = channel.gripper_of == arm ||
-                           std::find(joints.begin(), joints.end(), channel.joint) != joints.end();
-    if (is_of_arm) return part == "both" || part == model.arms[arm].name;
+    if (channel.gripper_of == arm || std::ranges::count(joints, channel.joint) > 0)
+      return part == "both" || part == model.arms[arm].name;
   }
   return false;
 }
@@ -221,30 +216,38 @@ int ExportMotion(const ExportOptions& options) {
   return kDone;
 }
 
+/// Demands that a format is of a kind if options of that kind are set.
+/// @param set  those options and `is` or `are`; empty without any.
+void RequireKind(bool is_kind, const std::string& set, const char* kind, const std::string& to) {
+  if (is_kind || set.empty()) return;
+  throw std::invalid_argument(set + " for " + kind + ", and --to is " + Quoted(to));
+}
+
 int Export(const ExportOptions& options, const DatasetOptions& dataset, const WorldExport& world) {
+  const std::string& to = options.format;
   const std::vector<std::string> arguments = dataset.arguments();
-  if (std::ranges::find(datasets::kDatasetFormats, options.format) !=
-      datasets::kDatasetFormats.end()) {
-    options.RequireNoneOfTrajectories();
+  const auto is_of = [&](const auto& names) { return std::ranges::count(names, to) > 0; };
+  const bool is_world = is_of(interchange::WorldFormatNames());
+  const bool is_dataset = is_of(datasets::kDatasetFormats);
+  const bool has_range = options.range != recording::TimeRange() || options.rate;
+  RequireKind(is_dataset, arguments.empty() ? "" : arguments.front() + " is", "datasets", to);
+  RequireKind(is_world,
+              world == WorldExport() ? "" : "--after, --path and options of the robot are",
+              "other simulators", to);
+  RequireKind(!is_world && !is_dataset, options.OfTrajectories(), "trajectories", to);
+  RequireKind(!is_dataset, has_range ? "--from, --to-time and --rate are" : "", "one recording",
+              to);
+  if (is_dataset) {
     RequireOutsideOfRecordings(options.out);
     std::vector<std::string> words{"export"};
     words.insert(words.end(), options.runs.begin(), options.runs.end());
-    words.insert(words.end(), {"--to", options.format, "--out", options.out});
+    words.insert(words.end(), {"--to", to, "--out", options.out});
     words.insert(words.end(), arguments.begin(), arguments.end());
     ContinueAsPythonDatasets(words);
   }
-  if (!arguments.empty()) {
-    throw std::invalid_argument(arguments.front() + " is for datasets, and --to is " +
-                                Quoted(options.format));
-  }
-  const std::vector<std::string_view> worlds = interchange::WorldFormatNames();
-  if (std::ranges::find(worlds, options.format) != worlds.end()) {
-    options.RequireNoneOfTrajectories();
-    RequireOne(options, "scene or recording");
-    return ExportWorld(options.runs.front(), options.format, options.out, world, options.range,
-                       options.rate);
-  }
-  return ExportMotion(options);
+  if (!is_world) return ExportMotion(options);
+  RequireOne(options, "scene or recording");
+  return ExportWorld(options.runs.front(), to, options.out, world, options.range, options.rate);
 }
 
 void AddDatasetOptions(CLI::App* command, DatasetOptions* options) {
@@ -286,9 +289,8 @@ void AddExport(CLI::App* program, ExitAnswer answer) {
                    "generations; for another simulator a scene file, for gltf and usd either")
       ->required();
   std::string formats;
-  for (const Format& format : kFormats) {
+  for (const Format& format : kFormats)
     formats += (formats.empty() ? "" : "; ") + std::string(format.name) + ": " + format.meaning;
-  }
   formats += "; datasets:";
   for (const std::string_view format : datasets::kDatasetFormats)
     formats += " " + std::string(format);

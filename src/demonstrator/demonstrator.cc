@@ -4,11 +4,10 @@
 #include "demonstrator/demonstrator.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "demonstrator/internal_tabletop_engine.h"
-#include "math/angles.h"
+#include "demonstrator/motion_plane.h"
 #include "world/refusal_names.h"
 
 namespace smile::demonstrator {
@@ -70,32 +69,12 @@ void Demonstrator::TurnPlane(HandName name, double angle_deg) {
 
 std::optional<Vector3> Demonstrator::PointOnPlane(HandName name, const Ray& ray, bool is_level,
                                                   Refusal* refusal) const {
-  constexpr double kParallel = 1e-9, kFar = 100;  // sine of an angle, [m]
-  const auto no = [refusal](Refusal why) {
-    *refusal = std::move(why);
+  if (auto empty = RefuseIfEmpty(name)) {
+    *refusal = *std::move(empty);
     return std::nullopt;
-  };
-  if (auto empty = RefuseIfEmpty(name)) return no(*empty);
-  // Directions of any length come from clients; a zero or infinite one has no norm of 1.
-  const Vector3 direction = ray.direction_in_world.stableNormalized();
-  if (!(direction.norm() > 0.5)) return no(Say("hands.rayWithoutDirection"));
-
-  const double angle = DegreesToRadians(plane_angle_deg(name));
-  const Vector3 normal =
-      is_level ? Vector3::UnitZ() : Vector3(-std::sin(angle), std::cos(angle), 0);
-  // Through the goal and not the body, which lags behind: the plane must not move while people
-  // drag.
-  const Vector3 p_WH = hand(name).X_WB_goal * hand(name).p_BH;
-  // Intersection of the ray with the plane through the hand's goal.
-  const double approach = normal.dot(direction);
-  const Refusal plane = is_level ? Say("hands.levelPlane", {{"hand", ToString(name)}})
-                                 : Say("hands.motionPlane", {{"hand", ToString(name)}});
-  if (!(std::abs(approach) > kParallel)) return no(Say("hands.rayIsParallel", {{"plane", plane}}));
-  const double distance = normal.dot(p_WH - ray.p_WOrigin) / approach;
-  if (!(distance >= 0)) return no(Say("hands.rayPointsAway", {{"plane", plane}}));
-  const Vector3 p_WHit = ray.p_WOrigin + distance * direction;
-  if (!(distance <= kFar)) return no(Say("hands.rayMeetsFar", {{"plane", plane}}));
-  return p_WHit;
+  }
+  const MotionPlane plane = {.angle_deg = plane_angle_deg(name), .is_level = is_level};
+  return MeetPlane(name, hand(name), plane, ray, refusal);
 }
 
 std::optional<Refusal> Demonstrator::Rotate(HandName name, const Vector3& angles_deg) {

@@ -19,6 +19,8 @@ JsonShape SceneUpdateShape() {
                       {"name", TextShape()},
                       {"metersPerUnit", NumberShape()},
                       {"table", ObjectShape({{"size", PointShape()}}), true, "its top is at z = 0"},
+                      {"center", PointShape(), kOptional,
+                       "what views look at (default: the origin, the middle of the table top)"},
                       {"numFrames", NumberShape()},
                       {"robotFrame", NumberShape().OrNull(), true, "first frame of the robot"},
                       {"visuals", JsonShape::List(VisualShape())},
@@ -159,6 +161,11 @@ std::vector<UpdateForm> MakeUpdateForms() {
                                  .Called("ProgressMessage");
   return {
       {"scene", SceneUpdateShape(), "see below"},
+      {"offers",
+       ObjectShape({KindMember("offers"), {"requests", TextsShape()}, {"commands", TextsShape()}})
+           .Called("OffersMessage"),
+       "the only requests and commands that this program carries out: pages leave out what needs "
+       "others. A studio carries out all, and does not send it"},
       {"looks",
        ObjectShape({KindMember("looks"), {"looks", NumbersShape()}}).Called("LooksMessage"),
        "one number per choice"},

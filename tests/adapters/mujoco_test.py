@@ -14,15 +14,12 @@ from pathlib import Path
 import numpy as np
 
 PROJECT = Path(sys.argv[1]).resolve()
-sys.path.append(str(PROJECT / "build/mujoco"))
-try:
-    import mujoco
-except ImportError:
-    print("skipped: MuJoCo is not installed, see tools/get_mujoco.sh")
-    sys.exit(77)
+sys.path.append(str(PROJECT / "tests"))
+from installed_mujoco import mujoco
 
 import smile
-from smile.adapters.mujoco import Demonstrator, replay
+from smile.adapters.mujoco import Demonstrator, MujocoEngine, replay
+from smile.adapters.page import Page
 
 FOLDER = tempfile.TemporaryDirectory()
 os.chdir(FOLDER.name)  # MuJoCo writes a log of its warnings
@@ -134,6 +131,129 @@ class Hands(unittest.TestCase):
         self.assertEqual((on.hash, on.events), (before, []))
 
 
+class Drawn(unittest.TestCase):
+    """Geoms in all their types, as shapes of the page."""
+
+    def setUp(self):
+        bodies = "".join(f'<body name="{kind}" pos="{k} 0 1"><freejoint/><geom type="{kind}" {size} rgba="1 .5 0 1"/></body>'
+                         for k, (kind, size) in enumerate((("box", 'size=".1 .2 .3"'), ("sphere", 'size=".1"'),
+                                                           ("cylinder", 'size=".1 .2"'), ("capsule", 'size=".1 .2"'),
+                                                           ("ellipsoid", 'size=".1 .2 .3"'), ("mesh", 'mesh="wedge"'))))
+        self.engine = MujocoEngine(mujoco.MjModel.from_xml_string(
+            '<mujoco><asset><mesh name="wedge" vertex="0 0 0  .2 0 0  0 .2 0  0 0 .4"/><hfield name="hills" nrow="2" '
+            'ncol="2" size="1 1 1 1"/></asset><worldbody><geom type="hfield" hfield="hills" pos="0 9 0"/>'
+            f'<geom type="plane" size="0 0 .1" group="1"/><geom type="box" size="1 1 1" group="3"/>{bodies}</worldbody></mujoco>'))
+        self.drawing = self.engine.drawing()
+
+    def test_is_every_geom_that_mujocos_viewer_shows(self):
+        self.assertEqual([visual.shape for visual in self.drawing.visuals],
+                         ["block", "block", "sphere", "cylinder", "cylinder", "sphere", "sphere", "mesh", "mesh"])
+        self.assertEqual(self.drawing.left_out, ["geoms of type hfield are not drawn"])
+        self.assertEqual(self.drawing.visuals[1].color, "#ff8000")
+        self.assertEqual(list(self.drawing.frame_of), ["box", "sphere", "cylinder", "capsule", "ellipsoid", "mesh"])
+
+    def test_fills_the_same_space(self):
+        np.testing.assert_allclose(self.drawing.visuals[1].size, (0.2, 0.4, 0.6))
+        for visual, mesh in zip(self.drawing.visuals[-2:], self.drawing.meshes):
+            count, triangles = np.frombuffer(mesh, "<u4", 2)
+            corners = np.frombuffer(mesh, "<f4", 3 * count, 8).reshape(-1, 3)
+            self.assertEqual((count, len(mesh)), (3 * triangles, 8 + 24 * count + 12 * triangles))
+            pose = self.engine.frame_poses()[visual.frame]
+            rotation = np.zeros(9)
+            mujoco.mju_quat2Mat(rotation, visual.rotation)
+            in_world = pose[:3] + visual.position + corners @ rotation.reshape(3, 3).T
+            low, high = (-0.1, -0.2, -0.3), (0.1, 0.2, 0.3)
+            if visual.frame == self.drawing.frame_of["mesh"]:
+                low, high = (0, 0, 0), (0.2, 0.2, 0.4)
+            np.testing.assert_allclose(in_world.min(0) - pose[:3], low, atol=1e-6)
+            np.testing.assert_allclose(in_world.max(0) - pose[:3], high, atol=1e-6)
+
+    def test_has_its_middle_below_the_objects(self):
+        np.testing.assert_allclose(self.drawing.center, (2.5, 0.05, 0.7), atol=0.06)
+
+
+class Paged(unittest.TestCase):
+    """The page on a model, as its server has it; web/test/mujoco.test.mjs uses it with a mouse."""
+
+    def setUp(self):
+        self.told = []
+        self.page = Page(stage(), folder=Path(FOLDER.name) / "demos", tell=self.told.append)
+        self.addCleanup(self.page.close)
+
+    def test_is_refused_at_no_port(self):
+        with self.assertRaisesRegex(ValueError, "port is 99999, expected a whole number from 0 to 65535"):
+            Page(stage(), port=99999)
+
+    def test_answers_everything_with_a_reason(self):
+        before = self.page.demonstrator.hash
+        for command, reason in (
+                ({"do": "destroy", "hand": "left"}, "'destroy' needs SMILE's own worlds; in MuJoCo "),
+                ({"do": "grasp", "hand": "left", "object": "shelf"}, "'shelf' is fixed"),
+                ({"do": "grasp", "hand": "left"}, "object"), ({"do": "grasp", "hand": 3, "object": "a"}, "hand"),
+                ({"do": "move_to", "hand": "left", "position": [0, 0, 1]}, "the left hand holds nothing"),
+                ({"do": "move_to", "hand": "left", "position": [0, 0, 1e300]}, "position"),
+                ({"do": "drag", "hand": "left", "origin": [0, 0, 1], "direction": [0, 0, -1]}, "the left hand holds nothing"),
+                ({"do": "finish"}, "there is no recording to finish"), ({"do": "undo"}, "nothing to undo"),
+                ({"do": "start", "name": "../a"}, "name"), ({}, "do"), ([], ""), (None, ""), (7, ""), ("grasp", "")):
+            with self.subTest(command), self.assertRaisesRegex((smile.Refused, ValueError), reason):
+                self.page._command(command)
+            if isinstance(command, dict) and command.get("do") in ("destroy", "grasp"):
+                self.assertRegex(self.page._allowed({"do": "command", "command": command}), reason)
+        self.assertRegex(self.page._allowed({"do": "load"}), "'load' needs SMILE's own worlds")
+        self.assertRegex(self.page._allowed({}), "needs SMILE's own worlds")
+        self.assertEqual((self.page.demonstrator.hash, self.page.demonstrator.events), (before, []))
+
+    def test_moves_and_turns_as_the_mouse_wants(self):
+        do = lambda **command: self.page._command({"hand": "right", **command})
+        do(do="grasp", object="a", point=[0, 0, 1])
+        do(do="rotate", angles=[0, 0, 30])
+        # Lengths are in units of 0.1 m. The ray meets the plane through the goal, which is turned by 90 degrees.
+        do(do="plane", angle=90)
+        do(do="drag", origin=[-5, 2, 4], direction=[1, 0, 0])
+        do(do="drag", origin=[3, 2, 9], direction=[0, 0, -2], level=True)
+        hand = self.page._state()["hands"]["right"]
+        np.testing.assert_allclose(hand["goal"], [3, 2, 4], atol=1e-3)
+        np.testing.assert_allclose(hand["place"], [3, 2, 3.5], atol=1e-3)
+        np.testing.assert_allclose(hand["angles"], [0, 0, 30], atol=1e-3)
+        self.assertEqual((hand["object"], hand["plane"]), ("a", 90))
+        with self.assertRaisesRegex(smile.Refused, "the ray is parallel to the motion plane of the right hand"):
+            do(do="drag", origin=[0, 0, 4], direction=[0, 1, 0])
+        self.assertTrue(self.page.demonstrator.advance_until_arrived())
+        np.testing.assert_allclose(self.page.demonstrator.poses["a"][:3], [0.3, 0.2, 0.35], atol=1e-3)
+
+    def test_writes_recordings_that_replay_also_at_its_end(self):
+        for end in (lambda: self.page._command({"do": "finish"}), self.page.close):
+            self.page._command({"do": "start"})
+            self.page._command({"do": "grasp", "hand": "right", "object": "b", "point": [3, 0, 0.5]})
+            self.page._command({"do": "move_to", "hand": "right", "position": [3, 0, 2]})
+            self.page.demonstrator.advance(0.3)
+            self.page._command({"do": "release", "hand": "right"})
+            end()
+        files = [Path(line.removeprefix("recording: ")) for line in self.told]
+        self.assertEqual([file.name for file in files], ["MuJoCo-Model-1.jsonl", "MuJoCo-Model-2.jsonl"])
+        for file in files:
+            replayed = replay(file, mujoco.MjModel.from_xml_string(MODEL))
+            self.assertEqual([row["do"] for row in replayed.events], ["grasp", "move", "release"])
+
+    def test_advances_also_by_steps_longer_than_a_frame(self):
+        on = self.page.demonstrator
+        on.model.opt.timestep = 0.05
+        self.page._set_speed({"factor": 0.1})
+        for _ in range(2 * 30):
+            self.page.update()
+        self.assertAlmostEqual(on.steps, 2, delta=1)
+
+    def test_stops_time_where_numbers_explode(self):
+        on = self.page.demonstrator
+        self.page._command({"do": "grasp", "hand": "right", "object": "a"})
+        on.data.qvel[on.model.body("b").dofadr[0]] = 1e12
+        on._last = on.engine.save()
+        self.page.update()
+        self.assertTrue(self.page._state()["paused"])
+        self.page._command({"do": "undo"})
+        self.assertEqual(on.events, [])
+
+
 class Undo(unittest.TestCase):
     def test_and_redo_are_exact_at_every_action(self):
         on, again = stage(), stage()
@@ -181,6 +301,28 @@ class Recording(unittest.TestCase):
         on = self.record()
         replayed = replay(self.file, mujoco.MjModel.from_xml_string(MODEL))
         self.assertEqual((replayed.hash, replayed.events), (on.hash, on.events))
+
+    def test_begins_and_ends_when_wanted(self):
+        on = stage()
+        stack(on)
+        hand = on.hand("left")
+        hand.grasp("cup")
+        with self.assertRaisesRegex(smile.Refused, "hand 'left' holds 'cup'; release it first"):
+            on.start()
+        hand.release()
+        on.start()
+        self.assertEqual((on.steps, on.events, on.can_undo), (0, [], False))
+        hand.grasp("cup")
+        on.advance(0.1)
+        on.finish(self.file)
+        replayed = replay(self.file, mujoco.MjModel.from_xml_string(MODEL))
+        self.assertEqual((replayed.hash, [row["do"] for row in replayed.events]), (on.hash, ["grasp"]))
+        # Without a recording, time leaves nothing behind.
+        rows = len(on._rows)
+        on.advance(1)
+        self.assertEqual(len(on._rows), rows)
+        with self.assertRaisesRegex(RuntimeError, "there is no recording"):
+            on.save(self.file)
 
     def test_names_the_first_difference(self):
         self.record()

@@ -178,6 +178,18 @@ TEST_F(Exports, ReportErrors) {
                 "smile: " + option + " is for trajectories, and --to is \"" + format + "\"\n");
     }
   }
+  for (const std::string option : {"--from 1", "--to-time 1", "--rate 60"}) {
+    EXPECT_EQ(Smile("export demo --to csv " + option + " --out x").err,
+              "smile: --from, --to-time and --rate are for one recording, and --to is \"csv\"\n");
+  }
+  for (const auto& [option, format] :
+       {std::pair{"--after 1", "trajectory-csv"}, std::pair{"--no-robot", "ros-trajectory"},
+        std::pair{"--path .", "zarr"}}) {
+    EXPECT_EQ(Smile("export demo --to " + std::string(format) + " " + option + " --out x").err,
+              "smile: --after, --path and options of the robot are for other simulators, and "
+              "--to is \"" +
+                  std::string(format) + "\"\n");
+  }
   EXPECT_EQ(Smile("export demo --to usd --out demo/x.usda").exit_code, 1);
   Write("broken.csv", "time,left_s0\n0,0.25\n1,half\n");
   EXPECT_EQ(Smile("run pair.xml --trajectory broken.csv").err,

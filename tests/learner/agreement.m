@@ -78,7 +78,7 @@ tool = newBlock([], [2, 0.5, 1], [1, 1.5, 0.5], 0.4);
 some = points(1:3:end, :);
 is_tool = belongsTo(tool, some);
 show(is_tool);
-show(loadOf(some(is_tool, :), 0.5, [1, 0, 0, 1; 0, -1, 0, 2; 0, 0, -1, 3; 0, 0, 0, 1]));
+show(loadOf(wholeOf(some(is_tool, :), 0.5), [1, 0, 0, 1; 0, -1, 0, 2; 0, 0, -1, 3; 0, 0, 0, 1]));
 
 % By how much colors changed, and which are the same; 9 and 0 if they are not; and how much brighter it is.
 for k = 0:59

@@ -13,7 +13,7 @@ import numpy as np
 from act.finger_room import grasp_yaws, is_grasp_blocked
 from check.task_state import TaskState
 from plan.free_places import is_free
-from plan.loads import belongs_to, load_of
+from plan.loads import belongs_to, load_of, whole_of
 from plan.making_room import room_moves
 from plan.moves import Move
 from plan.skyline import skyline_of
@@ -98,7 +98,7 @@ def what_a_tool_passes():
     is_tool = belongs_to(tool, points[::3])
     yield is_tool
     pose = np.array([[1, 0, 0, 1], [0, -1, 0, 2], [0, 0, -1, 3], [0, 0, 0, 1]])
-    yield load_of(points[::3][is_tool], 0.5, pose).points.T
+    yield load_of(whole_of(points[::3][is_tool], 0.5), pose).points.T
 
 
 def colors_in_another_light():

@@ -1,12 +1,23 @@
 // What this page may ask for now. Each state from the program contains it; the page adds only
 // whether it is connected and controls.
 
-import { isConnected, isController, state } from "./studio";
+import type { Command } from "./commands";
+import { isConnected, isController, offers, state } from "./studio";
 import type { Allowed, Wanted } from "./protocol";
 import { settled } from "./settled";
 import { texts } from "./texts";
 
 const permissions = settled(() => state.value?.allowed ?? null);
+
+/** Whether the program has such a request at all; what needs it is left out otherwise. */
+export function isOffered(what: Wanted): boolean {
+  return offers.value?.requests.includes(what) ?? true;
+}
+
+/** The same of a command. */
+export function isCommandOffered(what: Command["do"]): boolean {
+  return offers.value?.commands.includes(what) ?? true;
+}
 
 /** Whether this page may ask for anything but to watch. */
 export function mayControlNow(): Allowed {

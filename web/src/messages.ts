@@ -237,6 +237,8 @@ export interface SceneMessage {
   metersPerUnit: number;
   /** its top is at z = 0 */
   table: { size: Point };
+  /** what views look at (default: the origin, the middle of the table top) */
+  center?: Point;
   numFrames: number;
   /** first frame of the robot */
   robotFrame: number | null;
@@ -244,6 +246,12 @@ export interface SceneMessage {
   looks: number[];
   objects: SceneObject[];
   robot: RobotDescription | null;
+}
+
+export interface OffersMessage {
+  t: "offers";
+  requests: string[];
+  commands: string[];
 }
 
 export interface LooksMessage {
@@ -359,6 +367,7 @@ export interface ErrorMessage {
 /** Messages that are not replies. */
 export type Update =
   | SceneMessage
+  | OffersMessage
   | LooksMessage
   | StateMessage
   | EventMessage

@@ -10,6 +10,7 @@ import type {
   FieldsOf,
   HandName,
   Job,
+  OffersMessage,
   Poses,
   SceneMessage,
   StateMessage,
@@ -24,6 +25,8 @@ export const variants = signal<number[]>([]);
 export const state = signal<StateMessage | null>(null);
 export const clients = signal<ClientsMessage | null>(null);
 export const isConnected = signal(false);
+/** What a program that is no studio carries out; null: everything. */
+export const offers = signal<OffersMessage | null>(null);
 /** Where the program's meshes are on the server. */
 export const programFolder = signal("/");
 export const eyeView = signal<EyeView | null>(null);
@@ -69,6 +72,9 @@ function onUpdate(update: Update): void {
     case "scene":
       scene.value = update;
       variants.value = update.looks;
+      break;
+    case "offers":
+      offers.value = update;
       break;
     case "looks":
       variants.value = update.looks;
@@ -132,7 +138,7 @@ export function disconnect(): void {
   connection?.close();
   connection = null;
   isConnected.value = false;
-  for (const known of [scene, state, clients]) known.value = null;
+  for (const known of [scene, state, clients, offers]) known.value = null;
   variants.value = [];
 }
 

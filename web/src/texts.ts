@@ -43,6 +43,7 @@ export const texts = {
 
   record: {
     ...t.record,
+    saved: (title: string) => say(t.record.saved, { title }),
     kept: (title: string) => say(t.record.kept, { title }),
     keptEmpty: (title: string) => say(t.record.keptEmpty, { title }),
     keptHeld: (title: string, object: string) => say(t.record.keptHeld, { title, object }),

@@ -2,14 +2,15 @@
 // They are made small by Debian's pngquant, which has to be there.
 
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { buildLetters } from "./letters.mjs";
 import { writeMoodyBrain } from "./moody_brain.mjs";
+import { MujocoProgram } from "./mujoco_program.mjs";
 import { Fingers, Person } from "./person.mjs";
-import { Browser } from "./workbench.mjs";
+import { Browser, Witness } from "./workbench.mjs";
 
 const FOLDER = fileURLToPath(new URL("../../docs/images/", import.meta.url));
 const SMILE = process.env.SMILE ?? "build/dev/bin/smile";
@@ -25,7 +26,7 @@ const ends = [];
 const browser = new Browser();
 await browser.start();
 try {
-  for (const take of [atTheTable, withLetters, onAPhone, ofManyRobots]) {
+  for (const take of [atTheTable, withLetters, onAPhone, ofManyRobots, inMujoco]) {
     const isWanted = process.argv.length === 2 || process.argv.includes(take.name);
     if (isWanted) await take();
     for (const end of ends.splice(0)) await end();
@@ -49,7 +50,7 @@ async function shoot({ page, person }, name) {
     return toasts === 0 && shown.every((image) => image.complete);
   });
   await person.look();
-  const path = `${FOLDER}studio-${name}.png`;
+  const path = `${FOLDER}${name}.png`;
   await page.screenshot({ path });
   execFileSync("pngquant", ["--force", "--strip", "--output", path, "192", path]);
 }
@@ -67,10 +68,10 @@ async function atTheTable() {
   await person.grasp("BlueBlock");
   await person.carryAbove("BlueBlock", [1.8, -2, 2.4]);
   await person.press("color");
-  await shoot(desk, "demonstrating");
+  await shoot(desk, "studio-demonstrating");
   await page.emulateMedia({ colorScheme: "dark" });
   await page.waitForFunction(() => document.documentElement.dataset.theme === "dark");
-  await shoot(desk, "dark");
+  await shoot(desk, "studio-dark");
   await page.emulateMedia({ colorScheme: "light" });
   await page.waitForFunction(() => document.documentElement.dataset.theme === "light");
 
@@ -82,7 +83,7 @@ async function atTheTable() {
   await person.button("Play", timeline).waitFor();
   await timeline.getByRole("list", { name: "Segments" }).getByRole("button").nth(3).click();
   await witness.until(() => witness.state.mode === "playback", "a moment of it");
-  await shoot(desk, "library");
+  await shoot(desk, "studio-library");
   await person.press("Back to the table");
 
   await person.showPanel("Objects");
@@ -91,16 +92,16 @@ async function atTheTable() {
   await page.getByRole("combobox", { name: "Brain", exact: true }).selectOption("wave.py");
   await person.press("Start");
   await page.getByRole("log", { name: "Console" }).getByText("left gripper").first().waitFor();
-  await shoot(desk, "brain");
+  await shoot(desk, "studio-brain");
   await person.press("Stop");
   await person.showPanel("Robot");
-  await shoot(desk, "robot");
+  await shoot(desk, "studio-robot");
 
   await person.press("Edit");
   const text = page.getByRole("textbox", { name: "Scene text" });
   await text.fill((await text.inputValue()).replace("(0.4,-3.8,0.5)", "(0.4,-3.8)"));
   await page.getByRole("button", { name: /^Line/ }).first().waitFor();
-  await shoot(desk, "editor");
+  await shoot(desk, "studio-editor");
 }
 
 /** As the robot would see them. */
@@ -113,7 +114,7 @@ async function withLetters() {
   await page.mouse.move(x, y);
   for (let k = 0; k < ZOOM; ++k) await page.mouse.wheel(0, -100);
   await page.mouse.move(0, 0);
-  await shoot(desk, "letters");
+  await shoot(desk, "studio-letters");
 }
 
 async function onAPhone() {
@@ -125,7 +126,7 @@ async function onAPhone() {
   await page.getByRole("button", { name: "Record" }).waitFor();
   const person = new Person(page, witness, await Fingers.on(page));
   await person.grasp("GreenBlock");
-  await shoot(desk, "phone");
+  await shoot(desk, "studio-phone");
 }
 
 /** Six episodes of a brain that sometimes gives up. */
@@ -143,11 +144,25 @@ async function ofManyRobots() {
   const dialog = page.getByRole("dialog");
   await dialog.getByRole("textbox", { name: "Name" }).fill("towers");
   await dialog.getByRole("spinbutton", { name: "Episodes" }).fill("6");
-  await shoot(desk, "generate");
+  await shoot(desk, "studio-generate");
   await person.press("Generate", dialog);
   await dialog.getByText("Done").waitFor({ timeout: 300_000 });
   await dialog.locator("footer").getByRole("button", { name: "Close" }).click();
   await page.getByRole("region", { name: "Generated sets" }).getByRole("button", { name: "Open" }).click();
   await page.locator(".attempt img").nth(5).waitFor();
-  await shoot(desk, "attempts");
+  await shoot(desk, "studio-attempts");
+}
+
+/** That of docs/other-simulators.md. */
+async function inMujoco() {
+  const model = readFileSync(shipped("tools/simulator_pictures/boxes.xml"), "utf8");
+  const program = await MujocoProgram.start({ after: (end) => ends.push(end) }, model);
+  const witness = await Witness.of(program);
+  const page = await browser.open(program, {}, LIKES);
+  const person = new Person(page, witness);
+  await person.press("Record");
+  await person.grasp("blue");
+  const [x, y, z] = witness.positionOf("red");
+  await person.carryAbove("blue", [x, y, z + 1.6]);
+  await shoot({ page, person }, "simulators/mujoco-page");
 }

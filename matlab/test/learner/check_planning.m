@@ -23,4 +23,33 @@ function check_planning()
   missing = block(blue, cube, 3, -2, 0, 0);
   known = updateBeliefs([tower(1), missing], tower(2), pictureOf(tower), robotEye());
   check(isequal(known, tower([2, 1])), 'a hidden block is remembered, a missing one is not');
+
+  checkOrders(steps);
+  checkWays();
+end
+
+function checkOrders(steps)
+% A seed varies the order of open steps.
+  steps(2).on = 1;
+  orders = zeros(0, 2);
+  for seed = 1:20
+    orders(end + 1, :) = openSteps(initialTaskState(steps, [], noPresses(), [], choicesOf(struct('variationOrder', seed))));
+  end
+  check(isequal(unique(orders, 'rows'), [1, 3; 3, 1]), 'a seed varies the order of what may be next');
+end
+
+function checkWays()
+% Seeds vary how a block is held and carried.
+  eval('function actions = planArmPickAndPlace(~, ~, yaw, ~, ~, height, varargin), actions = [yaw, height]; end');
+  remove = onCleanup(@() clear('-f', 'planArmPickAndPlace'));
+  arm = struct('index', 1, 'opening', 2, 'reach', 0.75, 'foot', [0, 0]);
+  start = block([1, 0, 0], [1, 1, 1], -2, -2, 0, 0);
+  goal = block([1, 0, 0], [1, 1, 1], 2, -2, 0, 0);
+  plan = @(way) planPickAndPlace(arm, start, asStep(goal), noBlocks(), struct('arms', struct('joints', [])), [], way);
+  usual = plan(wayOf(choicesOf(struct()), 0));
+  holds = cell2mat(arrayfun(@(move) plan(wayOf(choicesOf(struct('variationGrasp', 7)), move))', 1:20, 'UniformOutput', false));
+  check(numel(unique(holds(1, :))) > 1 && all(holds(2, :) == usual(2)), 'a seed varies how a block is held');
+  rises = cell2mat(arrayfun(@(move) plan(wayOf(choicesOf(struct('variationPath', 7)), move))' - usual', 1:20, ...
+                            'UniformOutput', false));
+  check(numel(unique(rises(2, :))) == 20 && all(rises(2, :) > 0 & rises(2, :) <= 1), 'and how high it is carried');
 end

@@ -43,7 +43,7 @@ function checkCarrying(eye)
   eval('function q = smileSample(path, times), q = interp1(0:path.duration, path.positions, times); end');
   remove = onCleanup(@() clear('-f', 'smileForward', 'armPoints', 'smileSample'));
   arm = struct('robot', [], 'name', '', 'reach', 0.75);
-  load = loadOf(points(is_tool, :), 0.4, smileForward([], '', [-2, -3, 0.6]));
+  load = loadOf(wholeOf(points(is_tool, :), 0.4), smileForward([], '', [-2, -3, 0.6]));
   for k = [0.5, 1.5, 1.5, 2.5; 2, 2, 4, 3.5; 1, 0, 1, 0; 1, 1, 1, 0]
     path = straightPath([1; 1] * [k(1), -3, k(2)]);
     check(avoids(around, arm, path, load) == k(3), 'the tip passes over the post');
@@ -71,7 +71,9 @@ function checkWayOver(eye, arm)
   high = max(around.ofArm.heights(:)) + arm.reach + 0.1;
   ways = struct('is_line', {true, false, false}, 'height', {0, 0, high});
   isClear = @(path) all(cellfun(@(it) avoids(around, arm, it), path(4:5)));
-  plan = @(ways) planThereAndBack(arm, {over, poseAt([-3, -3, 1]), over}, {poseAt([3, -3, 2])}, {over, over}, ways, parked, [], isClear);
+  hold = struct('arm', arm, 'poses', {{over, poseAt([-3, -3, 1]), over}}, 'first', parked);
+  taken = planToTake(hold, parked, []);
+  plan = @(ways) planThereAndBack(arm, taken, {poseAt([3, -3, 2])}, {over, over}, ways, [], isClear);
   check(isempty(plan(ways(1:2))), 'a post between a tool and its work is in the way');
   path = plan(ways);
   check(max(max(abs(path{4}.positions - flipud(path{5}.positions)))) < 1e-9, 'the way back is the way there');

@@ -24,11 +24,15 @@ class Load:
         return np.array([self.points.min(axis=0), self.points.max(axis=0)]) + [[-C.cell / 2], [C.cell / 2]]
 
 
-def load_of(points, middle, tool):
-    """Returns the Load that visible points of an object become when it is taken with a tool at a pose, 4x4. Below
-    the height of its middle [units], which is not visible, it is taken to be as above."""
+def whole_of(points, middle):
+    """Returns points on an object of which some points are visible, one in each cell, Nx3 [units]. Below the height of its
+    middle [units], which is not visible, it is taken to be as above."""
     _, first = np.unique(cells_of(points, np.zeros(2)), axis=0, return_index=True)
-    whole = np.concatenate([points[first], points[first] * [1, 1, -1] + [0, 0, 2 * middle]])
+    return np.concatenate([points[first], points[first] * [1, 1, -1] + [0, 0, 2 * middle]])
+
+
+def load_of(whole, tool):
+    """Returns the Load that an object becomes when it is taken with a tool at a pose, 4x4. whole: points on it, Nx3 [units]"""
     return Load((whole - tool[:3, 3]) @ tool[:3, :3])
 
 
@@ -41,11 +45,11 @@ def belongs_to(block, points):
     is_part = overlap(covered, np.column_stack([(cells + 0.5) * C.cell, np.full((len(cells), 2), C.cell),
                                                 np.zeros(len(cells))]))
     # From cell to cell, until no other one touches them.
-    grown = False
-    while not np.array_equal(grown, is_part):
-        grown = is_part
-        away = np.abs(cells[:, None] - cells[grown]).max(axis=2)
-        is_part = grown | (away.min(axis=1) <= C.max_gap_cells)
+    newest = is_part
+    while newest.any():
+        near = (np.abs(cells[:, None] - cells[newest]).max(axis=2) <= C.max_gap_cells).any(axis=1)
+        newest = near & ~is_part
+        is_part = is_part | near
     mask = np.zeros(len(points), bool)
     mask[low] = is_part[index.ravel()]
     return mask

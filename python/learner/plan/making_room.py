@@ -37,10 +37,12 @@ def room_for(state, move, movable, site, arms, eye, sensor):
     block = move.block
     fixed = [it for it in state.known if it is not block and it not in movable] + assumed_support(block)
     left = [] if move.goal else [*state.left, block]
+    candidates = free_placements(arms, eye, block, fixed + site, move.goal, state.unexplained)
+    covered = footprint(candidates, C.place_margin / 2)
+    is_clear = [is_free(covered, [it]) for it in movable]
     places = []
-    for place in free_placements(arms, eye, block, fixed + site, move.goal, state.unexplained):
-        covered = footprint([place], C.place_margin / 2)
-        in_way = [it for it in movable if not is_free(covered, [it])]
+    for i, place in enumerate(candidates):
+        in_way = [it for it, clear in zip(movable, is_clear) if not clear[i]]
         if in_way and len(in_way) <= C.max_put_aside and not is_near(place, left):
             places.append((place, in_way))
     num_tried = 0

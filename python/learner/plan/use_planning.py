@@ -1,19 +1,17 @@
 """Plans uses of tools: take one, bring it to where it works, close the gripper again, and put it back."""
 
-from itertools import product
+from itertools import tee
 
 import numpy as np
 
-from act.actions import Grasp
-from act.finger_room import grasp_yaws
 from act.grippers import can_hold, nearest_first
-from check.failures import has_failed
 from constants import USES as C
 from match.pressing import is_changed
 from match.tools import find_tool
 from plan.carrying import surroundings_of
 from plan.loads import belongs_to
-from plan.use_paths import plan_arm_use
+from plan.tool_holds import holds
+from plan.use_paths import plan_held_use
 from plan.ways import Way
 from things.areas import rotated
 
@@ -37,14 +35,14 @@ def plan_use(use, alignment, surface, state, arms, sensor):
     fixed = around[~is_changed(use, alignment, around, state.shown)]
     avoided = surroundings_of(around), surroundings_of(fixed)
     able = nearest_first([it for it in arms if can_hold(it, tool.size[1])], tool.position[0])
-    for (part, ways), arm, across in product(ways_past(avoided[0]), able, grasp_yaws(tool, others)):
-        attempt = Grasp(tool.position, arm.index, across)
-        if has_failed(attempt, state.failures):
-            continue
-        actions = plan_arm_use(arm, tool, looks, across, (end + part * (begin - end), end), turn, avoided, ways,
-                               sensor.arms[arm.index].joints)
-        if actions:
-            return actions, attempt, None
+    candidates = holds(able, tool, looks, others, state.failures, sensor)
+    for part, ways in ways_past(avoided[0]):
+        # Each is planned once, when its turn comes first.
+        candidates, these = tee(candidates)
+        for hold in these:
+            actions = plan_held_use(hold, tool, (end + part * (begin - end), end), turn, avoided, ways)
+            if actions:
+                return actions, hold.grasp, None
     return [], None, "no arm brings it there and back"
 
 

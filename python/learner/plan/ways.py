@@ -10,29 +10,38 @@ from act.segments import at_height, is_path_valid, move_joints, move_line
 Way = namedtuple("Way", "is_line height")
 
 
-def plan_there_and_back(arm, take, work, put, ways, q, held, is_clear):
-    """Plans the paths of an arm to the first of some tool poses and along straight lines through the others, on the
-    first possible Way to its work and back, and to its parking pose: a list; [] if there is none.
+def plan_to_take(arm, poses, first, q, held):
+    """Plans the paths of an arm to the first of some tool poses, and along straight lines through the others: a list; []
+    if there are none.
 
-    take, work, put: lists of tool poses, 4x4 [units]; it takes something at the second pose of take, and leaves it at
-                     the second of put, which begins where take ended
-    ways:            Ways, in the order in which they are tried
-    q:               its joint angles [rad]
-    held:            box around what it takes, see is_path_valid
-    is_clear:        function of that list: whether nothing is in the way
+    poses: 4x4 [units]; it takes something at the second one
+    first: joint angles from which those at the first pose are searched [rad]
+    q:     its joint angles [rad]
+    held:  box around what it takes, see is_path_valid
     """
-    for first in arm.starts:
-        above = solve_pose_sequence(arm, take, first)
-        taken = above is not None and lines(arm, [move_joints(arm, [q, above])], take[1:])
-        if not taken or not are_valid(arm, taken[:2]) or not are_valid(arm, taken[2:], held):
+    above = solve_pose_sequence(arm, poses, first)
+    path = above is not None and lines(arm, [move_joints(arm, [q, above])], poses[1:])
+    return path if path and are_valid(arm, path[:2]) and are_valid(arm, path[2:], held) else []
+
+
+def plan_there_and_back(arm, taken, work, put, ways, held, is_clear):
+    """Plans the paths of an arm that took something through the tool poses of its work, on the first possible Way there and
+    back, and to its parking pose: a list, which begins with the paths on which it took that; [] if there is none.
+
+    taken:     paths, see plan_to_take
+    work, put: lists of tool poses, 4x4 [units]; it leaves what it holds at the second of put, which begins where the
+               paths ended
+    ways:      Ways, in the order in which they are tried
+    held:      box around what it holds, see is_path_valid
+    is_clear:  function of that list: whether nothing is in the way
+    """
+    for way in ways:
+        path = there_and_back(arm, taken, work, put, way)
+        if not path:
             continue
-        for way in ways:
-            path = there_and_back(arm, taken, work, put, way)
-            if not path:
-                continue
-            path.append(move_joints(arm, [path[-1].positions[-1], arm.parked]))
-            if are_valid(arm, path[len(taken):-2], held) and are_valid(arm, path[-2:]) and is_clear(path):
-                return path
+        path.append(move_joints(arm, [path[-1].positions[-1], arm.parked]))
+        if are_valid(arm, path[len(taken):-2], held) and are_valid(arm, path[-2:]) and is_clear(path):
+            return path
     return []
 
 

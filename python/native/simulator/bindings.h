@@ -18,5 +18,7 @@ void BindRobotMotion(pybind11::module_& m);
 void BindEpisode(pybind11::module_& m);
 void BindViewer(pybind11::module_& m);
 void BindHands(pybind11::module_& m);
+void BindPages(pybind11::module_& m);
+void BindRobotBrain(pybind11::module_& m);
 
 }  // namespace smile::python

@@ -7,11 +7,14 @@
 
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "arrays.h"
 #include "base/state_hash.h"
 #include "bindings.h"
+#include "demonstrator/motion_plane.h"
+#include "math/angles.h"
 
 namespace smile::python {
 
@@ -75,11 +78,23 @@ class EngineHands {
   EngineHands& operator=(const EngineHands&) = delete;
 
   demonstrator::Hands& hands() { return hands_; }
+  const demonstrator::Hand& state(HandName hand) const {
+    return states_[static_cast<std::size_t>(hand)];
+  }
   SavedHands states() const { return {states_}; }
   void Restore(const SavedHands& saved) { states_ = saved.states; }
   std::optional<std::string> Held(HandName hand) const {
-    const BodyId body = states_[static_cast<std::size_t>(hand)].held;
+    const BodyId body = state(hand).held;
     return body ? std::optional(engine_.ObjectOf(body)) : std::nullopt;
+  }
+  /// Returns where the hand wants the grasped point, and the origin and the angles of its object:
+  /// three numbers each, in m, m and degrees; None if it is empty.
+  std::optional<std::tuple<Array, Array, Array>> Goal(HandName name) const {
+    const demonstrator::Hand& hand = state(name);
+    if (!hand.is_holding()) return std::nullopt;
+    const RigidTransform& X_WB = hand.X_WB_goal;
+    return std::tuple(ArrayOf(Vector3(X_WB * hand.p_BH)), ArrayOf(X_WB.translation()),
+                      ArrayOf(FixedAxesAngles(X_WB.rotation())));
   }
   std::uint64_t Hash() const {
     StateHash hash;
@@ -108,6 +123,20 @@ Refusal MoveTo(EngineHands& on, HandName hand, const Array& position, std::optio
   return on.hands().MoveTo(hand, Vector3From("position", position), speed);
 }
 
+/// Returns (refusal, None) or (None, point [m]).
+std::pair<Refusal, std::optional<Array>> PointOnPlane(EngineHands& on, HandName hand,
+                                                      const Array& origin, const Array& direction,
+                                                      double angle_deg, bool is_level) {
+  if (auto empty = on.hands().RefuseIfEmpty(hand)) return {std::move(empty), std::nullopt};
+  world::Refusal refusal;
+  const demonstrator::Ray ray = {Vector3From("origin", origin),
+                                 Vector3From("direction", direction)};
+  const auto point =
+      demonstrator::MeetPlane(hand, on.state(hand), {angle_deg, is_level}, ray, &refusal);
+  if (!point) return {std::move(refusal), std::nullopt};
+  return {std::nullopt, ArrayOf(*point)};
+}
+
 }  // namespace
 
 void BindHands(py::module_& m) {
@@ -126,7 +155,9 @@ void BindHands(py::module_& m) {
              return on.hands().Rotate(hand, Vector3From("angles", angles) * 180.0 / M_PI);
            })
       .def("release", [](EngineHands& on, HandName hand) { return on.hands().Release(hand); })
+      .def("point_on_plane", &PointOnPlane)
       .def("held", &EngineHands::Held)
+      .def("goal", &EngineHands::Goal)
       .def("has_arrived",
            [](EngineHands& on, HandName hand) { return on.hands().has_arrived(hand); })
       .def("before_step", [](EngineHands& on) { on.hands().BeforeStep(); })

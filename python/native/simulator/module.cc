@@ -56,4 +56,6 @@ PYBIND11_MODULE(smile_simulator_native, m) {
   smile::python::BindEpisode(m);
   smile::python::BindViewer(m);
   smile::python::BindHands(m);
+  smile::python::BindPages(m);
+  smile::python::BindRobotBrain(m);
 }

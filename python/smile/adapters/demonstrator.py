@@ -76,7 +76,9 @@ class Demonstrator:
     """
 
     def __init__(self, engine: Engine) -> None:
+        """Takes the simulator as it is; a recording begins here."""
         self.engine = engine
+        self._is_recording = True
         self._hands = _native.EngineHands(engine)
         self._door = _Door(self)
         self._model, self._start = engine.model_hash(), engine.save()
@@ -120,6 +122,33 @@ class Demonstrator:
             raise ValueError(f"hand is {name!r}, expected left, right, both or any")
         return Hand(self._door, name)
 
+    def refuse_to_grasp(self, hand: str, object: str) -> str | None:
+        """Returns the reason why a hand cannot grasp an object now."""
+        return self._hands.plan_grasp(_native.HandName.__members__[hand], object)[0]
+
+    def goal(self, hand: str) -> tuple[Floats, Floats, Floats] | None:
+        """Returns where a hand wants the grasped point [m], the object's origin [m], and its angles about the world's
+        x, then y, then z axis [degrees]; None if it is empty."""
+        return self._hands.goal(_native.HandName.__members__[hand])
+
+    def point_on_plane(self, hand: str, origin: Floats, direction: Floats, angle: float, is_level: bool) -> Floats:
+        """Returns the point [m] where a ray meets a plane through the hand's goal.
+
+        angle     of a vertical plane, from the x axis [degrees]
+        is_level  the plane is level instead
+
+        Raises Refused with the reason if it meets none.
+        """
+        name = _native.HandName.__members__[hand]
+        refusal, point = self._hands.point_on_plane(name, origin, direction, angle, is_level)
+        if refusal is not None or point is None:
+            raise Refused(refusal)
+        return point
+
+    def refusal_of(self, command: str) -> str:
+        """Returns the reason why hands cannot do here what they do in SMILE's own worlds."""
+        return f"'{command}' needs SMILE's own worlds; in {self.engine.name}, hands grasp, move, rotate and release"
+
     def step(self, count: int = 1) -> None:
         """Advances by a number of steps."""
         if isinstance(count, bool) or not isinstance(count, int) or not 0 <= count <= _MOST_STEPS:
@@ -130,7 +159,7 @@ class Demonstrator:
                 self._hands.before_step()
                 self.engine.step()
                 self._step += 1
-                if self._step % self._steps_per_row == 0:
+                if self._is_recording and self._step % self._steps_per_row == 0:
                     self._rows.append(self._row())
         finally:
             self._last = self.engine.save()
@@ -170,11 +199,44 @@ class Demonstrator:
         self._rows[then.rows:] = rows
         self._return_to(later)
 
+    @property
+    def can_undo(self) -> bool:
+        return bool(self._undo)
+
+    @property
+    def can_redo(self) -> bool:
+        return bool(self._redo)
+
+    def refuse_to_start(self) -> str | None:
+        """Returns the reason why no recording can begin now."""
+        for name in _native.HandName.__members__:
+            held = self.hand(name).held
+            if held is not None:
+                return f"hand '{name}' holds '{held}'; release it first, as recordings begin with empty hands"
+        return None
+
+    def start(self) -> None:
+        """Begins a recording here. What was done before is not in it, and can no longer be undone."""
+        refusal = self.refuse_to_start()
+        if refusal is not None:
+            raise Refused(refusal)
+        self._demand_untouched()
+        self._start, self._step, self._is_recording = self._last, 0, True
+        for kept in (self._rows, self._undo, self._redo):
+            kept.clear()
+
+    def finish(self, path: str | os.PathLike[str]) -> None:
+        """Writes the recording, see save(), and ends it: poses are no longer kept, until start() begins another."""
+        self.save(path)
+        self._is_recording = False
+
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes a recording: what hands did, and the poses of all objects at 60 Hz. See docs/other-simulators.md.
 
-        Raises RuntimeError if the model was changed since the start.
+        Raises RuntimeError if the model was changed since the start, or the recording has ended.
         """
+        if not self._is_recording:
+            raise RuntimeError("there is no recording: finish() ended it, expected start() before")
         if self.engine.model_hash() != self._model:
             raise RuntimeError("the model was changed since the start, which a recording cannot contain")
         head = {"format": FORMAT, "version": VERSION, "engine": self.engine.name, "model": self._model,
@@ -236,7 +298,7 @@ class Demonstrator:
             return self._hands.rotate(hand, _vector("angles", command["angles"]))
         if do == "release":
             return self._hands.release(hand)
-        return f"'{do}' needs SMILE's own worlds; in {self.engine.name}, hands grasp, move, rotate and release"
+        return self.refusal_of(do)
 
 
 def _hand(command: Row) -> Any:

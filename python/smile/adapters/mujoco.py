@@ -5,20 +5,29 @@
     hand = with_hands.hand("right")
     hand.grasp("cup")
 
+Or with the mouse, in the studio's page: `python3 -m smile.adapters.mujoco scene.xml`.
+
 MuJoCo's Python package is needed: `pip install mujoco`. See docs/other-simulators.md.
 """
 
 from __future__ import annotations
 
+import argparse
 import hashlib
 import os
+import sys
+import webbrowser
+from pathlib import Path
 from typing import Any
 
 import mujoco
 import numpy as np
 
 from smile.adapters import demonstrator as _demonstrator
+from smile.adapters.drawing import Drawing
 from smile.adapters.engine import Floats
+from smile.adapters.mujoco_drawing import drawing_of
+from smile.adapters.page import Page
 
 Source = str | os.PathLike[str] | Any
 
@@ -62,6 +71,14 @@ class MujocoEngine:
     def object_ids(self) -> list[str]:
         """Names of the bodies with a free joint."""
         return [name for name, body in self._ids.items() if self._is_free(body)]
+
+    def drawing(self) -> Drawing:
+        return drawing_of(self.model, {name: self._ids[name] for name in self.object_ids}, self.data)
+
+    def frame_poses(self) -> Floats:
+        # Those of `data` are from the begin of the last step.
+        mujoco.mj_kinematics(self.model, self.data)
+        return np.concatenate([self.data.xpos, self.data.xquat], 1)
 
     def model_hash(self) -> str:
         content = np.zeros(mujoco.mj_sizeModel(self.model), np.uint8)
@@ -198,9 +215,41 @@ class Demonstrator(_demonstrator.Demonstrator):
         return self.engine.data
 
 
+    def page(self, *, port: int = 0, folder: str | os.PathLike[str] = "recordings") -> Page:
+        """Opens the studio's page on the model, see smile.adapters.page.Page; page.serve() runs it."""
+        return Page(self, port=port, folder=Path(folder))
+
+
 def replay(path: str | os.PathLike[str], model: Source) -> _demonstrator.Demonstrator:
     """Carries out a recording again, with the same model and the same version of MuJoCo.
 
     Raises ValueError, with the line, at the first difference; see smile.adapters.demonstrator.replay().
     """
     return _demonstrator.replay(path, MujocoEngine(model))
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Serves the studio's page on a model; returns the exit code."""
+    parser = argparse.ArgumentParser(prog="python3 -m smile.adapters.mujoco",
+                                     description="Demonstrate in a MuJoCo model with the mouse, in SMILE's page")
+    parser.add_argument("model", help="MJCF file")
+    parser.add_argument("--port", type=int, default=0, help="port of the page (default: the first free one from 8470 on)")
+    parser.add_argument("--recordings", default="recordings", help="folder of the recordings (default: recordings)")
+    parser.add_argument("--open", action="store_true", help="open the page in the browser")
+    options = parser.parse_args(arguments)
+    try:
+        page = Demonstrator(options.model).page(port=options.port, folder=options.recordings)
+        for words in page.left_out:
+            print(words, file=sys.stderr)
+        print(page.url, flush=True)
+        if options.open:
+            webbrowser.open(page.url)
+        page.serve()
+        return 0
+    except (ValueError, RuntimeError) as error:
+        print(f"smile.adapters.mujoco: {error}", file=sys.stderr)
+        return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -12,9 +12,11 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import smile
+from smile.ros.brain_command import camera_of, cell_fault, describe_outcome, describe_task, dry_run, write_brain_report
+from smile.ros.brain_performing import BrainPerformance, BrainTask
 from smile.ros.calibrating import photograph, touch, write_cell
 from smile.ros.calibration import Board, read_json, table_fault
-from smile.ros.description import RobotDescription
+from smile.ros.description import RobotDescription, describe
 from smile.ros.link import RobotLink, SeeingLink
 from smile.ros.motion_plan import Plan, approach, fastest, faults, hardest, plan_of, tools
 from smile.ros.performing import Performance, Stopped, Watch, write_report
@@ -126,18 +128,20 @@ def _add_bridge(parser: argparse.ArgumentParser) -> None:
 
 def _add_perform(commands: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
     parser = commands.add_parser(
-        "perform", help="let a real robot perform a recorded motion",
+        "perform", help="let a real robot perform a recorded motion, or a brain drive it",
         description="Lets the robot at ROS_MASTER_URI, or behind a rosbridge server, perform what the simulated robot did "
-                    "in a recording. Read docs/real-robot.md first. Ends with 0 if it did, 1 if it was stopped or must not.")
-    parser.add_argument("run", metavar="RUN", help="folder of a recording of a robot, or of an imitation")
+                    "in a recording, or lets a brain drive it. Read docs/real-robot.md first. Ends with 0 if it did, 1 if it was stopped or must not.")
+    parser.add_argument("run", metavar="RUN", help="folder of a recording of a robot, or of an imitation; with --brain: scene file")
+    _add_brain(parser)
     parser.add_argument("--limb", action="append", default=[], metavar="NAME", help="arm that moves; may be repeated (default: each that moves in the recording)")
-    parser.add_argument("--speed", default=0.3, type=_number(0.01, 1, ""), metavar="N", help="fraction of the speed of the recording (default 0.3)")
+    parser.add_argument("--speed", default=0.3, type=_number(0.01, 1, ""), metavar="N", help="fraction of the speed of the recording, or of the clock of the brain (default 0.3)")
     parser.add_argument("--max-acceleration", default=3.0, type=_number(0.01, 100, " rad/s²"), metavar="A", help="greatest acceleration of a joint in rad/s² (default 3)")
     parser.add_argument("--tolerance", default=0.15, type=_number(0.001, 1, " rad"), metavar="RAD", help="tracking error at which the robot is stopped, in rad (default 0.15)")
     parser.add_argument("--silence", default=0.5, type=_number(0.05, 60, " s"), metavar="S", help="wall-clock time without joint states after which the robot is stopped, in seconds (default 0.5)")
     _add_bridge(parser)
     parser.add_argument("--cell", metavar="FILE", help="calibration that `smile ros calibrate` wrote: refuse a table that is not where the scene has it (default: none; the table is not checked)")
     parser.add_argument("--enable", action="store_true", help="switch the motors on, if they are off")
+    parser.add_argument("--start-by-trajectory", action="store_true", help="let the robot's own controller follow the way to the start, as one trajectory (default: it is streamed, as the rest)")
     parser.add_argument("--dry-run", action="store_true", help="check everything and say what would be done, and move nothing")
     parser.add_argument("--page", nargs="?", const=0, type=_port, metavar="PORT", help="serve a page with a red button that stops the robot, to this machine only (default: none; without PORT any that is free)")
     parser.add_argument("--yes", action="store_true", help="do not ask before the robot moves")
@@ -145,7 +149,98 @@ def _add_perform(commands: "argparse._SubParsersAction[argparse.ArgumentParser]"
     parser.set_defaults(run_command=_perform)
 
 
+def _add_brain(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("a brain that drives the robot")
+    group.add_argument("--brain", metavar="BRAIN", help="brain, as smile run --brain has it, in place of a recorded motion")
+    group.add_argument("--robot", metavar="NAME", help="robot: a name that `smile robots` lists, or a URDF file (default baxter)")
+    group.add_argument("--demonstration", metavar="DIR", help="recording that the brain imitates (default: none)")
+    group.add_argument("--camera", metavar="TOPIC", help="pictures for the brain, as /cameras/head_camera/image, of the camera in --cell (default: none; the brain sees nothing)")
+    group.add_argument("--depth", metavar="TOPIC", help="depths in the pixels of --camera (default: none)")
+    group.add_argument("--size", type=_size, metavar="WxH", help="size of the pictures for the brain in pixels (default 640x480)")
+    group.add_argument("--picture-age", type=_number(0.01, 10, " s"), metavar="S", help="greatest age of a picture when the brain gets it, in seconds; the arms wait for a newer one (default 0.1)")
+    group.add_argument("--timeout", type=_number(0.1, 3600, " s"), metavar="S", help="wall-clock timeout per callback in seconds (default 5)")
+    group.add_argument("--seconds", type=_number(0.1, 36000, " s"), metavar="S", help="time limit by the clock of the brain in seconds (default 600)")
+
+
+_OF_BRAINS = ("robot", "demonstration", "camera", "depth", "size", "picture_age", "timeout", "seconds")
+
+
+def _mixed_options(options: argparse.Namespace) -> str | None:
+    """Returns what is wrong with options of which some belong to brains; None if nothing is."""
+    if options.brain is None:
+        given = [name for name in _OF_BRAINS if getattr(options, name) is not None]
+        return f"--{given[0].replace('_', '-')} is for a brain, expected --brain as well" if given else None
+    if options.limb:
+        return "--limb selects from a recorded motion, but a brain may move all arms: expected no --limb"
+    if options.depth is not None and options.camera is None:
+        return "--depth belongs to the pixels of a camera, expected --camera as well"
+    if options.camera is not None and options.cell is None:
+        return "where the camera is must be known, expected --cell"
+    return None
+
+
+def _perform_brain(options: argparse.Namespace) -> int:
+    model = smile.load(options.run, options.robot or "baxter")
+    if not model.has_robot:
+        raise ValueError(f"{options.run}: has no robot, expected one to drive")
+    description = describe(model)
+    cell = {} if options.cell is None else read_json(options.cell)
+    try:
+        fault = None if options.cell is None else cell_fault(cell, model, description, options.camera)
+    except ValueError as error:
+        raise ValueError(f"{options.cell}: {error}") from None
+    if fault is not None:
+        print(f"refused: {fault}")
+        return FAILED
+
+    def work(link: SeeingLink) -> int:
+        camera = None if options.camera is None else camera_of(link, cell, options.camera, options.depth, options.size or (640, 480))
+        given = {name: value for name in ("timeout", "seconds", "picture_age") if (value := getattr(options, name)) is not None}
+        task = BrainTask(options.brain, options.demonstration or "", camera, options.speed, options.max_acceleration, **given)
+        print("\n".join(describe_task(task, model, description)), flush=True)
+        return _drive(link, model, description, task, options)
+    return _with_link(options.bridge, model.arm_names, description, work)
+
+
+def _drive(link: SeeingLink, model: smile.Model, description: RobotDescription, task: BrainTask, options: argparse.Namespace) -> int:
+    page = None if options.page is None or options.dry_run else StopPage(task.brain, options.page)
+    performance = BrainPerformance(link, model, description, task, Watch(tolerance=options.tolerance, silence=options.silence), page,
+                                   options.start_by_trajectory)
+    try:
+        if options.dry_run:
+            fault = dry_run(performance)
+            print("nothing moved: " + ("this would be performed" if fault is None else f"refused: {fault}"))
+            return 0 if fault is None else FAILED
+        if not _is_agreed(link, page, options):
+            return FAILED
+        outcome = performance.perform(lambda line: print(line, flush=True))
+    finally:
+        performance.close()
+    if page is not None:
+        page.close("Performed." if outcome.reason is None else f"Stopped: {outcome.reason}.")
+    if options.report is not None:
+        write_brain_report(outcome, task, description, options.report)
+    print("\n".join(describe_outcome(outcome)))
+    return 0 if outcome.reason is None else FAILED
+
+
+def _is_agreed(link: RobotLink, page: StopPage | None, options: argparse.Namespace) -> bool:
+    """Asks whether the robot may move, and switches its motors on if that is wanted."""
+    if page is not None:
+        print(f"stop button: {page.link}", flush=True)
+    if not (options.yes or _is_wanted()):
+        print("nothing moved")
+        return False
+    if options.enable:
+        switch_on(link)
+    return True
+
+
 def _perform(options: argparse.Namespace) -> int:
+    if (fault := _mixed_options(options)) is not None:
+        raise ValueError(fault)
+    if options.brain is not None:
+        return _perform_brain(options)
     plan = plan_of(smile.open(recording_of(options.run)), options.limb, options.speed)
     _describe(plan, options.max_acceleration)
     found = faults(plan, options.max_acceleration)
@@ -190,14 +285,9 @@ def _perform_on(link: RobotLink, plan: Plan, options: argparse.Namespace) -> int
     if options.dry_run:
         return _dry_run(Performance(link, plan, watch), plan)
     page = None if options.page is None else StopPage(plan.title, options.page)
-    if page is not None:
-        print(f"stop button: {page.link}", flush=True)
-    if not (options.yes or _is_wanted()):
-        print("nothing moved")
+    if not _is_agreed(link, page, options):
         return FAILED
-    if options.enable:
-        switch_on(link)
-    outcome = Performance(link, plan, watch, page).perform(lambda line: print(line, flush=True))
+    outcome = Performance(link, plan, watch, page, options.start_by_trajectory).perform(lambda line: print(line, flush=True))
     if page is not None:
         page.close("Performed." if outcome.reason is None else f"Stopped: {outcome.reason}.")
     print(outcome.tracking.table() if outcome.tracking.errors else "nothing was performed")

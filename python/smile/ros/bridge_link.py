@@ -9,15 +9,20 @@ import os
 import threading
 import time
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
 from smile.ros.bridge import Bridge
-from smile.ros.camera import info_topic_of, intrinsics_of, rgb_of
-from smile.ros.link import CameraReading, GripperReading, Reading, SeeingLink
+from smile.ros.camera import depth_of, info_topic_of, intrinsics_of, rgb_of
+from smile.ros.joint_path import JointPath
+from smile.ros.link import CameraReading, GripperReading, Reading, SeeingLink, TrajectoryReading
+from smile.ros.trajectory_goal import KIND, action_of, goal_of, reading_of
 
 _CONNECTION_SECONDS = 10.0
+_ACTION_SECONDS = 5.0
+_ADVERTISE_SECONDS = 2.0
+"""from the announcement of a topic to its first message [s]"""
 _MOST_WORDS = 5
 _MOST_JOINTS = 1000
 _SAME_CLOCK = 60.0
@@ -77,6 +82,15 @@ class BridgeLink(SeeingLink):
         self._grippers: dict[str, tuple[int, GripperReading]] = {}
         self._sequences = dict.fromkeys(arms, 0)
         self._words: deque[str] = deque(maxlen=_MOST_WORDS)
+        self._goals: dict[str, str] = {}
+        """by arm: id of the trajectory that was sent last"""
+        self._trajectories: dict[str, tuple[int, str]] = {}
+        """status and words of trajectories, by their ids"""
+        self._serving: set[str] = set()
+        """arms whose action has reported"""
+        self._watched: dict[str, dict[str, Any]] = {}
+        """the newest messages of the camera that is watched"""
+        self._watched_topic, self._has_depth = "", False
         self._bridge = Bridge(address, self._notify)
         for arm in arms:
             self._bridge.advertise(f"/robot/limb/{arm}/joint_command", "baxter_core_msgs/JointCommand")
@@ -171,6 +185,55 @@ class BridgeLink(SeeingLink):
         self._bridge.publish(f"/robot/limb/{arm}/joint_command", {
             "mode": _POSITION_MODE, "names": list(names), "command": [float(one) for one in positions]})
 
+    def follow(self, paths: Mapping[str, JointPath], tolerance: float) -> None:
+        # An action of ROS 1 consists of topics.
+        new = [arm for arm in paths if arm not in self._serving]
+        for arm in new:
+            self._offer_action(arm)
+        with self._news:
+            self._news.wait_for(lambda: self._serving.issuperset(paths) or self._bridge.fault is not None, _ACTION_SECONDS)
+        if missing := [action_of(arm) for arm in paths if arm not in self._serving]:
+            raise RuntimeError(self._bridge.fault or f"no action {missing[0]} behind {self._bridge.address} within {_ACTION_SECONDS:g} s")
+        if new:
+            # A goal that is sent before the robot listens to its topic is lost; the bridge does not say when that is.
+            time.sleep(_ADVERTISE_SECONDS)
+        stamp = {"secs": 0, "nsecs": 0}
+        for arm, path in paths.items():
+            name = f"{self._name}-{arm}-{time.monotonic_ns()}"
+            self._trajectories[name] = 0, ""
+            self._goals[arm] = name
+            self._bridge.publish(f"{action_of(arm)}/goal", {
+                "header": {"stamp": stamp, "frame_id": ""}, "goal_id": {"stamp": stamp, "id": name}, "goal": goal_of(path, tolerance)})
+
+    def _offer_action(self, arm: str) -> None:
+        action = action_of(arm)
+        self._bridge.advertise(f"{action}/goal", f"{KIND}ActionGoal")
+        self._bridge.advertise(f"{action}/cancel", "actionlib_msgs/GoalID")
+        self._bridge.subscribe(f"{action}/result", f"{KIND}ActionResult", lambda message: self._take_status(message["status"]))
+        self._bridge.subscribe(f"{action}/status", "actionlib_msgs/GoalStatusArray", partial(self._take_statuses, arm))
+
+    def _take_statuses(self, arm: str, message: dict[str, Any]) -> None:
+        with self._news:
+            self._serving.add(arm)
+            self._news.notify_all()
+        for status in _list_of(message["status_list"], "status_list"):
+            self._take_status(status)
+
+    def _take_status(self, status: dict[str, Any]) -> None:
+        name = status["goal_id"]["id"]
+        # Of other programs; or one that is older than the result.
+        if name not in self._trajectories or reading_of(*self._trajectories[name]).is_done:
+            return
+        self._trajectories[name] = int(number_of(status["status"])), str(status["text"])[:300]
+
+    def trajectory(self, arm: str) -> TrajectoryReading:
+        return reading_of(*self._trajectories[self._goals[arm]])
+
+    def cancel(self) -> None:
+        for arm, name in self._goals.items():
+            if not self.trajectory(arm).is_done:
+                self._bridge.publish(f"{action_of(arm)}/cancel", {"stamp": {"secs": 0, "nsecs": 0}, "id": name})
+
     def grip(self, arm: str, percent: float) -> int:
         self._sequences[arm] += 1
         number = self._grippers[arm][0] if arm in self._grippers else 0
@@ -215,16 +278,38 @@ class BridgeLink(SeeingLink):
             self._bridge.unsubscribe(one)
         if len(received) < 2:
             raise RuntimeError(self._bridge.fault or f"{topic} and {info_topic} did not both arrive within {timeout:g} s")
-        try:
-            return _camera_reading_of(received["image"], received["info"])
-        except (KeyError, TypeError, ValueError, OverflowError) as error:
-            raise ValueError(f"{topic}: the picture or its camera_info is faulty: {error}") from None
+        return _camera_reading_of(topic, received)
+
+    def watch(self, topic: str, depth_topic: str | None) -> None:
+        self._watched_topic, self._has_depth = topic, depth_topic is not None
+        topics = {"image": (topic, "sensor_msgs/Image"), "info": (info_topic_of(topic), "sensor_msgs/CameraInfo")}
+        if depth_topic is not None:
+            topics["depth"] = (depth_topic, "sensor_msgs/Image")
+        for name, (one, kind) in topics.items():
+            self._bridge.subscribe(one, kind, partial(self._watched.__setitem__, name))
+
+    def seen(self) -> CameraReading | None:
+        newest = dict(self._watched)
+        if len(newest) < (3 if self._has_depth else 2):
+            return None
+        return _camera_reading_of(self._watched_topic, newest)
 
 
-def _camera_reading_of(image: dict[str, Any], info: dict[str, Any]) -> CameraReading:
+def _image_fields(image: dict[str, Any]) -> tuple[str, int, int, int]:
     width, height, step = (int(number_of(image[name])) for name in ("width", "height", "step"))
-    rgb = rgb_of(str(image["encoding"]), width, height, step, base64.b64decode(image["data"], validate=True))
-    # ROS 2 has small letters.
-    K, D = (_list_of(info[name if name in info else name.lower()], name) for name in ("K", "D"))
-    return CameraReading(rgb, *intrinsics_of(str(info["distortion_model"]), [number_of(one) for one in K],
-                                             [number_of(one) for one in D]))
+    return str(image["encoding"]), width, height, step
+
+
+def _camera_reading_of(topic: str, messages: dict[str, dict[str, Any]]) -> CameraReading:
+    image, info, depth = messages["image"], messages["info"], messages.get("depth")
+    try:
+        rgb = rgb_of(*_image_fields(image), base64.b64decode(image["data"], validate=True))
+        stamps = [seconds_of(message["header"]["stamp"]) for message in (image, depth) if message is not None]
+        depths = None if depth is None else depth_of(*_image_fields(depth), bool(number_of(depth["is_bigendian"])),
+                                                     base64.b64decode(depth["data"], validate=True))
+        # ROS 2 has small letters.
+        K, D = (_list_of(info[name if name in info else name.lower()], name) for name in ("K", "D"))
+        return CameraReading(rgb, *intrinsics_of(str(info["distortion_model"]), [number_of(one) for one in K],
+                                                 [number_of(one) for one in D]), min(stamps), depths)
+    except (KeyError, TypeError, ValueError, OverflowError) as error:
+        raise ValueError(f"{topic}: the picture or its camera_info is faulty: {error}") from None

@@ -13,6 +13,8 @@ from smile.simulation import Floats
 _MOST_SIDE = 8192
 _CHANNELS = {"rgb8": (3, [0, 1, 2]), "bgr8": (3, [2, 1, 0]), "rgba8": (4, [0, 1, 2]), "bgra8": (4, [2, 1, 0]), "mono8": (1, [0, 0, 0])}
 """bytes of a pixel, and which of them are red, green and blue"""
+_DEPTHS = {"16UC1": ("u2", 0.001), "32FC1": ("f4", 1.0)}
+"""type of a depth, and its unit [m] (REP 118)"""
 
 
 def rgb_of(encoding: str, width: int, height: int, step: int, data: bytes) -> npt.NDArray[np.uint8]:
@@ -31,6 +33,20 @@ def rgb_of(encoding: str, width: int, height: int, step: int, data: bytes) -> np
         raise ValueError(f"the picture has {len(data)} bytes in rows of {step}, expected {height} rows of at least {width * count}")
     rows = np.frombuffer(data, np.uint8).reshape(height, step)[:, :width * count]
     return np.ascontiguousarray(rows.reshape(height, width, count)[:, :, order])
+
+
+def depth_of(encoding: str, width: int, height: int, step: int, is_bigendian: bool, data: bytes) -> npt.NDArray[np.float32]:
+    """Returns the (height, width) depths of an Image message [m], 0 where none is known; ValueError as rgb_of()."""
+    if encoding not in _DEPTHS:
+        raise ValueError(f"encoding is {encoding[:40]!r}, expected one of {', '.join(_DEPTHS)} for depths")
+    kind, unit = _DEPTHS[encoding]
+    size = np.dtype(kind).itemsize
+    if not (1 <= width <= _MOST_SIDE and 1 <= height <= _MOST_SIDE) or step < width * size or len(data) != step * height:
+        raise ValueError(f"the depths have {len(data)} bytes in rows of {step}, expected {height} rows of at least {width * size}")
+    rows = np.frombuffer(data, np.uint8).reshape(height, step)[:, :width * size]
+    depths = np.ascontiguousarray(rows).view((">" if is_bigendian else "<") + kind).astype(np.float32) * np.float32(unit)
+    # Cameras report NaN or infinity where they see nothing.
+    return np.where(np.isfinite(depths) & (depths > 0), depths, np.float32(0))
 
 
 def intrinsics_of(model: str, K: Sequence[float], D: Sequence[float]) -> tuple[Floats, Floats]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import tempfile
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -12,7 +13,7 @@ import numpy as np
 import smile
 from smile.motion import Robot
 from smile.native import load
-from smile.simulation import Floats
+from smile.simulation import Floats, Simulation
 
 if TYPE_CHECKING:
     from smile import smile_simulator_native as _native
@@ -149,3 +150,15 @@ class RobotDescription:
     def speed(self, joint: str) -> float:
         """Returns a joint's maximum speed [rad/s; m/s]."""
         return self.joints[joint].speed if joint in self.joints else np.inf
+
+
+def describe(model: smile.Model) -> RobotDescription:
+    """Returns the description of a model's robot."""
+    # A recording contains the robot's files, with the limits of its grippers.
+    folder = tempfile.TemporaryDirectory(prefix="smile_ros_")
+    with Simulation(model) as sim:
+        sim.record(Path(folder.name) / "robot", pictures=False)
+        sim.step()
+        description = RobotDescription(sim.finish())
+    description.files = folder
+    return description

@@ -9,6 +9,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from smile.ros.joint_path import JointPath
+
 
 class Reading(NamedTuple):
     """Positions of joints at a time."""
@@ -32,6 +34,15 @@ class GripperReading(NamedTuple):
     holds: bool
 
 
+class TrajectoryReading(NamedTuple):
+    """State of a trajectory that a robot follows by itself."""
+
+    has_begun: bool
+    is_done: bool
+    fault: str | None
+    """why the robot refused or ended it; None if it did not"""
+
+
 class CameraReading(NamedTuple):
     """A picture of a camera."""
 
@@ -41,6 +52,10 @@ class CameraReading(NamedTuple):
     """(3, 3) [px]"""
     distortion: npt.NDArray[np.float64]
     """(5,) coefficients of ROS' plumb_bob"""
+    time: float
+    """at which it was taken, by the robot's clock; with depths, when the older of both was [s]"""
+    depth: npt.NDArray[np.float32] | None = None
+    """(height, width): distance along the camera's axis [m], 0 where it is not known; None without a camera of depths"""
 
 
 class RobotLink(ABC):
@@ -57,6 +72,23 @@ class RobotLink(ABC):
     @abstractmethod
     def command(self, arm: str, names: Sequence[str], positions: Sequence[float]) -> None:
         """Sends goals of an arm's joints [rad]. An arm without commands stops by itself."""
+
+    @abstractmethod
+    def follow(self, paths: Mapping[str, JointPath], tolerance: float) -> None:
+        """Sends trajectories of all joints of some arms, which their own controllers begin at once.
+
+        tolerance  error of a joint on the way at which a controller ends its trajectory [rad]
+
+        Raises RuntimeError if an arm has no such controller; then nothing was sent.
+        """
+
+    @abstractmethod
+    def trajectory(self, arm: str) -> TrajectoryReading:
+        """Returns the state of the trajectory that was sent last to an arm."""
+
+    @abstractmethod
+    def cancel(self) -> None:
+        """Ends the trajectories that were sent and are not done. Does nothing if there are none."""
 
     @abstractmethod
     def grip(self, arm: str, percent: float) -> int:
@@ -91,4 +123,18 @@ class SeeingLink(RobotLink):
         """Returns the next picture of a topic, with the camera_info beside it.
 
         Raises RuntimeError if they do not arrive within wall-clock time [s], ValueError if they are faulty.
+        """
+
+    @abstractmethod
+    def watch(self, topic: str, depth_topic: str | None) -> None:
+        """Receives pictures of a topic from now on, with the camera_info beside it.
+
+        depth_topic  of the depths in the same pixels; None without
+        """
+
+    @abstractmethod
+    def seen(self) -> CameraReading | None:
+        """Returns the newest picture of the topic that is watched; None before the first one.
+
+        Raises ValueError if it is faulty.
         """

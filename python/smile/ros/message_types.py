@@ -8,6 +8,7 @@ imported.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -64,7 +65,25 @@ EndEffectorProperties = _classes["baxter_core_msgs/EndEffectorProperties"]
 EndEffectorState = _classes["baxter_core_msgs/EndEffectorState"]
 EndpointState = _classes["baxter_core_msgs/EndpointState"]
 JointCommand = _classes["baxter_core_msgs/JointCommand"]
+FollowJointTrajectoryActionGoal = _classes["control_msgs/FollowJointTrajectoryActionGoal"]
+FollowJointTrajectoryActionResult = _classes["control_msgs/FollowJointTrajectoryActionResult"]
 FollowJointTrajectoryAction = _classes["control_msgs/FollowJointTrajectoryAction"]
 FollowJointTrajectoryFeedback = _classes["control_msgs/FollowJointTrajectoryFeedback"]
 FollowJointTrajectoryGoal = _classes["control_msgs/FollowJointTrajectoryGoal"]
 FollowJointTrajectoryResult = _classes["control_msgs/FollowJointTrajectoryResult"]
+
+
+def fill(message: Any, values: Mapping[str, Any]) -> Any:
+    """Sets the fields of a message, and of messages in it, by their names; returns it. genpy's own function finds no
+    generated classes. Raises ValueError if there is no such field."""
+    for name, value in values.items():
+        if not hasattr(message, name):
+            raise ValueError(f"{type(message).__name__} has no field {name}")
+        if isinstance(value, Mapping):
+            fill(getattr(message, name), value)
+        elif isinstance(value, list) and value and isinstance(value[0], Mapping):
+            kind = message._slot_types[message.__slots__.index(name)].removesuffix("[]")
+            setattr(message, name, [fill(_classes[kind](), one) for one in value])
+        else:
+            setattr(message, name, value)
+    return message

@@ -104,11 +104,16 @@ def plan_of(recording: smile.Recording, limbs: Sequence[str], speed: float) -> P
         raise ValueError(f"{recording.directory}: no arm moves in it")
     names = [name for arm in arms for name in description.arms[arm]]
     times = (ticks - ticks[0]) / TICKS_PER_SECOND
-    root = ElementTree.fromstring(recording.model.xml)  # as SMILE has written it
-    width, depth = (float(root.attrib[name]) * recording.model.unit for name in ("xspan", "yspan"))
-    return Plan(description, recording.title or recording.model.name, (width, depth), arms,
+    return Plan(description, recording.title or recording.model.name, table_of(recording.model), arms,
                 JointPath(names, times, joints[:, [column(name) for name in names]]),
                 _gripper_moves(recording, description, arms, joints, ticks), speed)
+
+
+def table_of(model: smile.Model) -> tuple[float, float]:
+    """Returns width and depth of a scene's table [m]."""
+    root = ElementTree.fromstring(model.xml)  # as SMILE has written it
+    width, depth = (float(root.attrib[name]) * model.unit for name in ("xspan", "yspan"))
+    return width, depth
 
 
 def _gripper_moves(recording: smile.Recording, description: RobotDescription, arms: Sequence[str], joints: Floats,
@@ -188,6 +193,20 @@ def tools(plan: Plan, arm: str) -> Floats:
     return np.array([(X_WB @ motion.forward(arm, q))[:3, 3] for q in plan.path.positions[:, plan.columns(arm)]])
 
 
+def workspace_fault(table: tuple[float, float], place: Floats) -> str | None:
+    """Returns why a tool must not be at a place, which begins with the place; None if it may.
+
+    table  width and depth [m]
+    place  (3,) in the world [m]
+    """
+    width, depth = table
+    low, high = np.array([-width / 2 - MARGIN, -depth / 2 - MARGIN, 0]), np.array([width / 2 + MARGIN, depth / 2 + MARGIN, HEIGHT])
+    if ((place >= low) & (place <= high)).all():
+        return None
+    return (f"({', '.join(f'{one:.3f}' for one in place)}) m, outside of the workspace from ({', '.join(f'{one:g}' for one in low)}) to "
+            f"({', '.join(f'{one:g}' for one in high)}) m,")
+
+
 def faults(plan: Plan, max_acceleration: float) -> list[str]:
     """Returns why the motion must not be performed; empty if it may be."""
     found = []
@@ -203,14 +222,11 @@ def faults(plan: Plan, max_acceleration: float) -> list[str]:
             slower = plan.speed / worst.fraction ** (1 / power)
             found.append(f"{worst.joint} {what} {worst.value:.2f} {unit} at {worst.time:.2f} s of the recording, expected up to "
                          f"{worst.limit:g}; --speed {np.floor(slower * 1000) / 1000:g} keeps to it")
-    width, depth = plan.table
-    low, high = np.array([-width / 2 - MARGIN, -depth / 2 - MARGIN, 0]), np.array([width / 2 + MARGIN, depth / 2 + MARGIN, HEIGHT])
     for arm in plan.arms:
-        places = tools(plan, arm)
-        for row in np.flatnonzero(((places < low) | (places > high)).any(axis=1))[:1]:
-            found.append(f"the {arm} tool is at ({', '.join(f'{one:.3f}' for one in places[row])}) m at {plan.path.times[row]:.2f} s, "
-                         f"outside of the workspace from ({', '.join(f'{one:g}' for one in low)}) to "
-                         f"({', '.join(f'{one:g}' for one in high)}) m")
+        for time, place in zip(plan.path.times, tools(plan, arm)):
+            if (fault := workspace_fault(plan.table, place)) is not None:
+                found.append(f"the {arm} tool is at {fault} at {time:.2f} s")
+                break
     return found
 
 

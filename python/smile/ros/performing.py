@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
+from smile.ros.description import RobotDescription
 from smile.ros.joint_path import JointPath
 from smile.ros.link import GripperReading, Reading, RobotLink
 from smile.ros.motion_plan import GripperMove, Plan, approach
@@ -23,6 +24,10 @@ _SETTLE_SECONDS = 2.0
 """time at the end for the joints to arrive [s]"""
 _SETTLED = 0.01
 """[rad]"""
+_TRAJECTORY_SECONDS = 5.0
+"""time that the robot's own controller may take longer [s]"""
+_LATE_SECONDS = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5)
+"""by how much it may begin later [s]"""
 _GRIPPER_TOLERANCE = 5.0
 """[%]"""
 _GRIPPER_PATIENCE = 5.0
@@ -113,17 +118,21 @@ def write_report(outcome: Outcome, plan: Plan, path: str) -> None:
         file.write("\n")
 
 
-class Performance:
-    """A plan on its way through a robot."""
+class WatchedRobot:
+    """A robot that is moved, and watched meanwhile: any fault raises Stopped.
 
-    def __init__(self, link: RobotLink, plan: Plan, watch: Watch, supervisor: Supervisor | None = None) -> None:
-        self._link, self._plan, self._watch = link, plan, watch
-        self._supervisor = supervisor or Supervisor()
+    arms           that are moved
+    by_trajectory  the robot's own controller follows the way to the start
+    """
+
+    def __init__(self, link: RobotLink, description: RobotDescription, arms: Sequence[str], watch: Watch,
+                 supervisor: Supervisor | None, by_trajectory: bool) -> None:
+        self._link, self._description, self._arms, self._watch = link, description, list(arms), watch
+        self._names = [name for arm in self._arms for name in description.arms[arm]]
+        self._supervisor, self._by_trajectory = supervisor or Supervisor(), by_trajectory
         self._last: Reading | None = None
         self._elapsed = 0.0
-        self._tracking = Tracking(plan.path.names)
-        self._waiting = list(plan.grippers)
-        self._active: list[ActiveGrip] = []
+        self._tracking = Tracking(self._names)
 
     # Readings.
 
@@ -143,11 +152,11 @@ class Performance:
         return reading
 
     def _fault_of(self, reading: Reading) -> str | None:
-        missing = [name for name in self._plan.path.names if name not in reading.positions]
+        missing = [name for name in self._names if name not in reading.positions]
         if missing:
             named = ", ".join(reading.positions)[:200]
             return f"the joint states lack {missing[0]}: they name {named or 'no joint'}"
-        for name in self._plan.path.names:
+        for name in self._names:
             if not math.isfinite(reading.positions[name]):
                 return f"{name} is {reading.positions[name]}, expected a finite number"
         if reading.age > self._watch.age:
@@ -163,14 +172,17 @@ class Performance:
         return None
 
     def positions(self, reading: Reading) -> Floats:
-        """Returns the positions of the plan's joints [rad]."""
-        return np.array([reading.positions[name] for name in self._plan.path.names])
+        """Returns the positions of the joints [rad]."""
+        return np.array([reading.positions[name] for name in self._names])
 
     # Motions.
 
     def _command(self, positions: Floats) -> None:
-        for arm in self._plan.arms:
-            self._link.command(arm, self._plan.description.arms[arm], positions[self._plan.columns(arm)].tolist())
+        begin = 0
+        for arm in self._arms:
+            joints = self._description.arms[arm]
+            self._link.command(arm, joints, positions[begin:begin + len(joints)].tolist())
+            begin += len(joints)
 
     def _follow(self, path: JointPath, speed: float, during: Callable[[float, float], bool],
                 tracking: Tracking | None) -> None:
@@ -203,13 +215,14 @@ class Performance:
     def _check(self, errors: Floats, time: float) -> None:
         worst = int(np.abs(errors).argmax())
         if abs(errors[worst]) > self._watch.tolerance:
-            raise Stopped(f"{self._plan.path.names[worst]} is {abs(errors[worst]):.3f} rad from where it should be at "
+            raise Stopped(f"{self._names[worst]} is {abs(errors[worst]):.3f} rad from where it should be at "
                           f"{time:.2f} s of the motion, expected less than {self._watch.tolerance:g} rad")
 
     def _hold(self) -> None:
         """Tells the arms to stay where they are. The grippers keep what they hold."""
         assert self._last is not None
-        if not all(math.isfinite(self._last.positions.get(name, math.nan)) for name in self._plan.path.names):
+        self._link.cancel()
+        if not all(math.isfinite(self._last.positions.get(name, math.nan)) for name in self._names):
             return
         for _ in range(_HOLD_READINGS):
             self._command(self.positions(self._last))
@@ -217,10 +230,10 @@ class Performance:
             if self._link.wait(0.1) is None:
                 return
 
-    def _settle(self) -> None:
-        """Waits until the joints are at the end of the path."""
+    def _settle(self, end: Floats) -> None:
+        """Waits until the joints are where they should be in the end."""
         assert self._last is not None
-        begin, end = self._last.time, self._plan.path.positions[-1]
+        begin = self._last.time
         while True:
             reading = self.read()
             self._command(end)
@@ -228,8 +241,60 @@ class Performance:
             if errors.max() < _SETTLED:
                 return
             if reading.time - begin > _SETTLE_SECONDS:
-                raise Stopped(f"{self._plan.path.names[int(errors.argmax())]} came to rest {errors.max():.3f} rad from its "
+                raise Stopped(f"{self._names[int(errors.argmax())]} came to rest {errors.max():.3f} rad from its "
                               f"end, expected less than {_SETTLED:g} rad")
+
+    def _go_to_start(self, plan: Plan, say: Callable[[str], None]) -> None:
+        """Moves slowly to the begin of a plan, if nothing is in the way."""
+        path, fault = approach(plan, self.read().positions)
+        if fault is not None:
+            raise Stopped(fault)
+        # Planning took its time.
+        self._last = None
+        self.read()
+        say(f"moving to the start: {path.duration:.1f} s")
+        if self._by_trajectory:
+            self._send(path)
+        else:
+            self._follow(path, 1.0, lambda time, now: False, None)
+
+    def _send(self, path: JointPath) -> None:
+        """Lets the robot's own controllers follow a path, and watches them."""
+        try:
+            self._link.follow({arm: path.ordered(self._description.arms[arm]) for arm in self._arms}, self._watch.tolerance)
+        except RuntimeError as error:
+            raise Stopped(str(error)) from None
+        # Connecting took its time.
+        self._last = None
+        begin = now = self.read().time
+        while True:
+            states = {arm: self._link.trajectory(arm) for arm in self._arms}
+            for arm, state in states.items():
+                if state.fault is not None:
+                    raise Stopped(f"the robot ended the trajectory of the {arm} arm: {state.fault}")
+            if all(state.is_done for state in states.values()):
+                return
+            if now - begin > path.duration + _TRAJECTORY_SECONDS:
+                late = next(arm for arm, state in states.items() if not state.is_done)
+                raise Stopped(f"the robot has not {'ended' if states[late].has_begun else 'begun'} the trajectory of the {late} arm "
+                              f"{_TRAJECTORY_SECONDS:g} s after it should have ended")
+            reading = self.read()
+            now = reading.time
+            # The controllers begin when they have received it.
+            errors = min((self.positions(reading) - path.at(now - begin - late)[0] for late in _LATE_SECONDS),
+                         key=lambda one: float(np.abs(one).max()))
+            self._check(errors, now - begin)
+            self._supervisor.show("Moving to the start", now - begin, path.duration, float(np.abs(errors).max()))
+
+
+class Performance(WatchedRobot):
+    """A plan on its way through a robot."""
+
+    def __init__(self, link: RobotLink, plan: Plan, watch: Watch, supervisor: Supervisor | None = None, by_trajectory: bool = False) -> None:
+        super().__init__(link, plan.description, plan.arms, watch, supervisor, by_trajectory)
+        self._plan = plan
+        self._waiting = list(plan.grippers)
+        self._active: list[ActiveGrip] = []
 
     # Grippers.
 
@@ -248,18 +313,10 @@ class Performance:
         """Moves to the start and along the path; stops with a reason if anything is not as it should be."""
         reason = None
         try:
-            reading = self.read()
-            path, fault = approach(self._plan, reading.positions)
-            if fault is not None:
-                raise Stopped(fault)
-            # Planning took its time.
-            self._last = None
-            self.read()
-            say(f"moving to the start: {path.duration:.1f} s")
-            self._follow(path, 1.0, lambda time, now: False, None)
+            self._go_to_start(self._plan, say)
             say(f"performing: {self._plan.seconds:.1f} s")
             self._follow(self._plan.path, self._plan.speed, self._grip, self._tracking)
-            self._settle()
+            self._settle(self._plan.path.positions[-1])
         except Stopped as error:
             reason = str(error)
         except KeyboardInterrupt:

@@ -7,22 +7,27 @@ import os
 import threading
 import time
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
+import actionlib
 import rospy
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import CameraInfo, Image, JointState
 from std_msgs.msg import Bool, Float64
 
 from smile.ros import message_types as types
-from smile.ros.camera import info_topic_of, intrinsics_of, rgb_of
+from smile.ros.camera import depth_of, info_topic_of, intrinsics_of, rgb_of
 from smile.ros.graph import join_graph, master_is_lost
-from smile.ros.link import CameraReading, GripperReading, Reading, SeeingLink
+from smile.ros.joint_path import JointPath
+from smile.ros.link import CameraReading, GripperReading, Reading, SeeingLink, TrajectoryReading
+from smile.ros.trajectory_goal import action_of, goal_of, reading_of
 
 _CONNECTION_SECONDS = 10.0
 _MOST_WORDS = 5
+_PICTURE_BYTES = 1 << 25
+_ACTION_SECONDS = 5.0
 
 
 class RosLink(SeeingLink):
@@ -42,6 +47,13 @@ class RosLink(SeeingLink):
         self._grippers: dict[str, Any] = {}
         self._sequences = dict.fromkeys(arms, 0)
         self._words: deque[str] = deque(maxlen=_MOST_WORDS)
+        self._actions: dict[str, Any] = {}
+        """by arm: clients of the actions that were used"""
+        self._sent: set[str] = set()
+        """arms to which a trajectory was sent"""
+        self._watched: dict[str, Any] = {}
+        """the newest messages of the camera that is watched"""
+        self._has_depth = False
         self._is_lost = master_is_lost()
         self._commands = {arm: self._publisher(f"/robot/limb/{arm}/joint_command", types.JointCommand) for arm in arms}
         self._ratios = {arm: self._publisher(f"/robot/limb/{arm}/set_speed_ratio", Float64) for arm in arms}
@@ -101,6 +113,24 @@ class RosLink(SeeingLink):
         self._commands[arm].publish(types.JointCommand(
             mode=types.JointCommand.POSITION_MODE, names=list(names), command=[float(one) for one in positions]))
 
+    def follow(self, paths: Mapping[str, JointPath], tolerance: float) -> None:
+        for arm in paths:
+            self._actions[arm] = self._actions.get(arm) or actionlib.SimpleActionClient(action_of(arm), types.FollowJointTrajectoryAction)
+            if not _is_served(self._actions[arm]):
+                raise RuntimeError(f"no action {action_of(arm)} at {os.environ['ROS_MASTER_URI']} within {_ACTION_SECONDS:g} s")
+        for arm, path in paths.items():
+            self._actions[arm].send_goal(types.fill(types.FollowJointTrajectoryGoal(), goal_of(path, tolerance)))
+            self._sent.add(arm)
+
+    def trajectory(self, arm: str) -> TrajectoryReading:
+        client = self._actions[arm]
+        return reading_of(client.get_state(), client.get_goal_status_text())
+
+    def cancel(self) -> None:
+        for arm in self._sent:
+            if not self.trajectory(arm).is_done:
+                self._actions[arm].cancel_goal()
+
     def grip(self, arm: str, percent: float) -> int:
         self._sequences[arm] += 1
         self._grips[arm].publish(types.EndEffectorCommand(
@@ -151,6 +181,37 @@ class RosLink(SeeingLink):
         finally:
             for subscriber in listening:
                 subscriber.unregister()
-        image, info = received["image"], received["info"]
-        return CameraReading(rgb_of(image.encoding, image.width, image.height, image.step, image.data),
-                             *intrinsics_of(info.distortion_model, info.K, info.D))
+        return _camera_reading_of(received["image"], received["info"])
+
+    def watch(self, topic: str, depth_topic: str | None) -> None:
+        self._has_depth = depth_topic is not None
+        topics = {"image": (topic, Image), "info": (info_topic_of(topic), CameraInfo)}
+        if depth_topic is not None:
+            topics["depth"] = (depth_topic, Image)
+        for name, (one, kind) in topics.items():
+            # A picture is larger than the buffer that rospy has by itself: older ones would wait in it.
+            rospy.Subscriber(one, kind, partial(self._watched.__setitem__, name), queue_size=1, buff_size=_PICTURE_BYTES)
+
+    def seen(self) -> CameraReading | None:
+        newest = dict(self._watched)
+        if len(newest) < (3 if self._has_depth else 2):
+            return None
+        return _camera_reading_of(newest["image"], newest["info"], newest.get("depth"))
+
+
+def _is_served(client: Any) -> bool:
+    """Waits by the wall clock: that of the robot may stand."""
+    deadline = time.monotonic() + _ACTION_SECONDS
+    while not client.action_client.wait_for_server(rospy.Duration(0.01)):
+        if time.monotonic() > deadline:
+            return False
+        time.sleep(0.05)
+    return True
+
+
+def _camera_reading_of(image: Any, info: Any, depth: Any = None) -> CameraReading:
+    rgb = rgb_of(image.encoding, image.width, image.height, image.step, image.data)
+    stamps = [message.header.stamp.to_sec() for message in (image, depth) if message is not None]
+    depths = None if depth is None else depth_of(depth.encoding, depth.width, depth.height, depth.step,
+                                                 bool(depth.is_bigendian), depth.data)
+    return CameraReading(rgb, *intrinsics_of(info.distortion_model, info.K, info.D), min(stamps), depths)

@@ -3,29 +3,15 @@
 from __future__ import annotations
 
 import os
-import tempfile
-from pathlib import Path
 
 import rospy
 
 import smile
-from smile.ros.description import RobotDescription
+from smile.ros.description import describe
 from smile.ros.graph import join_graph, master_is_lost
 from smile.ros.served_graph import ServedGraph
 from smile.ros.served_robot import ServedRobot
 from smile.simulation import Simulation
-
-
-def describe(model: smile.Model) -> RobotDescription:
-    """Returns the description of a model's robot."""
-    # A recording contains the robot's files, with the limits of its grippers.
-    folder = tempfile.TemporaryDirectory(prefix="smile_ros_")
-    with Simulation(model) as sim:
-        sim.record(Path(folder.name) / "robot", pictures=False)
-        sim.step()
-        description = RobotDescription(sim.finish())
-    description.files = folder
-    return description
 
 
 def serve(scene: str, *, robot: str, rate: float, lockstep: bool, picture_rate: float, picture_size: tuple[int, int],

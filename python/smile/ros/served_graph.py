@@ -76,7 +76,8 @@ class ServedGraph:
         self._endpoints = {arm: self._offer_limb(arm) for arm in robot.limbs}
         self._grippers = {arm: self._offer_gripper(arm) for arm in robot.grippers}
         self._cameras = {name: (rospy.Publisher(f"/cameras/{name}_camera/image", Image, queue_size=2),
-                                rospy.Publisher(f"/cameras/{name}_camera/camera_info", CameraInfo, queue_size=2))
+                                rospy.Publisher(f"/cameras/{name}_camera/camera_info", CameraInfo, queue_size=2),
+                                rospy.Publisher(f"/cameras/{name}_camera/depth", Image, queue_size=2))
                          for name in robot.sim.model.camera_names}
         self._actions = {arm: TrajectoryAction(arm, robot) for arm in robot.limbs}
 
@@ -154,12 +155,13 @@ class ServedGraph:
         stamp = stamp_of(tick)
         header = Header(stamp=stamp, frame_id="base")
         self._clock.publish(Clock(stamp))
-        names, positions, velocities = self._joints()
-        self._joint_states.publish(JointState(header, names, positions, velocities, [0.0] * len(names)))
         for arm, publisher in self._endpoints.items():
             self._publish_endpoint(arm, publisher, header)
         for arm, publisher in self._grippers.items():
             self._publish_gripper(arm, publisher, stamp)
+        # Last: by these, a controller knows that a tick is over.
+        names, positions, velocities = self._joints()
+        self._joint_states.publish(JointState(header, names, positions, velocities, [0.0] * len(names)))
         if tick % _STATE_TICKS == 0:
             self._publish_state()
             self._publish_frames(stamp, dict(zip(names, positions)))
@@ -212,13 +214,16 @@ class ServedGraph:
         self._frames.publish(TFMessage(frames))
 
     def _publish_pictures(self, stamp: genpy.Time) -> None:
-        for name, (images, infos) in self._cameras.items():
-            if images.get_num_connections() + infos.get_num_connections() == 0:
+        for name, (images, infos, depths) in self._cameras.items():
+            if not any(one.get_num_connections() for one in (images, infos, depths)):
                 continue
-            picture = self._robot.sim.render(name, self._picture_size)
+            has_depth = depths.get_num_connections() > 0
+            picture = self._robot.sim.render(name, self._picture_size, channels=("rgb", "depth") if has_depth else ("rgb",))
             assert picture.rgb is not None
             height, width, _ = picture.rgb.shape
             header = Header(stamp=stamp, frame_id=f"{name}_camera")
+            if picture.depth is not None:
+                depths.publish(Image(header, height, width, "32FC1", 0, 4 * width, picture.depth.astype("<f4").tobytes()))
             images.publish(Image(header, height, width, "rgb8", 0, 3 * width, picture.rgb.tobytes()))
             # ROS counts pixels from the center of the first one, as OpenCV does; SMILE from its corner.
             K = picture.intrinsics - [[0, 0, 0.5], [0, 0, 0.5], [0, 0, 0]]

@@ -13,8 +13,8 @@ from explain.explanation import explain
 from explain.task_model import infer_task
 from match.tools import find_tool
 from plan.carrying import surroundings_of
-from plan.loads import belongs_to, load_of
-from plan.ways import Way, plan_there_and_back
+from plan.loads import belongs_to, load_of, whole_of
+from plan.ways import Way, plan_there_and_back, plan_to_take
 from recordings import RecordingTest
 from scenes import BLUE, BROWN, EYE, GREEN, RED, block, picture_of, view_of
 from see.surfaces import surface_of
@@ -67,7 +67,7 @@ class UseTest(RecordingTest):
         self.assertTrue((points[~is_tool, 0] > 2).all(), "the post is no part of it")
         around = surroundings_of(points[~is_tool])
         arm = cartesian_arm()
-        load = load_of(points[is_tool], 0.4, pose_at([-2, -3, 0.6]))
+        load = load_of(whole_of(points[is_tool], 0.4), pose_at([-2, -3, 0.6]))
         for x, z, is_clear, is_hand_clear in ((0.5, 2, True, True), (1.5, 2, False, True), (1.5, 4, True, True),
                                               (2.5, 3.5, True, False)):
             path = straight_path([[x, -3, z], [x, -3, z]])
@@ -85,8 +85,9 @@ class UseTest(RecordingTest):
         straight, any_way, high = Way(True, 0), Way(False, 0), Way(False, highest + arm.reach + 0.1)
 
         def plan(*ways):
-            return plan_there_and_back(arm, [over, pose_at([-3, -3, 1]), over], [work], [over, over], ways, arm.parked,
-                                       None, lambda path: all(around.avoids(arm, it) for it in path[3:5]))
+            taken = plan_to_take(arm, [over, pose_at([-3, -3, 1]), over], arm.parked, arm.parked, None)
+            return plan_there_and_back(arm, taken, [work], [over, over], ways, None,
+                                       lambda path: all(around.avoids(arm, it) for it in path[3:5]))
 
         self.assertEqual(plan(straight, any_way), [])
         path = plan(straight, any_way, high)

@@ -1,3 +1,4 @@
+import { isCommandOffered } from "../allowed";
 import type { Command } from "../commands";
 import { command, currentHand, heldObject, scene } from "../studio";
 import type { SceneObject } from "../protocol";
@@ -101,6 +102,8 @@ export function ContextMenu() {
   const at = contextMenu.value;
   const object = scene.value?.objects.find((one) => one.id === at?.object);
   if (!at || !object) return null;
-  const choices = choicesAt({ object, part: at.part, button: at.button, point: at.point });
+  const all = choicesAt({ object, part: at.part, button: at.button, point: at.point });
+  const choices = all.filter(({ wanted }) => isCommandOffered(wanted?.do ?? "trigger"));
+  if (choices.length === 0) return null;
   return <ChoiceMenu key={`${at.x} ${at.y}`} object={object.id} x={at.x} y={at.y} choices={choices} />;
 }

@@ -1,5 +1,5 @@
 import { useRef } from "preact/hooks";
-import { may } from "../allowed";
+import { isCommandOffered, isOffered, may } from "../allowed";
 import { command, ask, currentHand, heldObject, scene, state } from "../studio";
 import { axisColors, handColors } from "../colors";
 import { HANDS, type HandName, type Point, type Reply, type SnapName } from "../protocol";
@@ -123,16 +123,18 @@ function Held({ object }: { object: string }) {
           disabled={!mayAct.value}
           onClick={releaseHeld}
         />
-        <Button
-          label={words.destroy}
-          kind="danger"
-          icon="trash"
-          keys={keyFor("hand.destroy")}
-          isKeyHidden
-          title={words.destroyWhy}
-          disabled={!mayAct.value}
-          onClick={() => void command({ do: "destroy", hand: currentHand.value })}
-        />
+        {isCommandOffered("destroy") && (
+          <Button
+            label={words.destroy}
+            kind="danger"
+            icon="trash"
+            keys={keyFor("hand.destroy")}
+            isKeyHidden
+            title={words.destroyWhy}
+            disabled={!mayAct.value}
+            onClick={() => void command({ do: "destroy", hand: currentHand.value })}
+          />
+        )}
       </div>
       {choices.length > 0 && (
         <div class="field">
@@ -361,9 +363,11 @@ export function HandsPanel() {
           <Held object={object} />
         </Card>
       )}
-      <Card title={words.snap} isOpen={isSnapOpen}>
-        <Snapping />
-      </Card>
+      {isOffered("snap") && (
+        <Card title={words.snap} isOpen={isSnapOpen}>
+          <Snapping />
+        </Card>
+      )}
       <Card title={words.plane} isOpen={isPlaneOpen}>
         <Plane />
       </Card>

@@ -5,7 +5,7 @@ import { Button } from "../ui/buttons";
 import { Dialog } from "../ui/dialog";
 import { keyName, meaningOf } from "./key_names";
 import { isHelpOpen, returnToDefaultLayout } from "./page";
-import { startTour } from "./tour";
+import { hasTour, startTour } from "./tour";
 
 export function Help() {
   const close = () => (isHelpOpen.value = false);
@@ -16,14 +16,16 @@ export function Help() {
       isForReading
       onClose={close}
       actions={
-        <Button
-          label={texts.help.tour}
-          kind="accent"
-          onClick={() => {
-            close();
-            startTour();
-          }}
-        />
+        hasTour.value && (
+          <Button
+            label={texts.help.tour}
+            kind="accent"
+            onClick={() => {
+              close();
+              startTour();
+            }}
+          />
+        )
       }
     >
       <div class="help-columns">

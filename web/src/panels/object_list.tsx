@@ -1,5 +1,5 @@
 import { useEffect, useRef } from "preact/hooks";
-import { may, when } from "../allowed";
+import { isCommandOffered, may, when } from "../allowed";
 import { command, currentHand, heldObject, notify } from "../studio";
 import { handColors } from "../colors";
 import type { SceneObject } from "../protocol";
@@ -29,7 +29,9 @@ function useSelecting(ids: string[], chosen: string | null, show: (place: number
     select([...selected.value, ...ids.slice(Math.max(0, first), last + 1)]);
   };
   const click = (event: MouseEvent, id: string) => {
-    if (event.shiftKey) {
+    if (!isCommandOffered("displace")) {
+      select([]);
+    } else if (event.shiftKey) {
       selectRange(chosen === null ? 0 : ids.indexOf(chosen), ids.indexOf(id));
     } else if (event.ctrlKey || event.metaKey) {
       if (selected.value.length === 0 && chosen !== null && chosen !== id) select([chosen]);
@@ -48,7 +50,7 @@ function useSelecting(ids: string[], chosen: string | null, show: (place: number
       End: ids.length - 1,
     };
     const place = places[event.key];
-    const isAll = event.ctrlKey && event.key === "a";
+    const isAll = event.ctrlKey && event.key === "a" && isCommandOffered("displace");
     if (place === undefined && event.key !== "Enter" && !isAll) return;
     event.preventDefault();
     event.stopPropagation();
@@ -57,7 +59,7 @@ function useSelecting(ids: string[], chosen: string | null, show: (place: number
     } else if (place === undefined) {
       if (chosen !== null && may("command") === true) void take(chosen);
     } else {
-      if (event.shiftKey) selectRange(at, place);
+      if (event.shiftKey && isCommandOffered("displace")) selectRange(at, place);
       else select([]);
       chosenObject.value = ids[place] ?? null;
       show(place);

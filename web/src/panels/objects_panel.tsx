@@ -1,6 +1,6 @@
 import { useRef } from "preact/hooks";
 import { useSignal } from "@preact/signals";
-import { may, when } from "../allowed";
+import { isCommandOffered, isOffered, may, when } from "../allowed";
 import { ask, notify, scene } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
@@ -180,21 +180,25 @@ export function ObjectsPanel() {
           </p>
         )}
       </Card>
-      <SelectionCard />
-      <Card title={words.add} isOpen={isAddOpen}>
-        <AddObjects />
-      </Card>
-      <Card title={words.scenes} isOpen={isSceneListOpen}>
-        <SceneActions />
-        {draft.value && (
-          <Button
-            label={texts.editor.goOn(draft.value.name)}
-            icon="pencil"
-            onClick={() => (editedScene.value = draft.value)}
-          />
-        )}
-        <SceneList />
-      </Card>
+      {isCommandOffered("displace") && <SelectionCard />}
+      {isOffered("spawn") && (
+        <Card title={words.add} isOpen={isAddOpen}>
+          <AddObjects />
+        </Card>
+      )}
+      {isOffered("load") && (
+        <Card title={words.scenes} isOpen={isSceneListOpen}>
+          <SceneActions />
+          {draft.value && (
+            <Button
+              label={texts.editor.goOn(draft.value.name)}
+              icon="pencil"
+              onClick={() => (editedScene.value = draft.value)}
+            />
+          )}
+          <SceneList />
+        </Card>
+      )}
     </>
   );
 }

@@ -1,6 +1,7 @@
 import { computed, effect, signal } from "@preact/signals";
 import { choicePreference, inLayout, layoutSwitch, numberPreference, preference, resetLayout, switchPreference } from "../ui/preference";
 import { prefersDark } from "../ui/media";
+import { isCommandOffered, isOffered } from "../allowed";
 import type { World } from "../world/world";
 
 // What is open, chosen and liked on this page. None of it is known to the program.
@@ -10,6 +11,15 @@ export const RIGHT_TABS = ["hands", "robot", "brain"] as const;
 export type LeftTab = (typeof LEFT_TABS)[number];
 export type RightTab = (typeof RIGHT_TABS)[number];
 export type Sheet = LeftTab | RightTab | "timeline";
+
+/** The panels for what the program offers. */
+export const leftTabs = computed(() => LEFT_TABS.filter((tab) => tab === "objects" || isOffered("open")));
+export const rightTabs = computed(() => RIGHT_TABS.filter((tab) => hasRightTab[tab]()));
+const hasRightTab: Record<RightTab, () => boolean> = {
+  hands: () => true,
+  robot: () => isCommandOffered("pose"),
+  brain: () => isOffered("start_brain"),
+};
 
 export const leftTab = inLayout(choicePreference<LeftTab>("left", "objects", LEFT_TABS));
 export const rightTab = inLayout(choicePreference<RightTab>("right", "hands", RIGHT_TABS));

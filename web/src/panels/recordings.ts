@@ -1,4 +1,5 @@
 import { signal } from "@preact/signals";
+import { isOffered } from "../allowed";
 import type { LibraryEntry, Timeline } from "../protocol";
 import { ask, notify, request, state } from "../studio";
 import { texts } from "../texts";
@@ -91,6 +92,10 @@ export async function finishRecording(): Promise<void> {
 
 /** Called when a recording is complete: for each client, not only the one that finished it. */
 export async function onRecordingFinished(id: string): Promise<void> {
+  if (!isOffered("open")) {
+    notify(words.saved(id));
+    return;
+  }
   pictureAge.value += 1;
   await refreshRecordings();
   const failure = state.value?.failure ?? null;

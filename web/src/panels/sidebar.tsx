@@ -54,7 +54,8 @@ function Edge({ side }: { side: "left" | "right" }) {
 export function Sidebar<Tab extends LeftTab | RightTab>(props: SidebarProps<Tab>) {
   const { side, chosen, isOpen } = props;
   const tablist = useRef<HTMLDivElement>(null);
-  const shown = isSmall.value ? (props.tabs.find((tab) => tab === sheet.value) ?? null) : isOpen.value ? chosen.value : null;
+  const present = props.tabs.includes(chosen.value) ? chosen.value : props.tabs[0]!;
+  const shown = isSmall.value ? (props.tabs.find((tab) => tab === sheet.value) ?? null) : isOpen.value ? present : null;
   if (isSmall.value && shown === null) return null;
   const choose = (tab: Tab) => {
     chosen.value = tab;
@@ -65,7 +66,7 @@ export function Sidebar<Tab extends LeftTab | RightTab>(props: SidebarProps<Tab>
     if (step === undefined) return;
     event.preventDefault();
     event.stopPropagation();
-    const at = props.tabs.indexOf(chosen.value);
+    const at = props.tabs.indexOf(present);
     const next = props.tabs[(at + step + props.tabs.length) % props.tabs.length]!;
     choose(next);
     tablist.current?.querySelector<HTMLElement>(`#tab-${next}`)?.focus();
@@ -98,7 +99,7 @@ export function Sidebar<Tab extends LeftTab | RightTab>(props: SidebarProps<Tab>
                   id={`tab-${tab}`}
                   aria-selected={tab === shown}
                   aria-controls={`panel-${side}`}
-                  tabIndex={tab === chosen.value ? 0 : -1}
+                  tabIndex={tab === present ? 0 : -1}
                   title={shown === null ? texts[tab].tab : undefined}
                   onClick={() => choose(tab)}
                 >

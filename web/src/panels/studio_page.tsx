@@ -1,5 +1,6 @@
 import { useEffect } from "preact/hooks";
 import { useSignalEffect } from "@preact/signals";
+import { isOffered } from "../allowed";
 import { isConnected, notify, numLibraryUpdates, scene } from "../studio";
 import { texts } from "../texts";
 import { isSmall } from "../ui/media";
@@ -17,7 +18,7 @@ import { Help } from "./help";
 import { LibraryPanel } from "./library_panel";
 import { isRecording, isWatched, recordingId, shownRecording } from "./derived_signals";
 import { ObjectsPanel } from "./objects_panel";
-import { analyzed, editedScene, exported, filmed, generated, isHelpOpen, isLeftOpen, isRightOpen, leftTab, LEFT_TABS, openedSet, panelWidths, renamed, renamedSet, rightTab, RIGHT_TABS, sheet } from "./page";
+import { analyzed, editedScene, exported, filmed, generated, isHelpOpen, isLeftOpen, isRightOpen, leftTab, leftTabs, openedSet, panelWidths, renamed, renamedSet, rightTab, rightTabs, sheet } from "./page";
 import { onRecordingFinished, onRecordingShown, refreshRecordings } from "./recordings";
 import { RenameDialog } from "./rename_dialog";
 import { RenameSetDialog } from "./rename_set_dialog";
@@ -29,7 +30,7 @@ import { Stage } from "./stage";
 import { TabBar } from "./tab_bar";
 import { TimelinePanel } from "./timeline_panel";
 import { TopBar } from "./top_bar";
-import { Tour } from "./tour";
+import { hasTour, Tour } from "./tour";
 
 /** Whatever is known of the outside is looked up again when the connection comes back. */
 function useRefresh(): void {
@@ -95,7 +96,7 @@ export function StudioPage() {
         <Sidebar
           side="left"
           label={texts.panels.left}
-          tabs={LEFT_TABS}
+          tabs={leftTabs.value}
           chosen={leftTab}
           isOpen={isLeftOpen}
           panels={{ objects: ObjectsPanel, library: LibraryPanel }}
@@ -103,20 +104,20 @@ export function StudioPage() {
       )}
       <Stage>
         <Banners />
-        {isWhole && <EyeView />}
-        {isWhole && <Tour />}
+        {isWhole && isOffered("eye") && <EyeView />}
+        {isWhole && hasTour.value && <Tour />}
       </Stage>
       {isWhole && (
         <Sidebar
           side="right"
           label={texts.panels.right}
-          tabs={RIGHT_TABS}
+          tabs={rightTabs.value}
           chosen={rightTab}
           isOpen={isRightOpen}
           panels={{ hands: HandsPanel, robot: RobotPanel, brain: BrainPanel }}
         />
       )}
-      {isWhole && <TimelinePanel />}
+      {isWhole && isOffered("show") && <TimelinePanel />}
       {isWhole && <TabBar />}
       <ContextMenu />
       {isHelpOpen.value && <Help />}

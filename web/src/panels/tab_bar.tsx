@@ -1,7 +1,8 @@
 import { texts } from "../texts";
 import { Icon } from "../ui/icons";
 import { isSmall } from "../ui/media";
-import { LEFT_TABS, RIGHT_TABS, sheet, showPanel, type Sheet } from "./page";
+import { isOffered } from "../allowed";
+import { leftTabs, rightTabs, sheet, showPanel, type Sheet } from "./page";
 import { TAB_ICONS } from "./sidebar";
 
 /** Where the screen is small: which sheet is up. */
@@ -15,10 +16,10 @@ export function TabBar() {
   );
   return (
     <nav class="tab-bar" aria-label={texts.panels.all}>
-      {[...LEFT_TABS, ...RIGHT_TABS].map((tab) =>
+      {[...leftTabs.value, ...rightTabs.value].map((tab) =>
         entry(tab, texts[tab].tab, () => (sheet.value === tab ? (sheet.value = null) : showPanel(tab))),
       )}
-      {entry("timeline", texts.timeline.fold, () => (sheet.value = sheet.value === "timeline" ? null : "timeline"))}
+      {isOffered("show") && entry("timeline", texts.timeline.fold, () => (sheet.value = sheet.value === "timeline" ? null : "timeline"))}
     </nav>
   );
 }

@@ -1,5 +1,6 @@
 import { useEffect } from "preact/hooks";
 import { computed, signal } from "@preact/signals";
+import { isOffered } from "../allowed";
 import { isController, scene } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
@@ -14,6 +15,8 @@ interface Step {
   about?: string;
 }
 
+/** It asks where things come to rest. */
+export const hasTour = computed(() => isOffered("support"));
 const STEPS: Step[] = [
   { name: "welcome" },
   { name: "look", condition: conditions.lookedAround },

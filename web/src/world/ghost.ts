@@ -1,6 +1,7 @@
 import { Group, Mesh, MeshBasicMaterial, MeshLambertMaterial } from "three";
 import { guideColors } from "../colors";
 import type { Pose, Reply } from "../protocol";
+import { isOffered } from "../allowed";
 import { currentHand, heldObject, request } from "../studio";
 import type { Piece } from "./models";
 import { guides } from "./signals";
@@ -41,7 +42,7 @@ export class Ghost {
 
   /** To be called when the held object, or what is below it, has moved. */
   update(): void {
-    const object = guides.value ? heldObject.value : null;
+    const object = guides.value && isOffered("resting_place") ? heldObject.value : null;
     if (object === null) {
       this.root.visible = false;
       this.object = null;

@@ -1,6 +1,6 @@
 import { signal } from "@preact/signals";
 import { Vector3 } from "three";
-import { may } from "../allowed";
+import { isCommandOffered, may } from "../allowed";
 import type { Command } from "../commands";
 import { HANDS, type HandName, type Point } from "../protocol";
 import { command, currentHand, heldObject, scene, state } from "../studio";
@@ -41,6 +41,7 @@ export class Hands {
   private sentPlane: { angle: number; hand: HandName; when: number } | null = null;
   private isControlDown = false;
   private unitsPerMeter = 10;
+  private center = new Vector3();
 
   constructor(
     private readonly picker: Picker,
@@ -51,8 +52,9 @@ export class Hands {
     private readonly onChange: () => void,
   ) {}
 
-  setScale(unitsPerMeter: number): void {
+  setScale(unitsPerMeter: number, center: Vector3): void {
     this.unitsPerMeter = unitsPerMeter;
+    this.center = center;
   }
 
   get canAct(): boolean {
@@ -89,7 +91,8 @@ export class Hands {
   click(at: PointerAt, picked: Picked | null): void {
     if (!this.canAct) return;
     const held = heldObject.value;
-    if (held === null && at.isShift && picked?.object && !areAidsFixed.value) toggleSelected(picked.object);
+    const maySelect = !areAidsFixed.value && isCommandOffered("displace");
+    if (held === null && at.isShift && picked?.object && maySelect) toggleSelected(picked.object);
     else if (held === null && picked?.object && !isFixed(picked.object)) void this.grasp(picked.object, picked.point);
     else if (held !== null && picked?.object !== held && this.ringUnder(at, picked) === null) this.changeOrRelease(picked);
   }
@@ -255,7 +258,7 @@ export class Hands {
       last = latest;
       const ray = this.picker.rayOf(latest);
       const point = meet(ray, normal, place)?.add(offset);
-      if (!point || point.length() > REACH * this.unitsPerMeter) return null;
+      if (!point || point.distanceTo(this.center) > REACH * this.unitsPerMeter) return null;
       place = point;
       this.sentGoal = { point, hand, when: performance.now() };
       const origin = ray.origin.add(offset);

@@ -11,6 +11,7 @@ import {
   Scene,
   ShaderMaterial,
   ShadowMaterial,
+  type Vector3,
   WebGLRenderer,
   type WebGLRenderTarget,
 } from "three";
@@ -45,7 +46,7 @@ export class Stage {
     this.sun.shadow.radius = 3.5;
     this.floor.receiveShadow = true;
     this.ground.renderOrder = -1;
-    this.scene.add(this.sun, this.fill, this.floor, this.ground);
+    this.scene.add(this.sun, this.sun.target, this.fill, this.fill.target, this.floor, this.ground);
     this.scene.add(new HemisphereLight("#f4f7fc", "#b9b4ae", 1.5));
     host.style.background =
       "linear-gradient(light-dark(#b4c4d6, #0e1218), light-dark(#e6eaee, #272e38) 70%)";
@@ -84,11 +85,12 @@ export class Stage {
     this.fit();
   }
 
-  /** So many units make a meter. */
-  setScale(unitsPerMeter: number): void {
+  /** So many units make a meter; the middle of the table top is here. */
+  setScale(unitsPerMeter: number, center: Vector3): void {
     const lit = LIT_RADIUS * unitsPerMeter;
-    this.sun.position.set(0.5, 0.42, 1).multiplyScalar(2.4 * unitsPerMeter);
-    this.fill.position.set(-0.6, -0.8, 0.5).multiplyScalar(unitsPerMeter);
+    this.sun.position.set(0.5, 0.42, 1).multiplyScalar(2.4 * unitsPerMeter).add(center);
+    this.fill.position.set(-0.6, -0.8, 0.5).multiplyScalar(unitsPerMeter).add(center);
+    for (const { target } of [this.sun, this.fill]) target.position.copy(center);
     Object.assign(this.sun.shadow.camera, { left: -lit, right: lit, top: lit, bottom: -lit });
     Object.assign(this.sun.shadow.camera, { near: 0.1 * unitsPerMeter, far: 6 * unitsPerMeter });
     this.sun.shadow.camera.updateProjectionMatrix();
@@ -97,7 +99,7 @@ export class Stage {
     this.camera.far = 100 * unitsPerMeter;
     this.camera.updateProjectionMatrix();
     for (const [level, depth] of [[this.floor, FLOOR_DEPTH], [this.ground, FLOOR_DEPTH + 0.001]] as const) {
-      level.position.z = -depth * unitsPerMeter;
+      level.position.set(center.x, center.y, center.z - depth * unitsPerMeter);
       level.scale.setScalar(9 * unitsPerMeter);
     }
     this.shadowsMoved();

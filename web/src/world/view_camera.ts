@@ -59,6 +59,7 @@ export class ViewCamera {
   private unitsPerMeter = 10;
   private tableDepth = 12;
   private hasRobot = false;
+  private center = new Vector3();
   private readonly flying = new Vector3();
   private readonly looking = { yaw: 0, pitch: 0 };
 
@@ -67,7 +68,9 @@ export class ViewCamera {
     private readonly onChange: () => void,
   ) {}
 
-  setTable(unitsPerMeter: number, tableDepth: number, hasRobot: boolean): void {
+  /** @param center of the table top */
+  setTable(unitsPerMeter: number, tableDepth: number, hasRobot: boolean, center: Vector3): void {
+    this.center = center;
     this.unitsPerMeter = unitsPerMeter;
     this.tableDepth = tableDepth;
     this.hasRobot = hasRobot;
@@ -81,7 +84,7 @@ export class ViewCamera {
     const beforeHead = new Vector3(0, -half + 0.04 * m, 0.96 * m);
     const besideTable = new Vector3(0, -half - 0.6 * m, 1.4 * m);
     // From above the table lies as one sees it now, not turned round.
-    const side = this.camera.position.y > 0 ? 1 : -1;
+    const side = this.camera.position.y > this.center.y ? 1 : -1;
     const places: Record<Preset, [Vector3, Vector3]> = {
       front: [new Vector3(0.55 * m, half + 1.15 * m, 1.05 * m), new Vector3(0, -0.3 * m, 0.22 * m)],
       robot: [this.hasRobot ? beforeHead : besideTable, new Vector3(0, 0.09 * m, 0)],
@@ -89,7 +92,8 @@ export class ViewCamera {
       left: [new Vector3(-2.1 * m, -0.12 * m, 0.8 * m), middle],
       right: [new Vector3(2.1 * m, -0.12 * m, 0.8 * m), middle],
     };
-    this.wanted.lookFrom(...places[preset]);
+    const [eye, target] = places[preset];
+    this.wanted.lookFrom(eye.add(this.center), target.add(this.center));
     this.wanted.elevation = Math.min(this.wanted.elevation, HIGHEST);
     this.wanted.angle = preset === "robot" ? ROBOTS_FIELD_OF_VIEW : FIELD_OF_VIEW;
     cameraKind.value = preset;
@@ -213,7 +217,7 @@ export class ViewCamera {
 
   private moveFreely(): void {
     const farthest = 6 * this.unitsPerMeter;
-    this.wanted.target.clampLength(0, farthest);
+    this.wanted.target.sub(this.center).clampLength(0, farthest).add(this.center);
     cameraKind.value = "free";
   }
 

@@ -1,4 +1,5 @@
 import { effect } from "@preact/signals";
+import { Vector3 } from "three";
 import { handColors } from "../colors";
 import { listenToKeys } from "../keys";
 import type { Poses } from "../protocol";
@@ -212,8 +213,9 @@ class DrawnWorld implements World {
     const message = scene.value;
     if (message === null) return;
     const unitsPerMeter = 1 / message.metersPerUnit;
-    for (const part of [this.stage, this.dragGuides, this.hands, this.markers]) part.setScale(unitsPerMeter);
-    this.camera.setTable(unitsPerMeter, message.table.size[1], message.robotFrame !== null);
+    const center = new Vector3(...(message.center ?? [0, 0, 0]));
+    for (const part of [this.stage, this.dragGuides, this.hands, this.markers]) part.setScale(unitsPerMeter, center);
+    this.camera.setTable(unitsPerMeter, message.table.size[1], message.robotFrame !== null, center);
     this.models.load(message);
     hovered.value = null;
     contextMenu.value = null;

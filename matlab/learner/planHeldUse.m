@@ -1,0 +1,34 @@
+function actions = planHeldUse(hold, taken, load, tool, way, turn, avoided, ways)
+% Plans a use with a tool in a hold (see toolHolds): a 1xN cell; {} if the arm cannot.
+%   taken    paths on which it takes the tool: see planToTake
+%   load     see loadOf
+%   way      1x2 cell: the places where the tool's straight way to its work begins and ends
+%   turn     of the tool until then [rad]
+%   avoided  surroundings on the way there and back, and on that straight way, 1x2: see surroundingsOf
+%   ways     ways there and back, in the order in which they are tried: see planThereAndBack
+  c = constants().motion_planning;
+  arm = hold.arm;
+  width = tool.size(2);
+  opening = min(width + c.opening_margin, arm.opening);
+  [above, start] = hold.poses{1:2};
+  put = {above, atHeight(start, start(3, 4) + c.place_height_margin), above};
+  at = @(it) heldToolPose(arm, tool, hold.grasp.yaw, hold.grip, it, turn);
+  work = cellfun(at, way([1, 2, 1]), 'UniformOutput', false);
+  isClear = @(path) isUseClear(arm, path, load, avoided);
+  path = planThereAndBack(arm, taken, work, put, ways, boxAround(load), isClear);
+  actions = {};
+  if isempty(path), return; end
+  move = cellfun(@(it) struct('kind', 'follow', 'arm', arm, 'path', it), path, 'UniformOutput', false);
+  open = {struct('kind', 'open', 'arm', arm, 'to', opening)};
+  closing = {struct('kind', 'grasp', 'arm', arm, 'width', width)};
+  actions = [open, move(1:2), closing, move(3:5), closing, move(6:8), open, move(9:end), {struct('kind', 'observe')}];
+end
+
+function yes = isUseClear(arm, path, load, avoided)
+% Returns true if nothing is in the way of the empty arm, the arm with its load, and the arm at work, in the paths of a use.
+  there = avoided(1);
+  at_work = avoided(2);
+  yes = all(cellfun(@(it) avoids(there, arm, it, load), path([4, 7]))) && ...
+        all(cellfun(@(it) avoids(at_work, arm, it), path(5:6))) && ...
+        all(cellfun(@(it) avoids(there, arm, it), path([1, 10])));
+end

@@ -6,19 +6,22 @@ import { gzipSync } from "node:zlib";
 
 const out = process.argv[2] ?? "dist";
 
-/** Builds a page of one script, one style sheet and the files beside them. */
+/** Builds a page of one script, which loads the texts of its language, one style sheet and the files beside them. */
 async function buildPage(folder, { name, script, style, files }) {
   mkdirSync(folder, { recursive: true });
-  await build({
-    entryPoints: [script],
+  const { metafile } = await build({
+    entryPoints: [{ in: script, out: name }],
     bundle: true,
+    splitting: true,
+    chunkNames: "[name]",
+    metafile: true,
     minify: true,
     sourcemap: true,
     format: "esm",
     target: "es2022",
     jsx: "automatic",
     jsxImportSource: "preact",
-    outfile: join(folder, `${name}.js`),
+    outdir: folder,
     logLevel: "warning",
   });
   await build({
@@ -30,8 +33,9 @@ async function buildPage(folder, { name, script, style, files }) {
   });
   for (const [from, to] of files) cpSync(from, join(folder, to));
   // Sent to browsers that understand it, which all do.
-  for (const file of ["index.html", `${name}.css`, `${name}.js`]) {
-    writeFileSync(join(folder, `${file}.gz`), gzipSync(readFileSync(join(folder, file)), { level: 9 }));
+  const scripts = Object.keys(metafile.outputs).filter((file) => file.endsWith(".js"));
+  for (const file of [join(folder, "index.html"), join(folder, `${name}.css`), ...scripts]) {
+    writeFileSync(`${file}.gz`, gzipSync(readFileSync(file), { level: 9 }));
   }
 }
 

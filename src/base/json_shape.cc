@@ -67,6 +67,12 @@ JsonShape JsonShape::Or(JsonShape other) const {
   return shape;
 }
 
+JsonShape JsonShape::ArrivesAs(std::string typescript) const {
+  JsonShape shape = *this;
+  shape.arrives_as_ = std::move(typescript);
+  return shape;
+}
+
 JsonShape JsonShape::Called(std::string name) const {
   JsonShape shape = *this;
   shape.name_ = std::move(name);
@@ -290,6 +296,7 @@ std::string JsonShape::UnnamedTypeScript() const {
     itself.may_be_true_ = false;
     return itself.UnnamedTypeScript() + " | true";
   }
+  if (!arrives_as_.empty()) return arrives_as_;
   if (!others_.empty()) {
     JsonShape itself = *this;
     itself.others_.clear();

@@ -42,6 +42,9 @@ class JsonShape {
   JsonShape OrTrue() const;
   /// Returns the shape of values that have this shape or the other one.
   JsonShape Or(JsonShape other) const;
+  /// Returns the same shape, for TypeScript() of the given type: the page converts such values when
+  /// they arrive.
+  JsonShape ArrivesAs(std::string typescript) const;
   /// Returns the same shape with a name, which TypeScript() then uses.
   JsonShape Called(std::string name) const;
 
@@ -74,7 +77,8 @@ class JsonShape {
   std::string ObjectTypeScript() const;
 
   Type type_;
-  std::string name_;  ///< empty without one
+  std::string name_;        ///< empty without one
+  std::string arrives_as_;  ///< type in TypeScript; empty: that of the shape
   bool may_be_null_ = false, may_be_true_ = false;
   double min_ = 0, max_ = 0;                   ///< of a number
   bool is_whole_ = false;                      ///< of a number: without fraction

@@ -21,12 +21,15 @@
 #include "library/brain_choices.h"
 #include "library/scene_catalog.h"
 #include "page/request_fields.h"
+#include "texts/user_message.h"
 
 // Handlers run in the session's thread and only look at a few files; programs do the work. Names in
 // requests come from anyone: they become paths only through NewPathIn(),
 // GeneratedSets, Library::DirectoryOf(), SceneCatalog and the list of brains.
 
 namespace smile::datasets {
+
+using texts::Say;
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,11 +52,10 @@ Json ListOf(const List& values) {
 library::BrainChoice ImitatorNamed(const std::vector<fs::path>& folders, const std::string& name) {
   const auto choices = library::BrainsIn(folders);
   const library::BrainChoice* choice = library::BrainNamed(choices, name);
-  if (choice == nullptr) throw page::RequestError("there is no brain " + Quoted(name));
+  if (choice == nullptr)
+    throw page::RequestError(Say("brain.isUnknown", {{"brain", Quoted(name)}}));
   if (choice->imitates) return *choice;
-  throw page::RequestError(Quoted(name) +
-                           " does not read demonstrations: its script lacks the line \"smile: "
-                           "imitates\"");
+  throw page::RequestError(Say("brain.doesNotImitate", {{"brain", Quoted(name)}}));
 }
 
 /// Returns the fields of `generate` without those of the message.
@@ -102,9 +104,10 @@ void DatasetRequests::AddTo(page::RequestTable* table, const page::InBackground&
   add("export", &DatasetRequests::Export);
   add("film", &DatasetRequests::Film);
   for (const char* name : {"generate", "continue_set"}) {
-    table->requests[name].refuse = [this](const page::Request&) -> std::optional<std::string> {
+    table->requests[name].refuse =
+        [this](const page::Request&) -> std::optional<texts::UserMessage> {
       if (options_.has_robot) return std::nullopt;
-      return "there is no robot; start the studio without --no-robot";
+      return Say("sets.noRobot");
     };
   }
   table->requests["stop_job"] = {[this](const page::Request& request) {
@@ -120,7 +123,7 @@ void DatasetRequests::AddTidying(page::RequestTable* table) {
   const auto unused = [this](const page::Request& request) {
     const std::string set = page::RequestFields(request).Text("set");
     if (!jobs_.IsUsing(set)) return set;
-    throw page::RequestError(Quoted(set) + " is being made or exported; wait until that is done");
+    throw page::RequestError(Say("sets.isUsed", {{"set", Quoted(set)}}));
   };
   table->requests["rename_set"] = {[this, unused](const page::Request& request) {
     sets_.Rename(unused(request), page::RequestFields(request).Text("name"));
@@ -191,8 +194,7 @@ std::vector<std::string> DatasetRequests::GenerateArguments(const page::Request&
 Json DatasetRequests::Generate(const page::Request& request) {
   const std::string name = page::RequestFields(request).Text("name");
   if (StateOf(sets_.FolderFor(name)) != FileState()) {
-    throw page::RequestError("there is a set " + Quoted(name) +
-                             " already; continue it, or choose another name");
+    throw page::RequestError(Say("sets.existsAndCanContinue", {{"set", Quoted(name)}}));
   }
   return Start(request.fields);
 }
@@ -202,7 +204,7 @@ Json DatasetRequests::Continue(const page::Request& request) {
   (void)sets_.FolderOf(name);
   const fs::path file = sets_.RequestFileOf(name);
   if (!StateOf(file).is_file) {
-    throw page::RequestError(Quoted(name) + " was not made here; repeat the command that made it");
+    throw page::RequestError(Say("sets.isFromElsewhere", {{"set", Quoted(name)}}));
   }
   Json wanted = experiment::ReadJsonFile(file);
   // The file may be anyone's, but not about another set.
@@ -218,7 +220,7 @@ Json DatasetRequests::Start(const Json& wanted) {
   JobProgram program{.arguments = GenerateArguments(request),
                      .log = sets_.FolderFor(name).string() + ".log"};
   if (jobs_.IsBusy("generate", name)) {
-    throw page::RequestError(Quoted(name) + " is being made; wait until it is done");
+    throw page::RequestError(Say("sets.isBeingMade", {{"name", Quoted(name)}}));
   }
   MakeDirectories(program.log.parent_path());
   // So that the set can be continued, also by another studio.
@@ -277,7 +279,7 @@ fs::path DatasetRequests::SceneNamed(const std::string& name) const {
   // The scene with which the studio began may be a file of the user, which is not among the others.
   if (options_.scene.stem() == name) return options_.scene;
   if (const auto file = library::SceneCatalog(options_.scene_folder).FileOf(name)) return *file;
-  throw page::RequestError("there is no scene " + Quoted(name));
+  throw page::RequestError(Say("session.noScene", {{"scene", Quoted(name)}}));
 }
 
 std::vector<page::DeferredMessage> DatasetRequests::TakeChanges() {

@@ -16,8 +16,11 @@
 #include "library/library.h"
 #include "page/requests.h"
 #include "recording/recording_names.h"
+#include "texts/user_message.h"
 
 namespace smile::datasets {
+
+using texts::Say;
 namespace {
 
 namespace fs = std::filesystem;
@@ -119,7 +122,7 @@ GeneratedSets::GeneratedSets(fs::path library)
 
 fs::path GeneratedSets::FolderFor(const std::string& name) const {
   if (!recording::IsRecordingName(name)) {
-    throw page::RequestError("\"name\" is " + Quoted(name) + ", expected " + recording::kNameForm);
+    throw page::RequestError(recording::FaultOfName(name));
   }
   // Neither a link nor a recording of this name may be written into.
   const FileState state = StateOf(root_);
@@ -133,7 +136,7 @@ fs::path GeneratedSets::FolderFor(const std::string& name) const {
 fs::path GeneratedSets::FolderOf(const std::string& name) const {
   fs::path folder = FolderFor(name);
   if (StateOf(folder).is_directory && StateOf(folder / "generation.json").is_file) return folder;
-  throw page::RequestError("there is no generated set " + Quoted(name));
+  throw page::RequestError(Say("sets.isUnknown", {{"set", Quoted(name)}}));
 }
 
 fs::path GeneratedSets::RequestFileOf(const std::string& name) const {
@@ -154,8 +157,8 @@ void GeneratedSets::Move(const fs::path& from, const fs::path& to) {
 void GeneratedSets::Rename(const std::string& name, const std::string& new_name) {
   const fs::path from = FolderOf(name), to = FolderFor(new_name);
   if (StateOf(to) != FileState()) {
-    throw page::RequestError("there is a set " + Quoted(new_name) +
-                             " already; choose another name");
+    throw page::RequestError(
+        Say("sets.nameIsTaken", {{"kind", "set"}, {"name", Quoted(new_name)}}));
   }
   Move(from, to);
 }
@@ -171,7 +174,7 @@ std::string GeneratedSets::Bin(const std::string& name) {
 std::string GeneratedSets::Unbin(const std::string& name) {
   const fs::path from = bin() / FolderFor(name).filename();
   if (!StateOf(from / "generation.json").is_file) {
-    throw page::RequestError("there is no generated set " + Quoted(name) + " in the bin");
+    throw page::RequestError(Say("sets.isNotInBin", {{"set", Quoted(name)}}));
   }
   const fs::path to = recording::NewDirectory(root_, name);
   Move(from, to);

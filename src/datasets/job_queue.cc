@@ -13,8 +13,11 @@
 #include "base/wording.h"
 #include "experiment/program_pool.h"
 #include "page/requests.h"
+#include "texts/user_message.h"
 
 namespace smile::datasets {
+
+using texts::Say;
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,10 +96,10 @@ int JobQueue::Add(Job job) {
     const auto num_open =
         std::ranges::count_if(tasks_, [](const Task& task) { return task.is_open(); });
     if (num_open >= static_cast<std::ptrdiff_t>(kMaxWaiting)) {
-      throw page::RequestError("too many jobs wait; stop one or wait until one is done");
+      throw page::RequestError(Say("sets.tooManyJobs"));
     }
     if (HasOpen(job.what, job.name)) {
-      throw page::RequestError(Quoted(job.name) + " is being made; wait until it is done");
+      throw page::RequestError(Say("sets.isBeingMade", {{"name", Quoted(job.name)}}));
     }
     number = ++num_added_;
     ++num_changes_;
@@ -114,7 +117,7 @@ int JobQueue::Add(Job job) {
 void JobQueue::Stop(int number) {
   const std::lock_guard lock(mutex_);
   Task* task = FindOpen(number);
-  if (task == nullptr) throw page::RequestError("there is no such job, or it is done");
+  if (task == nullptr) throw page::RequestError(Say("sets.noJob"));
   task->is_stopped = true;
   ++num_changes_;
   if (!task->is_running()) task->status = "stopped";

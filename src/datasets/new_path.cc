@@ -4,13 +4,16 @@
 #include "base/wording.h"
 #include "page/requests.h"
 #include "recording/recording_names.h"
+#include "texts/user_message.h"
 
 namespace smile::datasets {
+
+using texts::Say;
 
 std::filesystem::path NewPathIn(const std::filesystem::path& root, const ProductFolder& products,
                                 const std::string& name, const std::string& ending) {
   if (!recording::IsRecordingName(name)) {
-    throw page::RequestError("\"name\" is " + Quoted(name) + ", expected " + recording::kNameForm);
+    throw page::RequestError(recording::FaultOfName(name));
   }
   const std::string kind = products.kind;
   const std::filesystem::path folder = root / products.folder;
@@ -20,8 +23,7 @@ std::filesystem::path NewPathIn(const std::filesystem::path& root, const Product
   }
   std::filesystem::path path = folder / (name + ending);
   if (StateOf(path) == FileState()) return path;
-  throw page::RequestError("there is a " + kind + " " + Quoted(name) +
-                           " already; choose another name");
+  throw page::RequestError(Say("sets.nameIsTaken", {{"kind", kind}, {"name", Quoted(name)}}));
 }
 
 }  // namespace smile::datasets

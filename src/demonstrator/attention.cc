@@ -7,7 +7,7 @@
 
 namespace smile::demonstrator {
 
-using world::Named;
+using texts::Say;
 
 namespace {
 
@@ -29,8 +29,8 @@ std::optional<Refusal> Demonstrator::Attend(HandName name,
                                             const std::vector<std::string>& properties) {
   if (auto refusal = RefuseIfEmpty(name)) return refusal;
   if (properties.size() > kMaxProperties) {
-    return "found " + std::to_string(properties.size()) + " properties, expected at most " +
-           std::to_string(kMaxProperties);
+    return Say("hands.tooManyProperties",
+               {{"number", properties.size()}, {"limit", kMaxProperties}});
   }
   const world::Object& object = *tabletop_->Find(hand(name).held);
   const std::vector<std::string_view> known = PropertiesOf(*object.spec);
@@ -39,8 +39,9 @@ std::optional<Refusal> Demonstrator::Attend(HandName name,
     // Stored under one spelling, so that recordings compare equal.
     const std::string property = word == "colour" ? "color" : word;
     if (std::ranges::find(known, property) == known.end()) {
-      return Named(object.id()) + " has no property " + Quoted(word) + ", expected " +
-             OneOf(known) + DidYouMean(word, known);
+      return Say("hands.noProperty", {{"object", object.id()},
+                                      {"property", Quoted(word)},
+                                      {"known", OneOf(known) + DidYouMean(word, known)}});
     }
     if (std::ranges::find(attended, property) == attended.end()) attended.push_back(property);
   }

@@ -8,10 +8,11 @@
 
 #include "demonstrator/internal_tabletop_engine.h"
 #include "demonstrator/motion_plane.h"
+#include "world/refusal_names.h"
 
 namespace smile::demonstrator {
 
-using world::Named;
+using texts::Say;
 
 namespace {
 
@@ -31,7 +32,7 @@ struct OurHands {
 Demonstrator::Demonstrator(physics::World* world, world::Tabletop* tabletop)
     : world_(world), tabletop_(tabletop) {}
 
-std::string Demonstrator::WhatHolds(HandName name) const {
+Refusal Demonstrator::WhatHolds(HandName name) const {
   HandStates states = state_.hands;
   return OurHands(world_, tabletop_, &states, servo_)->WhatHolds(name);
 }
@@ -96,17 +97,21 @@ std::optional<Refusal> Demonstrator::Destroy(HandName name) {
 
 std::optional<Refusal> Demonstrator::Remove(const world::Object& object) {
   for (HandName name : kHandNames) {
-    if (hand(name).held == object.body) return WhatHolds(name) + "; release it first";
+    if (hand(name).held == object.body) {
+      return Say("hands.releaseFirst", {{"why", WhatHolds(name)}});
+    }
   }
-  if (world_->body(object.body).is_carried()) return Named(object.id()) + " is held by the robot";
+  if (world_->body(object.body).is_carried()) {
+    return Say("world.heldByRobot", {{"object", world::ObjectName(object.id())}});
+  }
   state_.attention.erase(object.body);
   tabletop_->Destroy(object);
   return std::nullopt;
 }
 
-std::optional<Refusal> Demonstrator::RefuseIfHolding(HandName name, const char* what) const {
+std::optional<Refusal> Demonstrator::RefuseIfHolding(HandName name, const char* action) const {
   if (!hand(name).is_holding()) return std::nullopt;
-  return WhatHolds(name) + "; it must be empty to " + what;
+  return Say("hands.mustBeEmpty", {{"why", WhatHolds(name)}, {"action", action}});
 }
 
 std::optional<Refusal> Demonstrator::PointAt(HandName name, std::string_view part_id) const {
@@ -116,7 +121,7 @@ std::optional<Refusal> Demonstrator::PointAt(HandName name, std::string_view par
 
 std::optional<Refusal> Demonstrator::Trigger(HandName name, std::string_view control,
                                              std::string_view part) {
-  if (auto refusal = RefuseIfHolding(name, "trigger a control")) return refusal;
+  if (auto refusal = RefuseIfHolding(name, "trigger")) return refusal;
   return tabletop_->Trigger(control, part);
 }
 
@@ -136,10 +141,12 @@ std::optional<Refusal> Demonstrator::Turn(HandName name, std::string_view object
   const world::Object* object = tabletop_->Find(object_id);
   const Hand& own = hand(name);
   if (own.is_holding() && own.held != object->body) {
-    return RefuseIfHolding(name, "fasten or loosen anything else");
+    return RefuseIfHolding(name, "turn");
   }
   const physics::Body& body = world_->body(object->body);
-  if (body.is_carried() && !IsInAHand(body.id())) return Named(object_id) + " is held by the robot";
+  if (body.is_carried() && !IsInAHand(body.id())) {
+    return Say("world.heldByRobot", {{"object", world::ObjectName(object_id)}});
+  }
   // Of several guest points of an object, the one nearest to this point is turned.
   const Vector3 p_WPoint = p_WQ.value_or(body.pose_in_world().translation());
   return MoveGoalsWith([&] { return (tabletop_->*turning)(*object, p_WPoint); });

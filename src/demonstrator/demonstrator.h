@@ -114,9 +114,9 @@ class Demonstrator {
 
  private:
   Hand& MutableHand(HandName name) { return state_.hands[static_cast<std::size_t>(name)]; }
-  std::string WhatHolds(HandName name) const;
+  Refusal WhatHolds(HandName name) const;
   std::optional<Refusal> RefuseIfEmpty(HandName name) const;
-  std::optional<Refusal> RefuseIfHolding(HandName name, const char* what) const;
+  std::optional<Refusal> RefuseIfHolding(HandName name, const char* action) const;
   using Turning = std::optional<Refusal> (world::Tabletop::*)(const world::Object&, const Vector3&);
   bool IsInAHand(physics::BodyId body) const;
   std::optional<Refusal> Turn(HandName name, std::string_view object_id,

@@ -11,16 +11,13 @@
 namespace smile::demonstrator {
 
 using mechanics::BodyId;
-using world::Named;
+using texts::Say;
 
-std::string NameOf(HandName hand) {
-  if (hand == HandName::kBoth) return "the pair of hands";
-  if (hand == HandName::kAny) return "the hand 'any'";
-  return "the " + std::string(ToString(hand)) + " hand";
-}
+Refusal NameOf(HandName hand) { return Say("hands.name", {{"hand", ToString(hand)}}); }
 
-std::string Hands::WhatHolds(HandName name) const {
-  return NameOf(name) + " holds " + Named(engine_.ObjectOf(hand(name).held));
+Refusal Hands::WhatHolds(HandName name) const {
+  return Say("hands.holds",
+             {{"hand", NameOf(name)}, {"object", engine_.ObjectOf(hand(name).held)}});
 }
 
 bool Hands::IsInAHand(BodyId body) const {
@@ -32,8 +29,8 @@ std::optional<Refusal> Hands::RefuseToTake(HandName name, std::string_view objec
   // object.
   if (auto refusal = engine_.RefuseToReach(object_id)) return refusal;
   if (hand(name).is_holding()) {
-    return NameOf(name) + " already holds " + Named(engine_.ObjectOf(hand(name).held)) +
-           "; release it first";
+    return Say("hands.alreadyHolds",
+               {{"hand", NameOf(name)}, {"object", engine_.ObjectOf(hand(name).held)}});
   }
   const BodyId body = engine_.BodyOf(object_id);
   if (IsInAHand(body)) return std::nullopt;
@@ -47,9 +44,9 @@ bool Hands::HoldsAnother(HandName name, BodyId body) const {
 /// Returns the reason why no physical hand is free for `any`, after `body` is handed over.
 std::optional<Refusal> Hands::RefuseAny(BodyId body) const {
   using enum HandName;
-  if (HoldsAnother(kBoth, body)) return "both hands are occupied: " + WhatHolds(kBoth);
+  if (HoldsAnother(kBoth, body)) return Say("hands.pairIsOccupied", {{"why", WhatHolds(kBoth)}});
   if (HoldsAnother(kLeft, body) && HoldsAnother(kRight, body)) {
-    return "both hands are occupied: " + WhatHolds(kLeft) + ", " + WhatHolds(kRight);
+    return Say("hands.bothAreOccupied", {{"left", WhatHolds(kLeft)}, {"right", WhatHolds(kRight)}});
   }
   return std::nullopt;
 }
@@ -91,7 +88,9 @@ std::optional<Refusal> Hands::Grasp(HandName name, std::string_view object_id,
                                     const std::optional<Vector3>& p_WQ) {
   const GraspPlan plan = PlanGrasp(name, object_id);
   if (plan.refusal) return plan.refusal;
-  if (!plan.to_release.empty()) return WhatHolds(plan.to_release.front()) + "; release it first";
+  if (!plan.to_release.empty()) {
+    return Say("hands.releaseFirst", {{"why", WhatHolds(plan.to_release.front())}});
+  }
   const BodyId body = engine_.BodyOf(object_id);
   // The goal starts where the body is, so a grasp moves nothing.
   const RigidTransform X_WB = engine_.MotionOf(body).X_WB;
@@ -105,7 +104,7 @@ std::optional<Refusal> Hands::Grasp(HandName name, std::string_view object_id,
 
 std::optional<Refusal> Hands::RefuseIfEmpty(HandName name) const {
   if (hand(name).is_holding()) return std::nullopt;
-  return NameOf(name) + " holds nothing";
+  return Say("hands.isEmpty", {{"hand", NameOf(name)}});
 }
 
 std::optional<Refusal> Hands::MoveTo(HandName name, const Vector3& p_WH,

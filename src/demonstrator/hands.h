@@ -22,7 +22,7 @@ using world::Refusal;
 using HandStates = std::array<Hand, kHandNames.size()>;
 
 /// Returns the name of a hand as a singular subject.
-std::string NameOf(HandName hand);
+Refusal NameOf(HandName hand);
 
 /// Preconditions for a hand to take an object.
 struct GraspPlan {
@@ -56,7 +56,7 @@ class Hands {
   /// Returns true if one of the hands holds a body.
   bool IsInAHand(mechanics::BodyId body) const;
   /// Returns who holds what, as refusals write it. The hand must hold something.
-  std::string WhatHolds(HandName hand) const;
+  Refusal WhatHolds(HandName hand) const;
   std::optional<Refusal> RefuseIfEmpty(HandName hand) const;
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "demonstrator/engine.h"
+#include "world/refusal_names.h"
 #include "world/tabletop.h"
 
 namespace smile::demonstrator {
@@ -18,8 +19,12 @@ class TabletopEngine : public Engine {
   }
   std::optional<world::Refusal> RefuseToCarry(physics::BodyId id) const override {
     const physics::Body& body = world_.body(id);
-    if (body.is_static()) return world::Named(ObjectOf(id)) + " is fixed (its mass is 0)";
-    if (body.is_carried()) return world::Named(ObjectOf(id)) + " is held by the robot";
+    if (body.is_static()) {
+      return texts::Say("world.isFixed", {{"object", world::ObjectName(ObjectOf(id))}});
+    }
+    if (body.is_carried()) {
+      return texts::Say("world.heldByRobot", {{"object", world::ObjectName(ObjectOf(id))}});
+    }
     return std::nullopt;
   }
   physics::BodyId BodyOf(std::string_view object_id) const override {

@@ -6,6 +6,9 @@
 #include "math/angles.h"
 
 namespace smile::demonstrator {
+
+using texts::Say;
+
 namespace {
 
 Vector3 NormalOf(const MotionPlane& plane) {
@@ -13,8 +16,9 @@ Vector3 NormalOf(const MotionPlane& plane) {
   return plane.is_level ? Vector3::UnitZ() : Vector3(-std::sin(angle), std::cos(angle), 0);
 }
 
-std::string NameOf(const MotionPlane& plane, HandName hand) {
-  return (plane.is_level ? "the horizontal plane of " : "the motion plane of ") + NameOf(hand);
+Refusal NameOf(const MotionPlane& plane, HandName hand) {
+  return plane.is_level ? Say("hands.levelPlane", {{"hand", ToString(hand)}})
+                        : Say("hands.motionPlane", {{"hand", ToString(hand)}});
 }
 
 }  // namespace
@@ -28,18 +32,20 @@ std::optional<Vector3> MeetPlane(HandName name, const Hand& hand, const MotionPl
   };
   // Directions of any length come from clients; a zero or infinite one has no norm of 1.
   const Vector3 direction = ray.direction_in_world.stableNormalized();
-  if (!(direction.norm() > 0.5)) return no("the ray has no direction");
+  if (!(direction.norm() > 0.5)) return no(Say("hands.rayWithoutDirection"));
   const Vector3 normal = NormalOf(plane);
   const double approach = normal.dot(direction);
-  if (!(std::abs(approach) > kParallel)) return no("the ray is parallel to " + NameOf(plane, name));
+  if (!(std::abs(approach) > kParallel)) {
+    return no(Say("hands.rayIsParallel", {{"plane", NameOf(plane, name)}}));
+  }
   // Through the goal and not the body, which lags behind: the plane must not move while people
   // drag.
   const Vector3 p_WH = hand.X_WB_goal * hand.p_BH;
   const double distance = normal.dot(p_WH - ray.p_WOrigin) / approach;
-  if (!(distance >= 0)) return no("the ray points away from " + NameOf(plane, name));
+  if (!(distance >= 0)) return no(Say("hands.rayPointsAway", {{"plane", NameOf(plane, name)}}));
   const Vector3 p_WHit = ray.p_WOrigin + distance * direction;
   if (!(distance <= kFar)) {
-    return no("the ray meets " + NameOf(plane, name) + " more than 100 m away");
+    return no(Say("hands.rayMeetsFar", {{"plane", NameOf(plane, name)}}));
   }
   return p_WHit;
 }

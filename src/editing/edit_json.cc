@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "base/wording.h"
+#include "texts/message_json.h"
 
 namespace smile::editing {
 namespace {
@@ -198,6 +199,14 @@ Json ToJson(const EditReport& report) {
           {"controls", ToJson(report.controls)},
           {"host_points", ToJson(report.host_points)},
           {"joints", report.joints}};
+}
+
+Json ToPageJson(const EditReport& report) {
+  Json json = ToJson(report);
+  for (std::size_t i = 0; i < report.skipped.size(); ++i) {
+    json["left_out"][i]["reason"] = texts::ToJson(report.skipped[i].reason);
+  }
+  return json;
 }
 
 }  // namespace smile::editing

@@ -28,5 +28,7 @@ recording::Demonstration EditedByAll(recording::Demonstration demonstration,
 
 /// Returns the report in the format of docs/editing.md.
 Json ToJson(const EditReport& report);
+/// Returns the same for the page: the reasons of left-out commands are messages with ids.
+Json ToPageJson(const EditReport& report);
 
 }  // namespace smile::editing

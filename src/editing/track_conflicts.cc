@@ -55,7 +55,8 @@ void TrackConflicts::Before(const recording::LoggedCommand& logged,
 
 void TrackConflicts::After(const recording::LoggedCommand& logged,
                            const std::optional<sim::Refusal>& refusal) {
-  const std::optional<std::string> reason = refusal ? refusal : found_before_;
+  const std::optional<std::string> reason =
+      refusal ? std::optional<std::string>(*refusal) : found_before_;
   const auto hand = sim::HandOf(logged.command);
   if (!reason || !in_conflict_.insert(hand).second) return;
   const auto last = std::find_if(found_.rbegin(), found_.rend(),

@@ -18,8 +18,11 @@
 #include "math/angles.h"
 #include "scene/bounds.h"
 #include "scene/units.h"
+#include "texts/user_message.h"
 
 namespace smile::layout {
+
+using texts::Say;
 namespace {
 
 using Random = std::mt19937_64;
@@ -82,26 +85,29 @@ struct Recipe {
 
 const std::vector<Recipe>& Recipes() {
   static const std::vector<Recipe> kRecipes = {
-      {{"big_block", "Big block"},
+      {{"big_block", Say("presets.bigBlock")},
        [](Maker* maker) {
          maker->Add("largeblock", "block", scene::Block{Cube(*maker, 1.5)}, 0,
                     maker->RandomColor());
        }},
-      {{"stack_3", "Stack of 3 blocks"}, [](Maker* maker) { MakeStack(3, maker); }},
-      {{"stack_5", "Stack of 5 blocks"}, [](Maker* maker) { MakeStack(5, maker); }},
-      {{"stack_8", "Stack of 8 blocks"}, [](Maker* maker) { MakeStack(8, maker); }},
-      {{"box", "Box container"},
+      {{"stack_3", Say("presets.stack", {{"number", 3}})},
+       [](Maker* maker) { MakeStack(3, maker); }},
+      {{"stack_5", Say("presets.stack", {{"number", 5}})},
+       [](Maker* maker) { MakeStack(5, maker); }},
+      {{"stack_8", Say("presets.stack", {{"number", 8}})},
+       [](Maker* maker) { MakeStack(8, maker); }},
+      {{"box", Say("presets.box")},
        [](Maker* maker) {
          const Vector3 size(maker->Meters(5), maker->Meters(5), maker->Meters(3));
          maker->Add("container", "box", scene::Box{.size = size, .thickness = maker->Meters(0.5)},
                     0, ParseColor("gray").value_or(Color()), 3);
        }},
-      {{"ball", "Ball"},
+      {{"ball", Say("presets.ball")},
        [](Maker* maker) {
          maker->Add("ball", "sphere", scene::Sphere{maker->Meters(0.5)}, 0, maker->RandomColor(),
                     0.5);
        }},
-      {{"prism", "Prism"},
+      {{"prism", Say("presets.prism")},
        [](Maker* maker) {
          const double radius = maker->Meters(0.7);
          maker->Add("prism", "frustum",
@@ -111,7 +117,7 @@ const std::vector<Recipe>& Recipes() {
                                    .sides = 6},
                     0, maker->RandomColor());
        }},
-      {{"ring", "Ring"},
+      {{"ring", Say("presets.ring")},
        [](Maker* maker) {
          maker->Add("ring", "ring",
                     scene::Ring{.radius_outer = maker->Meters(1),
@@ -119,7 +125,7 @@ const std::vector<Recipe>& Recipes() {
                                 .height = maker->Meters(0.4)},
                     0, maker->RandomColor(), 0.5);
        }},
-      {{"dominoes", "Row of 5 dominoes"}, &MakeDominoes},
+      {{"dominoes", Say("presets.dominoes", {{"number", 5}})}, &MakeDominoes},
   };
   return kRecipes;
 }

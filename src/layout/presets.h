@@ -9,13 +9,14 @@
 #include "math/rigid_transform.h"
 #include "scene/bounds.h"
 #include "scene/scene_spec.h"
+#include "texts/user_message.h"
 
 namespace smile::layout {
 
 /// Objects that can be added to the table at any time.
 struct Preset {
   const char* name;
-  const char* title;  ///< title for people
+  texts::UserMessage title;
 };
 
 /// Returns all presets in the order of the menu: those of the original program first.

@@ -21,8 +21,11 @@
 #include "recording/recording.h"
 #include "recording/recording_names.h"
 #include "sim/tick.h"
+#include "texts/user_message.h"
 
 namespace smile::library {
+
+using texts::Say;
 namespace {
 
 namespace fs = std::filesystem;
@@ -145,7 +148,7 @@ Json EntryOf(const fs::path& directory) {
 }
 
 [[noreturn]] void FailToFind(const std::string& id) {
-  throw LibraryError("there is no recording " + Quoted(id));
+  throw LibraryError(Say("library.noRecording", {{"recording", Quoted(id)}}));
 }
 
 /// Returns a lock that excludes recording there; nullopt if the recording has no log. Throws
@@ -265,7 +268,7 @@ fs::path Library::ChangeableDirectoryOf(const std::string& id) const {
   fs::path directory = DirectoryOf(id);
   // The directory of any other recording has its id as its name.
   if (directory.filename() == id) return directory;
-  throw LibraryError(Quoted(id) + " belongs to a generated set, which stays as it was made");
+  throw LibraryError(Say("library.isOfSet", {{"recording", Quoted(id)}}));
 }
 
 void Library::Rename(const std::string& id, const std::optional<std::string>& title,
@@ -276,7 +279,7 @@ void Library::Rename(const std::string& id, const std::optional<std::string>& ti
 std::string Library::Bin(const std::string& id) const {
   const fs::path directory = ChangeableDirectoryOf(id);
   if (directory.parent_path().filename() == bin().filename()) {
-    throw LibraryError(Quoted(id) + " is already in the bin");
+    throw LibraryError(Say("library.isInBin", {{"recording", Quoted(id)}}));
   }
   // Held during the move, so that no recording can begin in between.
   const auto hold = Hold(directory);
@@ -296,7 +299,7 @@ std::string Library::Bin(const std::string& id) const {
 std::string Library::Unbin(const std::string& id) const {
   const fs::path directory = DirectoryOf(id);
   if (directory.parent_path().filename() != bin().filename()) {
-    throw LibraryError(Quoted(id) + " is not in the bin");
+    throw LibraryError(Say("library.isNotInBin", {{"recording", Quoted(id)}}));
   }
   // The name is only chosen here. If another recording takes it in between, Move() fails: rename()
   // replaces no directory that contains files.

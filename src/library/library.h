@@ -5,17 +5,17 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "base/json.h"
+#include "texts/message_error.h"
 
 namespace smile::library {
 
 /// Expected failure: the recording does not exist, or it cannot be changed now.
-class LibraryError : public std::runtime_error {
+class LibraryError : public texts::MessageError {
  public:
-  using std::runtime_error::runtime_error;
+  using MessageError::MessageError;
 };
 
 /// Folder in that of the recordings, with those that `smile generate` made (docs/generation.md).

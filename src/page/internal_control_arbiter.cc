@@ -1,4 +1,5 @@
 #include "page/internal_control_arbiter.h"
+#include "texts/user_message.h"
 
 #include <algorithm>
 #include <string>
@@ -9,6 +10,8 @@
 // are parameters: the rules have no clock of their own, and tests choose the times.
 
 namespace smile::page {
+
+using texts::Say;
 namespace {
 
 /// Minimum time between two requests of one client for control.
@@ -16,8 +19,9 @@ constexpr std::chrono::seconds kRequestInterval(10);
 /// Minimum time between requests of any clients: a client that reconnects counts as another one.
 constexpr std::chrono::seconds kRequestIntervalOfAll(3);
 
-std::string SecondsText(std::chrono::steady_clock::duration time) {
-  return std::to_string(std::chrono::ceil<std::chrono::seconds>(time).count()) + " s";
+/// Returns a time in seconds, rounded up.
+std::int64_t WholeSeconds(std::chrono::steady_clock::duration time) {
+  return std::chrono::ceil<std::chrono::seconds>(time).count();
 }
 
 }  // namespace
@@ -46,8 +50,8 @@ bool ControlArbiter::Take(ClientId client, bool by_force, Time now) {
 bool ControlArbiter::RequestControl(ClientId client, Time now) {
   const auto requested = requested_.find(client);
   if (requested != requested_.end() && now - requested->second < kRequestInterval) {
-    throw RequestError("the controller has already been asked; you can ask again in " +
-                       SecondsText(kRequestInterval - (now - requested->second)));
+    const auto wait = kRequestInterval - (now - requested->second);
+    throw RequestError(Say("control.wasAsked", {{"seconds", WholeSeconds(wait)}}));
   }
   NoteRequest(client, now);
   return false;
@@ -65,26 +69,25 @@ bool ControlArbiter::ForceControl(ClientId client, Time now) {
     NoteRequest(client, now);
     return false;
   }
-  throw RequestError("the controller has been asked; control can be taken after inactivity of " +
-                     SecondsText(silence_) + ", in " + SecondsText(silence_ - silence) +
-                     " at the earliest");
+  throw RequestError(Say("control.isActive", {{"silence", WholeSeconds(silence_)},
+                                              {"seconds", WholeSeconds(silence_ - silence)}}));
 }
 
 void ControlArbiter::NoteRequest(ClientId client, Time now) {
   // The limit holds for all clients together, since each question interrupts the
   // controller.
   if (last_request_ && now - *last_request_ < kRequestIntervalOfAll) {
-    throw RequestError("another client has asked the controller; you can ask in " +
-                       SecondsText(kRequestIntervalOfAll - (now - *last_request_)));
+    const auto wait = kRequestIntervalOfAll - (now - *last_request_);
+    throw RequestError(Say("control.wasAskedByOther", {{"seconds", WholeSeconds(wait)}}));
   }
   requested_[client] = now;
   last_request_ = now;
 }
 
 void ControlArbiter::Give(ClientId from, std::optional<ClientId> to, Time now) {
-  if (controller_ != from) throw RequestError("you are watching and have no control to give");
+  if (controller_ != from) throw RequestError(Say("control.noneToGive"));
   if (to && !IsHere(*to)) {
-    throw RequestError("there is no client " + std::to_string(*to) + " to give control to");
+    throw RequestError(Say("control.noClient", {{"client", *to}}));
   }
   SetController(to, now);
 }

@@ -14,6 +14,13 @@ namespace smile::page {
 JsonShape NumberShape() { return JsonShape::Number(); }
 JsonShape TextShape() { return JsonShape::Text(); }
 JsonShape FlagShape() { return JsonShape::Flag(); }
+// Arguments are numbers, texts and messages, which have arguments in turn.
+JsonShape MessageShape() {
+  const JsonShape message =
+      ObjectShape({{"say", TextShape(), true, "id in `program` of texts/"},
+                   {"with", JsonShape::Map(JsonShape::Anything()), kOptional, "its arguments"}});
+  return TextShape().Or(message).ArrivesAs("string").Called("UserMessage");
+}
 JsonShape TextsShape() { return JsonShape::List(TextShape()); }
 JsonShape NumbersShape() { return JsonShape::List(NumberShape()); }
 JsonShape ObjectShape(std::vector<JsonMember> members) {
@@ -146,7 +153,7 @@ JsonShape SegmentShape() {
 JsonShape ConflictShape() {
   return ObjectShape({{"hand", HandNameShape().OrNull(), true, "null: of no hand"},
                       {"seconds", NumberShape()},
-                      {"reason", TextShape()}})
+                      {"reason", MessageShape()}})
       .Called("Conflict");
 }
 
@@ -171,7 +178,7 @@ JsonShape TimelineShape() {
 }
 
 // A text is the reason of a refusal, ready to be displayed.
-JsonShape AllowedShape() { return TextShape().OrTrue().Called("Allowed"); }
+JsonShape AllowedShape() { return MessageShape().OrTrue().Called("Allowed"); }
 
 JsonShape DiagnosticShape() {
   return ObjectShape({{"file", TextShape()},

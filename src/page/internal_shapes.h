@@ -15,6 +15,9 @@ JsonShape NumberShape();
 JsonShape TextShape();
 JsonShape FlagShape();
 JsonShape TextsShape();
+/// Shape of a message of the program: text as it is, or an id in `program` of texts/ with
+/// arguments.
+JsonShape MessageShape();
 JsonShape NumbersShape();
 JsonShape ObjectShape(std::vector<JsonMember> members);
 /// Returns the member `t` of a message.

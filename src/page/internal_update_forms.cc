@@ -84,7 +84,7 @@ JsonShape StateUpdateShape() {
   const JsonShape failure =
       ObjectShape({{"recording", TextShape()},
                    {"title", TextShape()},
-                   {"error", TextShape()},
+                   {"error", MessageShape()},
                    {"kept", FlagShape(), true, "the recording is in the library"}});
   const JsonShape eye = ObjectShape({{"camera", TextShape()}, {"cameras", TextsShape()}});
   const JsonShape allowed = ObjectShape(
@@ -133,7 +133,7 @@ JsonShape EventUpdateShape() {
                       {"part", TextShape(), kOptional},
                       {"control", TextShape(), kOptional},
                       {"state", TextShape(), kOptional},
-                      {"words", TextShape(), kOptional, "what contact or a tool did, in words"},
+                      {"words", MessageShape(), kOptional, "what contact or a tool did, in words"},
                       {"guest", TextShape(), kOptional},
                       {"host", TextShape(), kOptional},
                       {"tightness", NumberShape(), kOptional},
@@ -194,7 +194,8 @@ std::vector<UpdateForm> MakeUpdateForms() {
        ObjectShape({KindMember("jobs"), {"jobs", JsonShape::List(JobShape())}})
            .Called("JobsMessage"),
        "as the request `jobs` returns them; not sent after `hello`"},
-      {"error", ObjectShape({KindMember("error"), {"error", TextShape()}}).Called("ErrorMessage"),
+      {"error",
+       ObjectShape({KindMember("error"), {"error", MessageShape()}}).Called("ErrorMessage"),
        "an error outside any request, for example of the eye's renderer"},
   };
 }

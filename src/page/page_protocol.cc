@@ -27,7 +27,7 @@ std::string MisfitOfReply(const Json& reply, const std::string& request) {
     if (form == nullptr) return "there is no request " + request;
     members.insert(members.end(), form->answer.begin(), form->answer.end());
   } else {
-    members.push_back({"error", TextShape()});
+    members.push_back({"error", MessageShape()});
     // Present only for faulty inputs with lines, such as scenes.
     members.push_back({"diagnostics", JsonShape::List(DiagnosticShape()), kOptional});
   }

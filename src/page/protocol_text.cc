@@ -61,6 +61,7 @@ std::vector<NamedShape> NamedShapes() {
           {SetAttemptShape(), "Attempt at an episode of a generated set."},
           {VariationShape(), "What can differ between the attempts of a set."},
           {JobShape(), "Long work that programs do, one after another."},
+          {MessageShape(), "Message of the program, in the page's language: web/src/said.ts."},
           {AllowedShape(), "True, or the reason why not."},
           {DiagnosticShape()},
           {ConsoleLineShape()}};

@@ -4,11 +4,17 @@
 #include <utility>
 
 #include "base/wording.h"
+#include "texts/message_json.h"
+#include "texts/user_message.h"
 
 namespace smile::page {
+
+using texts::Say;
 namespace {
 
-Json Failure(const std::string& message) { return {{"ok", false}, {"error", message}}; }
+Json Failure(const texts::UserMessage& message) {
+  return {{"ok", false}, {"error", texts::ToJson(message)}};
+}
 
 /// Returns a failure with all diagnostics of an input.
 Json Failure(const InputError& error) {
@@ -51,7 +57,7 @@ Json Answer(const RequestTable& table, const Request& request, bool is_controlle
   if (registered == table.requests.end()) return Reply(request, Unknown(table, request.what));
   // Watchers learn first that they lack control; other reasons matter only to the controller.
   if (!registered->second.is_for_anyone && !is_controller) {
-    return Reply(request, Failure("you are watching; take control first"));
+    return Reply(request, Failure(Say("control.isMissing")));
   }
   // The precondition is checked before the handler, and the same one is reported in `allowed`.
   return AnswerWith(request, [&] {
@@ -75,8 +81,8 @@ Json AllowedRequests(const RequestTable& table) {
   return allowed;
 }
 
-Json AllowedUnless(const std::optional<std::string>& refusal) {
-  return refusal ? Json(*refusal) : Json(true);
+Json AllowedUnless(const std::optional<texts::UserMessage>& refusal) {
+  return refusal ? texts::ToJson(*refusal) : Json(true);
 }
 
 Json AnswerWith(const Request& request, const std::function<Json()>& carry_out) {
@@ -89,6 +95,8 @@ Json AnswerWith(const Request& request, const std::function<Json()>& carry_out) 
   } catch (const InputError& error) {
     // The page marks the lines of the findings.
     return Reply(request, Failure(error));
+  } catch (const texts::MessageError& error) {
+    return Reply(request, Failure(error.message()));
   } catch (const std::exception& error) {
     return Reply(request, Failure(error.what()));
   }

@@ -4,12 +4,12 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "base/diagnostic.h"
 #include "base/json.h"
+#include "texts/message_error.h"
 
 namespace smile::page {
 
@@ -17,9 +17,9 @@ namespace smile::page {
 using ClientId = int;
 
 /// Refusal of a request: its message is the answer.
-class RequestError : public std::runtime_error {
+class RequestError : public texts::MessageError {
  public:
-  using std::runtime_error::runtime_error;
+  using MessageError::MessageError;
 };
 
 /// Request of a client, see docs/studio-protocol.md.
@@ -36,7 +36,7 @@ using RequestHandler = std::function<Json(const Request&)>;
 
 /// Returns the reason why a request cannot be executed in the present state; nullopt if it can. May
 /// throw as a RequestHandler does.
-using Precondition = std::function<std::optional<std::string>(const Request&)>;
+using Precondition = std::function<std::optional<texts::UserMessage>(const Request&)>;
 
 /// Returned for slow requests, which are answered by a DeferredMessage.
 Json AnswersLater();
@@ -72,7 +72,7 @@ Json Answer(const RequestTable& table, const Request& request, bool is_controlle
 /// optional fields: the value of AllowedUnless().
 Json AllowedRequests(const RequestTable& table);
 /// Returns true, or the reason why not.
-Json AllowedUnless(const std::optional<std::string>& refusal);
+Json AllowedUnless(const std::optional<texts::UserMessage>& refusal);
 
 /// Returns the reply to a request that `carry_out` executes, in any thread.
 Json AnswerWith(const Request& request, const std::function<Json()>& carry_out);

@@ -10,12 +10,15 @@
 #include "recording/recording_files.h"
 #include "recording/trace_reader.h"
 #include "sim/eye.h"
+#include "texts/user_message.h"
 
 // Follows a simulation and writes log, trace and classic view as it goes. Log first, trace second:
 // a line without its record can be recognized when the recording is opened, a record without its
 // line could not. Marks of actions are positions in all three, so that an undo can lead back.
 
 namespace smile::recorder {
+
+using texts::Say;
 namespace {
 
 /// Checks everything that can be checked before a directory is made.
@@ -157,15 +160,14 @@ std::optional<sim::Refusal> Recorder::Refuse(const sim::Simulation& simulation,
   // Only actions since the start of the recording have savepoints.
   if (std::holds_alternative<sim::Undo>(command) &&
       action_savepoints_.Find(history.current().id) == nullptr) {
-    return std::string("nothing to undo in this recording") +
-           (history.can_undo() ? "; finish it to undo earlier actions" : "");
+    return history.can_undo() ? Say("recorder.nothingToUndoYet") : Say("recorder.nothingToUndo");
   }
   if (std::holds_alternative<sim::Redo>(command) &&
       (!history.can_redo() || action_savepoints_.Find(history.undone().front().id) == nullptr)) {
-    return "nothing to redo in this recording";
+    return Say("recorder.nothingToRedo");
   }
   if (std::holds_alternative<sim::Load>(command)) {
-    return "a recording is in progress and contains one scene only; finish it first";
+    return Say("recorder.hasOneScene");
   }
   return std::nullopt;
 }

@@ -6,19 +6,21 @@
 #include <utility>
 
 #include "base/diagnostic.h"
-#include "base/wording.h"
 #include "model/eye.h"
 #include "recorder/internal_replay_along.h"
 #include "recording/recording_files.h"
 #include "recording/recording_history.h"
 #include "recording/recording_names.h"
 #include "recording/time_range.h"
+#include "texts/user_message.h"
 
 // Starts and finishes recordings on command, and forwards the simulation's calls to the recorder.
 // An error while recording (a full disk, a removed folder) ends the recording and is kept for the
 // next question; the simulation continues.
 
 namespace smile::recorder {
+
+using texts::Say;
 
 RecordingController::RecordingController(sim::Simulation* simulation, Options options)
     : options_(std::move(options)) {
@@ -31,8 +33,7 @@ std::optional<sim::Refusal> RecordingController::Start(const sim::Simulation& si
   std::string name = start.name.empty() ? simulation.scene().name : start.name;
   // A scene's name need not be a valid name of a directory.
   if (start.name.empty() && !recording::IsRecordingName(name)) name = "recording";
-  if (!recording::IsRecordingName(name))
-    return "\"name\" is " + Quoted(name) + ", expected " + recording::kNameForm;
+  if (!recording::IsRecordingName(name)) return recording::FaultOfName(name);
   if (recording::IsBlank(start.title)) return recording::kBlankTitle;
   RecorderOptions options = options_.recording;
   // What the command leaves open comes from the options of the program.
@@ -140,10 +141,10 @@ void RecordingController::Flush() {
 std::optional<sim::Refusal> RecordingController::Refuse(const sim::Simulation& simulation,
                                                         const sim::Command& command) {
   if (std::holds_alternative<sim::StartRecording>(command) && recorder_) {
-    return "already recording into " + directories_.back().string() + "; finish it first";
+    return Say("recorder.isRecording", {{"directory", directories_.back().string()}});
   }
   if (std::holds_alternative<sim::FinishRecording>(command) && !recorder_) {
-    return "no recording is in progress";
+    return Say("recorder.isIdle");
   }
   // A recording has its own reasons to refuse; without one, only the camera matters.
   if (recorder_) return recorder_->Refuse(simulation, command);
@@ -161,7 +162,7 @@ std::optional<sim::Refusal> RecordingController::RefuseWithoutCamera(
   if (std::ranges::find(cameras, camera, &scene::CameraSpec::id) != cameras.end()) {
     return std::nullopt;
   }
-  return "the scene to load lacks the camera " + Quoted(camera) + ", which the recording uses";
+  return Say("recorder.lacksCamera", {{"camera", camera}});
 }
 
 void RecordingController::OnCommand(const sim::Simulation& simulation,

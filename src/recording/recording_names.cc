@@ -4,6 +4,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "base/wording.h"
 #include "recording/beginning.h"
 
 // Names of recordings are names of directories and parts of URLs: no separator, no leading point,
@@ -30,6 +31,10 @@ bool IsRecordingName(const std::string& name) {
   // A leading point would hide the folder or name a parent.
   return !name.empty() && name.size() <= kMaxNameBytes && name.front() != '.' &&
          std::ranges::all_of(name, &IsNameLetter);
+}
+
+texts::UserMessage FaultOfName(const std::string& name) {
+  return texts::Say("library.badName", {{"name", Quoted(name)}});
 }
 
 std::string RecordingNameFor(const std::string& title) {

@@ -3,13 +3,14 @@
 #include <filesystem>
 #include <string>
 
+#include "texts/user_message.h"
+
 namespace smile::recording {
 
 /// True if a name is valid on every file system and cannot lead out of its folder.
 bool IsRecordingName(const std::string& name);
-/// Description of valid names, for messages.
-inline constexpr const char* kNameForm =
-    "up to 100 letters, digits, spaces, - _ and ., not . first";
+/// Returns the fault of a name that is not valid.
+texts::UserMessage FaultOfName(const std::string& name);
 
 /// Returns a valid name similar to the title; invalid letters become `_`.
 std::string RecordingNameFor(const std::string& title);

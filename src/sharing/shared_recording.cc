@@ -15,6 +15,7 @@
 #include "recording/view_sample.h"
 #include "sharing/pose_track.h"
 #include "sim/event_words.h"
+#include "texts/message_json.h"
 
 // A page gets the recording as it is now: what was undone, the owner's notes, commands and files
 // are not part of it.
@@ -90,7 +91,7 @@ std::optional<Json> Describe(const sim::Event& event) {
   using Kind = sim::EventKind;
   Json described = {{"kind", ToString(event.kind)}};
   if (const auto words = sim::WordsOf(event)) {
-    described["words"] = *words;
+    described["words"] = texts::ToJson(*words);
     return described;
   }
   if (event.kind == Kind::kControlChanged) {

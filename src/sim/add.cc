@@ -13,6 +13,8 @@
 // change without changing old recordings.
 
 namespace smile::sim {
+
+using texts::Say;
 namespace {
 
 /// Returns the present table, objects and ids.
@@ -69,7 +71,7 @@ std::optional<Spawn> SpawnOf(const Add& add, const Simulation& simulation, Refus
       return std::nullopt;
     }
     if (!scene) {
-      *refusal = "there is no free place on the table";
+      *refusal = Say("objects.noPlace");
       return std::nullopt;
     }
     Spawn spawn{.xml = scene_xml::WriteScene(*scene)};
@@ -78,7 +80,7 @@ std::optional<Spawn> SpawnOf(const Add& add, const Simulation& simulation, Refus
     if (grown == nullptr) return std::nullopt;
     if (!RefuseOverlap(*grown, simulation.tabletop(), simulation.physics())) return spawn;
   }
-  *refusal = "there is no free place on the table: the robot's arms are in the way";
+  *refusal = Say("objects.armsInTheWay");
   return std::nullopt;
 }
 

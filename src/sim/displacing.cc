@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/spawning.h"
+#include "world/refusal_names.h"
 
 // Several objects move as one rigid group: all checks come before the first change, each at the new
 // place of one body, against everything that does not move with it.
@@ -13,7 +14,8 @@
 namespace smile::sim {
 namespace {
 
-using world::Named;
+using texts::Say;
+using world::ObjectName;
 using world::Refusal;
 
 /// Returns the reason why an object cannot be displaced.
@@ -22,11 +24,11 @@ std::optional<Refusal> RefuseToMove(const std::string& id, const world::Tabletop
   if (auto refusal = tabletop.RefuseToReach(id)) return refusal;
   const world::Object& object = *tabletop.Find(id);
   if (world.body(object.body).is_static() || world.IsAnchored(object.body)) {
-    return Named(id) + " is fixed";
+    return Say("objects.isFixed", {{"object", id}});
   }
   for (const physics::BodyId member : world.Assembly(object.body)) {
     if (!world.body(member).is_carried()) continue;
-    return Named(tabletop.Find(member)->id()) + " is held; release it first";
+    return Say("objects.isHeld", {{"object", tabletop.Find(member)->id()}});
   }
   return std::nullopt;
 }
@@ -36,16 +38,15 @@ std::optional<Refusal> RefusePlace(physics::BodyId body, const RigidTransform& X
                                    const std::set<physics::BodyId>& moving,
                                    const world::Tabletop& tabletop, const physics::World& world) {
   const physics::Overlaps overlaps = world.OverlapsAt(body, X_WB, kTouching);
-  const auto refuse = [&](const std::string& blocker) {
-    return "there is no room for " + Named(tabletop.Find(body)->id()) + ": " + blocker +
-           " is in the way";
+  const auto refuse = [&](Refusal blocker) {
+    return world::NoRoom(ObjectName(tabletop.Find(body)->id()), std::move(blocker));
   };
   for (const physics::BodyId other : overlaps.bodies) {
     if (moving.contains(other)) continue;
     const world::Object* blocker = tabletop.Find(other);
-    return refuse(blocker != nullptr ? Named(blocker->id()) : "the table");
+    return refuse(blocker != nullptr ? ObjectName(blocker->id()) : world::TableName());
   }
-  if (overlaps.with_articulation) return refuse("the robot");
+  if (overlaps.with_articulation) return refuse(world::RobotName());
   return std::nullopt;
 }
 
@@ -54,7 +55,7 @@ std::optional<Refusal> RefusePlace(physics::BodyId body, const RigidTransform& X
 std::optional<Refusal> RefuseRepeated(const std::vector<std::string>& objects) {
   std::set<std::string_view> named;
   for (const std::string& id : objects) {
-    if (!named.insert(id).second) return world::Named(id) + " is named twice";
+    if (!named.insert(id).second) return Say("objects.namedTwice", {{"object", id}});
   }
   return std::nullopt;
 }

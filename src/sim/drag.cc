@@ -25,7 +25,7 @@ std::optional<MoveTo> MoveOf(const Drag& drag, const Simulation& simulation, Ref
   const double limit = scene::FromFileUnits(kMaxNumber, simulation.scene().meters_per_unit);
   // Written so that NaN is refused.
   if (!(p_WH->cwiseAbs().maxCoeff() <= limit)) {
-    *refusal = "the ray meets the motion plane more than 1e6 units away";
+    *refusal = texts::Say("hands.rayMeetsBeyond");
     return std::nullopt;
   }
   return MoveTo{.hand = drag.hand, .p_WH = *p_WH, .speed = drag.speed};

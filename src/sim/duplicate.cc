@@ -7,7 +7,6 @@
 #include <utility>
 #include <variant>
 
-#include "base/wording.h"
 #include "scene/bounds.h"
 #include "scene/controls_of.h"
 #include "scene/joined.h"
@@ -21,6 +20,8 @@
 // scene. Objects with mechanisms refer to others by id, and are refused.
 
 namespace smile::sim {
+
+using texts::Say;
 namespace {
 
 /// Space between objects and their copies [m].
@@ -72,7 +73,7 @@ std::optional<Refusal> RefuseToCopy(const std::vector<std::string>& objects,
     const world::Object* object = simulation.tabletop().Find(id);
     if (object == nullptr) return simulation.tabletop().RefuseToReach(id);
     if (IsPlain(simulation.scene(), object->index)) continue;
-    return world::Named(id) + " cannot be copied: it has mechanisms or a mesh of its own";
+    return Say("objects.cannotBeCopied", {{"object", id}});
   }
   return std::nullopt;
 }
@@ -157,7 +158,7 @@ std::optional<Spawn> SpawnOf(const Duplicate& duplicate, const Simulation& simul
     if (grown == nullptr) return std::nullopt;
     if (!RefuseOverlap(*grown, simulation.tabletop(), simulation.physics())) return spawn;
   }
-  *refusal = "there is no free place on the table beside the objects";
+  *refusal = Say("objects.noPlaceBeside");
   return std::nullopt;
 }
 

@@ -15,6 +15,8 @@
 // is decided at compile time, by the overloads of SimulatedRobot::Execute().
 
 namespace smile::sim {
+
+using texts::Say;
 namespace {
 
 /// Returns the rules of a version of the physics. Rules that came later apply only to scenes of
@@ -47,7 +49,7 @@ std::optional<Refusal> RunningModel::Execute(const Command& command) {
         constexpr bool kIsForRobot = requires(SimulatedRobot robot) { robot.Execute(what); };
         constexpr bool kMovesRobot = requires(SimulatedRobot robot) { robot.Execute(what, 0); };
         if constexpr (kIsForRobot || kMovesRobot) {
-          if (!robot_) return "there is no robot in this simulation";
+          if (!robot_) return Say("robot.isMissing");
         }
         if constexpr (kIsForRobot) return robot_->Execute(what);
         if constexpr (kMovesRobot) return robot_->Execute(what, tick_);
@@ -138,7 +140,7 @@ std::optional<Refusal> RunningModel::ExecuteOne(const Clear&) {
     if (tabletop_.IsPresent(object) && !is_kept) taken.push_back(&object);
   }
   // Refused, since an action without an effect could be undone without an effect.
-  if (taken.empty()) return "nothing to clear";
+  if (taken.empty()) return Say("objects.nothingToClear");
   // Nothing is refused here: held objects are not among them.
   for (const world::Object* object : taken) {
     if (auto refusal = demonstrator_.Remove(*object)) return refusal;

@@ -12,6 +12,8 @@
 
 namespace smile::sim {
 
+using texts::Say;
+
 JointVelocities StillVelocities(const robot::RobotModel& model) {
   JointVelocities still;
   for (const robot::Arm& arm : model.arms) {
@@ -66,7 +68,7 @@ std::optional<Refusal> SimulatedRobot::RefuseRates(const ByArm<double>& rates) c
   std::set<int> arms;
   for (const auto& [name, rate] : rates) {
     if (!FindArm(name)) return NoSuchArm(name);
-    if (!FindGripper(name)) return "the arm " + Quoted(name) + " has no gripper";
+    if (!FindGripper(name)) return Say("robot.armHasNoGripper", {{"arm", Quoted(name)}});
     if (!arms.insert(*FindArm(name)).second) return "the arm " + Quoted(name) + " is named twice";
   }
   return std::nullopt;
@@ -148,7 +150,7 @@ std::optional<Refusal> SimulatedRobot::Execute(const MoveGripper& move) {
     for (int arm = 0; arm < body_.num_arms(); ++arm) {
       if (body_.model().arms[arm].gripper) arms.push_back(arm);
     }
-    if (arms.empty()) return "the robot has no gripper";
+    if (arms.empty()) return Say("robot.noGripper");
   } else {
     const std::vector<std::string_view> names = move.arm == "both"
                                                     ? std::vector<std::string_view>{"left", "right"}
@@ -156,7 +158,7 @@ std::optional<Refusal> SimulatedRobot::Execute(const MoveGripper& move) {
     // All are checked before one of them moves.
     for (const std::string_view name : names) {
       if (!FindArm(name)) return NoSuchArm(name);
-      if (!FindGripper(name)) return "the arm " + Quoted(name) + " has no gripper";
+      if (!FindGripper(name)) return Say("robot.armHasNoGripper", {{"arm", Quoted(name)}});
       arms.push_back(*FindArm(name));
     }
   }

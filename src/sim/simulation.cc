@@ -12,6 +12,8 @@
 
 namespace smile::sim {
 
+using texts::Say;
+
 Simulation::Simulation(std::shared_ptr<const model::Model> model)
     : running_(std::make_unique<RunningModel>(std::move(model))) {}
 
@@ -42,15 +44,15 @@ std::optional<Refusal> Simulation::Refuse(const Command& command) const {
     if (auto refusal = listener->Refuse(*this, command)) return refusal;
   }
   if (std::holds_alternative<sim::Undo>(command) && !history_.can_undo()) {
-    return "nothing to undo";
+    return Say("history.nothingToUndo");
   }
   if (std::holds_alternative<sim::Redo>(command) && !history_.can_redo()) {
-    return "nothing to redo";
+    return Say("history.nothingToRedo");
   }
   // Last: a listener has already refused what the recorder's state forbids.
   const bool is_of_recording = std::holds_alternative<StartRecording>(command) ||
                                std::holds_alternative<FinishRecording>(command);
-  if (is_of_recording && recording_control_ == nullptr) return "no recorder is attached";
+  if (is_of_recording && recording_control_ == nullptr) return Say("recorder.isMissing");
   return std::nullopt;
 }
 

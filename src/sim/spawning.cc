@@ -10,6 +10,8 @@
 #include "scene/controls_of.h"
 #include "scene/joined.h"
 #include "scene/units.h"
+#include "texts/lists.h"
+#include "world/refusal_names.h"
 
 // Adding objects makes a larger model: the present one with the new objects appended, so that no
 // index changes. Everything is checked on copies first: text, ids, limits, and room at the places
@@ -18,19 +20,16 @@
 namespace smile::sim {
 namespace {
 
+using texts::Say;
 using world::Refusal;
 
 /// Returns a list of names for a message, shortened after ten.
-std::string Listed(const std::vector<std::string>& names) {
+Refusal Listed(std::vector<Refusal> names) {
   constexpr std::size_t kMaxListed = 10;
-  std::string list;
-  for (std::size_t i = 0; i < names.size() && i < kMaxListed; ++i) {
-    list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
-  }
-  if (names.size() > kMaxListed) {
-    list += " and " + std::to_string(names.size() - kMaxListed) + " more";
-  }
-  return list;
+  if (names.size() <= kMaxListed) return texts::AllOf(names);
+  const std::size_t num_more = names.size() - kMaxListed;
+  names.resize(kMaxListed);
+  return Say("lists.andMore", {{"list", texts::EachOf(names)}, {"number", num_more}});
 }
 
 /// Returns true if a text's table is compatible: the default of scene files, or the same as the
@@ -61,10 +60,10 @@ std::optional<Refusal> RefuseToAdd(const scene::SceneSpec& added, const scene::S
   std::vector<std::string> taken;
   std::ranges::set_intersection(known, ids, std::back_inserter(taken));
   if (!taken.empty()) {
-    return "the objects to add have ids that were used before: " + Listed(taken);
+    return Say("objects.idsAreTaken", {{"ids", Listed({taken.begin(), taken.end()})}});
   }
   if (scene.objects.size() + added.objects.size() > kMaxObjects) {
-    return "there would be more than " + std::to_string(kMaxObjects) + " objects";
+    return Say("objects.tooMany", {{"limit", kMaxObjects}});
   }
   return std::nullopt;
 }
@@ -111,16 +110,18 @@ std::optional<Refusal> RefuseOverlap(const model::Model& grown, const world::Tab
     const std::vector<scene::Solid> solids = scene::SolidsWith(
         grown.VariantsOf(object, start.controls), scene::SolidsOf(grown.object(object).whole));
     const physics::Overlaps overlaps = world.OverlapsOf(solids, *start.X_WB[i], kTouching);
-    std::vector<std::string> blockers;
+    std::vector<Refusal> blockers;
     for (physics::BodyId body : overlaps.bodies) {
       // Overlap with the table or floor is allowed, as in scene files: they push the object out.
       const world::Object* blocker = tabletop.Find(body);
-      if (blocker != nullptr) blockers.push_back(world::Named(blocker->id()));
+      if (blocker != nullptr) blockers.push_back(world::ObjectName(blocker->id()));
     }
-    if (overlaps.with_articulation) blockers.emplace_back("the robot");
+    if (overlaps.with_articulation) blockers.push_back(world::RobotName());
     if (blockers.empty()) continue;
-    return "there is no room for " + world::Named(grown.id(object)) + ": " + Listed(blockers) +
-           (blockers.size() == 1 ? " is in the way" : " are in the way");
+    const std::size_t num_blockers = blockers.size();
+    return Say("objects.noRoom", {{"object", grown.id(object)},
+                                  {"blockers", Listed(std::move(blockers))},
+                                  {"number", num_blockers}});
   }
   return std::nullopt;
 }

@@ -15,6 +15,8 @@
 // tick plus a correction of the position error.
 
 namespace smile::sim {
+
+using texts::Say;
 namespace {
 
 /// Gain: fraction of a joint's error that is corrected per second [1/s]. Measured in November 2026
@@ -176,8 +178,8 @@ std::optional<Refusal> TrajectoryFollower::MoveTo(const std::string& pose, doubl
   if (found == nullptr) {
     std::vector<std::string_view> names;
     for (const robot::NamedPose& named : model.poses) names.push_back(named.name);
-    if (names.empty()) return "the robot has no named poses";
-    return "the robot has no pose " + Quoted(pose) + ", expected " + OneOf(names);
+    if (names.empty()) return Say("robot.noPoses");
+    return Say("robot.noPose", {{"pose", Quoted(pose)}, {"known", OneOf(names)}});
   }
   const std::vector<double> q = robot_.positions();
   std::vector<bool> belongs_to_pose(model.links.size());
@@ -201,7 +203,7 @@ std::optional<Refusal> TrajectoryFollower::MoveTo(const std::string& pose, doubl
     from.push_back(ClampedTo(channel.limits, q[channel.joint]));
     to.push_back(ClampedTo(channel.limits, found->q[channel.joint]));
   }
-  if (columns.empty()) return "the robot has no joints for poses";
+  if (columns.empty()) return Say("robot.noJointsForPoses");
   trajectory.points = motion::MoveStraight(from, to, limits, speed);
   Start(std::move(trajectory), std::move(columns), tick);
   return std::nullopt;

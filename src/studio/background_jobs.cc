@@ -1,4 +1,5 @@
 #include "studio/background_jobs.h"
+#include "texts/user_message.h"
 
 #include <algorithm>
 #include <utility>
@@ -9,6 +10,8 @@
 // meanwhile.
 
 namespace smile::studio {
+
+using texts::Say;
 namespace {
 
 /// Number of threads: look-ups stay fast while one simulation runs.
@@ -47,7 +50,7 @@ void BackgroundJobs::Begin(Job job) {
       const auto is_older = [&newer = job.request](const Job& other) {
         return other.request.client == newer.client && other.request.what == newer.what;
       };
-      CancelMatching(is_older, "canceled by a newer request");
+      CancelMatching(is_older, Say("session.wasReplaced"));
     }
     // A limit per client, so that one page cannot block the others.
     const auto num_of_client = std::ranges::count_if(tasks_, [&job](const Task& task) {
@@ -56,7 +59,7 @@ void BackgroundJobs::Begin(Job job) {
       return task.job.request.client == job.request.client && task.canceled_because.empty();
     });
     if (tasks_.size() >= kMaxTasks || num_of_client >= kMaxTasksOfClient) {
-      throw page::RequestError("too many requests at once; wait a moment");
+      throw page::RequestError(Say("session.tooManyRequests"));
     }
     tasks_.push_back({.job = std::move(job)});
   }
@@ -69,11 +72,11 @@ void BackgroundJobs::Cancel(page::ClientId client, std::uint32_t seq) {
   const auto is_meant = [&](const Job& job) {
     return job.can_be_canceled && job.request.client == client && job.request.seq == seq;
   };
-  CancelMatching(is_meant, "canceled");
+  CancelMatching(is_meant, Say("session.wasCanceled"));
 }
 
 void BackgroundJobs::CancelMatching(const std::function<bool(const Job&)>& is_meant,
-                                    const std::string& why) {
+                                    const texts::UserMessage& why) {
   for (auto task = tasks_.begin(); task != tasks_.end();) {
     if (!is_meant(task->job)) {
       ++task;

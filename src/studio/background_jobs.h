@@ -66,7 +66,8 @@ class BackgroundJobs {
     std::function<void()> conclude;
   };
   /// Cancels the matching tasks; those not yet begun are answered at once.
-  void CancelMatching(const std::function<bool(const Job&)>& is_meant, const std::string& why);
+  void CancelMatching(const std::function<bool(const Job&)>& is_meant,
+                      const texts::UserMessage& why);
   std::vector<Outgoing> TakeOutgoing();
   void WorkerLoop();
   /// Returns nullptr when this object is destroyed. Pointers to tasks stay valid.

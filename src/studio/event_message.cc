@@ -1,6 +1,7 @@
 #include "studio/event_message.h"
 
 #include "sim/event_words.h"
+#include "texts/message_json.h"
 
 namespace smile::studio {
 
@@ -17,7 +18,7 @@ Json EventMessage(const sim::Event& event, std::uint64_t tick, const model::Mode
   add("part", event.part);
   add("control", event.control);
   add("state", event.state);
-  add("words", sim::WordsOf(event).value_or(""));
+  if (const auto words = sim::WordsOf(event)) message["words"] = texts::ToJson(*words);
   if (event.guest && event.host) {
     message["guest"] = model.guest(*event.guest).point->id;
     message["host"] = model.host(*event.host).point->id;

@@ -6,11 +6,14 @@
 #include "base/wording.h"
 #include "experiment/brain_setup.h"
 #include "recording/recording_names.h"
+#include "texts/user_message.h"
 
 // Brains run in processes of their own (LiveBrain). The handlers here find the program, prepare the
 // world, and start it; they never wait for it.
 
 namespace smile::studio {
+
+using texts::Say;
 
 std::vector<library::BrainChoice> BrainRequests::Choices() const {
   return library::BrainsIn(library::BrainFolders(options_->brains));
@@ -53,7 +56,8 @@ Json BrainRequests::Start(const page::RequestFields& fields) {
   return Json::object();
 }
 
-std::optional<std::string> BrainRequests::RefuseStart(const page::RequestFields& fields) const {
+std::optional<texts::UserMessage> BrainRequests::RefuseStart(
+    const page::RequestFields& fields) const {
   return states_->Unmet(fields.OptionalText("scene") ? Need::kOtherWorld : Need::kCommands);
 }
 
@@ -67,9 +71,7 @@ Json BrainRequests::Stop(const page::RequestFields&) {
 Json BrainRequests::Imitate(const page::RequestFields& fields) {
   const library::BrainChoice choice = Find(fields.Text("brain"));
   if (!choice.imitates) {
-    throw page::RequestError(Quoted(choice.name) +
-                             " does not read demonstrations: its script lacks the line "
-                             "\"smile: imitates\"");
+    throw page::RequestError(Say("brain.doesNotImitate", {{"brain", Quoted(choice.name)}}));
   }
   const std::string scene = fields.Text("scene");
   const std::filesystem::path directory = library_->DirectoryOf(fields.Text("recording"));
@@ -105,7 +107,7 @@ std::filesystem::path BrainRequests::RecordImitation(const recording::Recording&
           sim::StartRecording{.name = recording::RecordingNameFor(title), .title = title})) {
     // An imitation without a recording could not be evaluated later.
     states_->brain().Stop(&world.simulation());
-    throw page::RequestError("the imitation cannot be recorded: " + *refusal);
+    throw page::RequestError(Say("brain.cannotBeRecorded", {{"why", *refusal}}));
   }
   return world.recording_directory();
 }

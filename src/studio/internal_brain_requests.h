@@ -27,7 +27,7 @@ class BrainRequests {
 
   Json Describe(const page::RequestFields& fields);
   Json Start(const page::RequestFields& fields);
-  std::optional<std::string> RefuseStart(const page::RequestFields& fields) const;
+  std::optional<texts::UserMessage> RefuseStart(const page::RequestFields& fields) const;
   Json Stop(const page::RequestFields& fields);
   Json Imitate(const page::RequestFields& fields);
 

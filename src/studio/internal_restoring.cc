@@ -4,8 +4,11 @@
 
 #include "picture/rendered_eye.h"
 #include "recording/recording_history.h"
+#include "texts/user_message.h"
 
 namespace smile::studio {
+
+using texts::Say;
 
 Restoring::Restoring(std::string recording, std::filesystem::path directory, From from,
                      recorder::RecordingController::Options options)
@@ -14,10 +17,10 @@ Restoring::Restoring(std::string recording, std::filesystem::path directory, Fro
       from_(std::move(from)),
       options_(std::move(options)) {}
 
-std::optional<std::string> Restoring::Unmet(Need need) const {
+std::optional<texts::UserMessage> Restoring::Unmet(Need need) const {
   const bool is_bound = need == Need::kOtherWorld || need == Need::kNewRecording;
   if (!is_bound) return std::nullopt;
-  return "a moment of a recording is being restored; wait until it is done";
+  return Say("session.isRestoring");
 }
 
 // Runs in a worker thread. The eye of the options belongs to another thread (OpenGL contexts are

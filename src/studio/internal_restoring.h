@@ -38,7 +38,7 @@ class Restoring : public Activity {
 
   /// Returns the id of the recording; after Make(), of the one that is recorded.
   const std::string& recording() const { return recording_; }
-  std::optional<std::string> Unmet(Need need) const override;
+  std::optional<texts::UserMessage> Unmet(Need need) const override;
 
   /// Makes the world, in any thread, once.
   /// @throws InputError or std::invalid_argument if the recording cannot be read or has no such

@@ -5,8 +5,11 @@
 
 #include "base/wording.h"
 #include "library/scene_catalog.h"
+#include "texts/user_message.h"
 
 namespace smile::studio {
+
+using texts::Say;
 namespace {
 
 /// Limits of scenes from pages, which are stricter than those of files, since the session waits
@@ -21,7 +24,7 @@ SceneSource::SceneSource(std::filesystem::path scene_folder, scene_xml::SceneRea
 
 scene::SceneSpec SceneSource::Named(const std::string& name) const {
   const auto file = library::SceneCatalog(scene_folder_).FileOf(name);
-  if (!file) throw page::RequestError("there is no scene " + Quoted(name));
+  if (!file) throw page::RequestError(Say("session.noScene", {{"scene", Quoted(name)}}));
   return scene_xml::LoadScene(*file, reader_);
 }
 

@@ -39,8 +39,8 @@ Json SessionRequests::Allowed(const page::RequestFields& fields) const {
   return {{"allowed", std::move(allowed)}};
 }
 
-std::optional<std::string> SessionRequests::RefusalOf(const RequestRow& row,
-                                                      const page::Request& request) const {
+std::optional<texts::UserMessage> SessionRequests::RefusalOf(const RequestRow& row,
+                                                             const page::Request& request) const {
   for (const Need need : row.needs) {
     if (auto reason = states_->Unmet(need)) return reason;
   }
@@ -48,7 +48,7 @@ std::optional<std::string> SessionRequests::RefusalOf(const RequestRow& row,
 }
 
 // `try_out` is asked last, as it may simulate the request on a copy of the world.
-std::optional<std::string> SessionRequests::RefusalOf(const Json& wanted) const {
+std::optional<texts::UserMessage> SessionRequests::RefusalOf(const Json& wanted) const {
   page::Request request{.fields = wanted};
   const page::RequestFields fields(request);
   request.what = fields.Text("do");

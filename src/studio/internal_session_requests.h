@@ -13,7 +13,7 @@
 namespace smile::studio {
 
 /// Returns why a request is refused, by its fields; nullopt if it is not.
-using RequestRefuser = std::function<std::optional<std::string>(const page::RequestFields&)>;
+using RequestRefuser = std::function<std::optional<texts::UserMessage>(const page::RequestFields&)>;
 
 /// A request of a session, with the rules for it.
 struct RequestRow {
@@ -42,9 +42,10 @@ class SessionRequests {
   Json Allowed(const page::RequestFields& fields) const;
 
  private:
-  std::optional<std::string> RefusalOf(const RequestRow& row, const page::Request& request) const;
+  std::optional<texts::UserMessage> RefusalOf(const RequestRow& row,
+                                              const page::Request& request) const;
   /// Returns the reason why a request, given as JSON, would be refused.
-  std::optional<std::string> RefusalOf(const Json& wanted) const;
+  std::optional<texts::UserMessage> RefusalOf(const Json& wanted) const;
 
   const StateMachine* states_;
   const std::vector<RequestRow> rows_;

@@ -7,8 +7,11 @@
 #include "recording/view_sample.h"
 #include "sim/eye.h"
 #include "studio/state_message.h"
+#include "texts/user_message.h"
 
 namespace smile::studio {
+
+using texts::Say;
 namespace {
 
 /// Returns what pages draw of a simulation.
@@ -21,10 +24,10 @@ library::DisplayedState ViewOf(const sim::Simulation& simulation) {
 
 }  // namespace
 
-std::optional<std::string> WorldState::Unmet(Need need) const {
+std::optional<texts::UserMessage> WorldState::Unmet(Need need) const {
   const bool is_bound = need == Need::kOtherWorld || need == Need::kShow;
   if (!is_bound || !world_->is_recording()) return std::nullopt;
-  return "a recording is in progress; finish it first";
+  return Say("recorder.finishFirst");
 }
 
 library::DisplayedState LiveState::view() const { return ViewOf(world().simulation()); }
@@ -86,11 +89,11 @@ std::optional<Json> ImitatingState::End(double measured_speed) {
   return Json{{"t", "score"}, {"result", std::move(result)}};
 }
 
-std::optional<std::string> ClearTableState::Unmet(Need need) const {
+std::optional<texts::UserMessage> ClearTableState::Unmet(Need need) const {
   // Commands would change the world behind the copy that is shown, and be invisible.
   const bool must_wait = need == Need::kCommands || need == Need::kShow;
   if (!must_wait) return WorldState::Unmet(need);
-  return "the robot is clearing the table; wait until it is done";
+  return Say("session.isClearing");
 }
 
 library::DisplayedState ClearTableState::view() const { return ViewOf(animation_.simulation()); }
@@ -114,11 +117,11 @@ Json PlaybackState::DescribePlayback() const {
           {"rate", playback_.rate()}};
 }
 
-std::optional<std::string> PlaybackState::Unmet(Need need) const {
+std::optional<texts::UserMessage> PlaybackState::Unmet(Need need) const {
   // The world is hidden and waits; replacing it is allowed, and ends the playback.
   const bool is_of_world = need == Need::kCommands || need == Need::kTime;
   if (!is_of_world) return std::nullopt;
-  return "a recording is shown; go back to the table first";
+  return Say("session.isPlayback");
 }
 
 library::DisplayedState PlaybackState::view() const {

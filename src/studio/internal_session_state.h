@@ -40,7 +40,7 @@ class Activity {
   virtual ~Activity() = default;
 
   /// Returns the reason why a need is not met; nullopt unless this activity prevents it.
-  virtual std::optional<std::string> Unmet(Need need) const = 0;
+  virtual std::optional<texts::UserMessage> Unmet(Need need) const = 0;
 };
 
 class SessionState : public Activity {
@@ -74,7 +74,7 @@ class WorldState : public SessionState {
   explicit WorldState(LiveWorld* world) : world_(world) {}
 
   /// While it is recorded, the world can neither be replaced nor hidden by playback.
-  std::optional<std::string> Unmet(Need need) const override;
+  std::optional<texts::UserMessage> Unmet(Need need) const override;
 
  protected:
   LiveWorld& world() { return *world_; }
@@ -139,7 +139,7 @@ class ClearTableState : public WorldState {
   explicit ClearTableState(LiveWorld* world) : WorldState(world), animation_(world->simulation()) {}
 
   const char* mode() const override { return "rage"; }
-  std::optional<std::string> Unmet(Need need) const override;
+  std::optional<texts::UserMessage> Unmet(Need need) const override;
   const model::Model& model() const override { return animation_.simulation().model(); }
   library::DisplayedState view() const override;
   model::ViewSample ViewSampleThrough(model::EyeSpec eye) const override;
@@ -164,7 +164,7 @@ class PlaybackState : public SessionState {
   Json DescribePlayback() const;
 
   const char* mode() const override { return "playback"; }
-  std::optional<std::string> Unmet(Need need) const override;
+  std::optional<texts::UserMessage> Unmet(Need need) const override;
   const model::Model& model() const override { return playback_.model(); }
   library::DisplayedState view() const override;
   /// Returns the sample through the camera of the recording.

@@ -1,4 +1,5 @@
 #include "studio/internal_state_machine.h"
+#include "texts/user_message.h"
 
 #include <initializer_list>
 #include <utility>
@@ -8,20 +9,23 @@
 
 namespace smile::studio {
 
-std::optional<std::string> StateMachine::Unmet(Need need) const {
-  const auto unless = [](bool is_met, const char* reason) {
-    return is_met ? std::nullopt : std::optional<std::string>(reason);
-  };
+using texts::Say;
+
+std::optional<texts::UserMessage> StateMachine::Unmet(Need need) const {
   // First the needs that concern the machine itself, whatever the states are.
   switch (need) {
     case Need::kPlayback:
-      return unless(playback_ != nullptr, "no recording is shown");
+      if (playback_ != nullptr) return std::nullopt;
+      return Say("session.noPlayback");
     case Need::kRobot:
-      return unless(has_robot_, "there is no robot");
+      if (has_robot_) return std::nullopt;
+      return Say("session.noRobot");
     case Need::kProgram:
-      return unless(brain_.is_running(), "no brain is running");
+      if (brain_.is_running()) return std::nullopt;
+      return Say("brain.isIdle");
     case Need::kNoProgram:
-      return unless(!brain_.is_running(), "a brain is running; stop it first");
+      if (!brain_.is_running()) return std::nullopt;
+      return Say("brain.isRunning");
     default:
       break;
   }

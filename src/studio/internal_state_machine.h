@@ -59,7 +59,7 @@ class StateMachine {
   /// Returns nullptr unless a recording is being continued from a point of its history.
   const Restoring* restoring() const { return restoring_.get(); }
   /// Returns the reason why a need is not met; nullopt if it is met.
-  std::optional<std::string> Unmet(Need need) const;
+  std::optional<texts::UserMessage> Unmet(Need need) const;
 
   /// Advances by 1/60 s.
   /// @returns false if the world waits because a brain starts or thinks.

@@ -7,13 +7,15 @@
 #include "page/page_protocol.h"
 #include "page/request_fields.h"
 #include "studio/live_brain.h"
+#include "texts/message_json.h"
 
 namespace smile::studio {
 namespace {
 
-constexpr const char* kOnlyWatched = "a program controls this simulation; it can only be watched";
 constexpr std::uint64_t kTicksPerWatchedState = 3;  // at most 20 a second
 constexpr std::uint64_t kTicksPerSpeed = 60;        // a measurement of the speed each second
+
+texts::UserMessage OnlyWatched() { return texts::Say("session.isOnlyWatched"); }
 
 /// Returns the requests of a page that only watches: its lists are empty, and all else is refused.
 page::RequestTable RequestsOfAWatcher() {
@@ -21,9 +23,9 @@ page::RequestTable RequestsOfAWatcher() {
   for (const page::RequestForm& form : page::RequestForms()) {
     // For anyone: control would not help.
     table.requests[form.name] = {
-        .handle = [](const page::Request&) -> Json { throw page::RequestError(kOnlyWatched); },
+        .handle = [](const page::Request&) -> Json { throw page::RequestError(OnlyWatched()); },
         .is_for_anyone = true,
-        .refuse = [](const page::Request&) { return std::optional<std::string>(kOnlyWatched); }};
+        .refuse = [](const page::Request&) { return std::optional(OnlyWatched()); }};
   }
   table.requests["library"] = {.handle =
                                    [](const page::Request&) {
@@ -40,7 +42,7 @@ page::RequestTable RequestsOfAWatcher() {
           [](const page::Request& request) {
             constexpr std::size_t kMaxRequests = 16;
             const Json& asked = page::RequestFields(request).List("requests", kMaxRequests);
-            return Json{{"allowed", std::vector<std::string>(asked.size(), kOnlyWatched)}};
+            return Json{{"allowed", std::vector<Json>(asked.size(), texts::ToJson(OnlyWatched()))}};
           },
       .is_for_anyone = true};
   page::AddControlRequests(&table);
@@ -108,7 +110,8 @@ page::Poses ViewerSession::NextPoses() {
 
 Json ViewerSession::DescribeState() const {
   Json commands = Json::object();
-  for (const char* name : {"start", "finish", "undo", "redo"}) commands[name] = kOnlyWatched;
+  for (const char* name : {"start", "finish", "undo", "redo"})
+    commands[name] = texts::ToJson(OnlyWatched());
   Json state_message = {
       {"t", "state"},
       {"mode", "watched"},

@@ -9,12 +9,15 @@
 #include "sim/add.h"
 #include "sim/command_json.h"
 #include "sim/duplicate.h"
+#include "texts/user_message.h"
 
 // Requests about the live world become commands, and all commands pass StateMachine::Apply().
 // Questions (support, resting place, allowed) never change the world: whatever must be tried is
 // tried on a copy.
 
 namespace smile::studio {
+
+using texts::Say;
 namespace {
 
 /// True for commands about history and recordings, which a copy of the world does not have.
@@ -42,7 +45,7 @@ Json WorldRequests::Command(const page::RequestFields& fields) {
   return Json::object();
 }
 
-std::optional<std::string> WorldRequests::TryCommand(const page::RequestFields& fields) {
+std::optional<texts::UserMessage> WorldRequests::TryCommand(const page::RequestFields& fields) {
   // Exact, since trying a rotation must not change the memory of the snapper.
   const sim::Command command = MeantBy(fields.Object("command"), /*is_exact=*/true);
   if (auto reason = RefusalOf(command)) return reason;
@@ -72,11 +75,12 @@ Json WorldRequests::Clear(const page::RequestFields& fields) {
   return Json::object();
 }
 
-std::optional<std::string> WorldRequests::RefuseClear(const page::RequestFields& fields) const {
+std::optional<texts::UserMessage> WorldRequests::RefuseClear(
+    const page::RequestFields& fields) const {
   if (!fields.Flag("rage")) return std::nullopt;
   if (auto reason = states_->Unmet(Need::kOtherWorld)) return reason;
   if (ClearTableAnimation::IsPossible(states_->world().simulation())) return std::nullopt;
-  return "there is no robot to clear the table";
+  return Say("session.noRobotToClear");
 }
 
 Json WorldRequests::SetSnap(const page::RequestFields& fields) {
@@ -89,7 +93,7 @@ Json WorldRequests::FindSupport(const page::RequestFields& fields) {
   const sim::Simulation& simulation = states_->world().simulation();
   const std::string id = fields.Text("object");
   const auto object = simulation.model().FindObject(id);
-  if (!object) throw page::RequestError("there is no object " + Quoted(id));
+  if (!object) throw page::RequestError(Say("session.noObject", {{"object", Quoted(id)}}));
   const auto support = simulation.SupportOf(*object);
   if (!support || !support->is_near()) return Json::object();
   return {{support->is_inside ? "into" : "on", support->object}};
@@ -162,12 +166,13 @@ sim::Command WorldRequests::MeantBy(const Json& wanted, bool is_exact) {
   return is_exact ? *move : snapper_.Snapped(world, drag, *move);
 }
 
-std::optional<std::string> WorldRequests::RefusalInSession(const sim::Command& command) const {
+std::optional<texts::UserMessage> WorldRequests::RefusalInSession(
+    const sim::Command& command) const {
   // A program cannot be rewound together with the world.
   const bool turns_back =
       std::holds_alternative<sim::Undo>(command) || std::holds_alternative<sim::Redo>(command);
   if (turns_back && states_->brain().is_running()) {
-    return "a brain is running and cannot go back in time; stop it first";
+    return Say("brain.cannotGoBack");
   }
   if (std::holds_alternative<sim::StartRecording>(command)) {
     return states_->Unmet(Need::kNewRecording);
@@ -176,7 +181,7 @@ std::optional<std::string> WorldRequests::RefusalInSession(const sim::Command& c
                                                     : std::nullopt;
 }
 
-std::optional<std::string> WorldRequests::RefusalOf(const sim::Command& command) const {
+std::optional<texts::UserMessage> WorldRequests::RefusalOf(const sim::Command& command) const {
   if (auto reason = states_->Unmet(Need::kCommands)) return reason;
   if (auto reason = RefusalInSession(command)) return reason;
   return states_->world().simulation().Refuse(command);

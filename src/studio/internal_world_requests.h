@@ -21,10 +21,10 @@ class WorldRequests {
 
   Json Command(const page::RequestFields& fields);
   /// Tries the command on a copy of the world; see RequestRow::try_out.
-  std::optional<std::string> TryCommand(const page::RequestFields& fields);
+  std::optional<texts::UserMessage> TryCommand(const page::RequestFields& fields);
   Json Spawn(const page::RequestFields& fields);
   Json Clear(const page::RequestFields& fields);
-  std::optional<std::string> RefuseClear(const page::RequestFields& fields) const;
+  std::optional<texts::UserMessage> RefuseClear(const page::RequestFields& fields) const;
   Json SetSnap(const page::RequestFields& fields);
   Json FindSupport(const page::RequestFields& fields);
   Json AnswerRestingPlace(const page::RequestFields& fields);
@@ -47,10 +47,10 @@ class WorldRequests {
   /// to be exact.
   sim::Command MeantBy(const Json& wanted, bool is_exact);
   /// Returns the reason for which the session refuses a command; the simulation may have others.
-  std::optional<std::string> RefusalInSession(const sim::Command& command) const;
+  std::optional<texts::UserMessage> RefusalInSession(const sim::Command& command) const;
   /// Returns the reason for which a command is refused, except reasons that depend on hands,
   /// objects and robot.
-  std::optional<std::string> RefusalOf(const sim::Command& command) const;
+  std::optional<texts::UserMessage> RefusalOf(const sim::Command& command) const;
 
   StateMachine* states_;
   Snapper snapper_;

@@ -77,7 +77,7 @@ Json MakeEdits(editing::EditPreviews* previews, const editing::EditRequest& edit
   const auto made = recording::NewDirectory(root, recording::RecordingNameFor(title));
   const auto report = previews->Save(edits, made, progress);
   recording::Retitle(made, title, std::nullopt);
-  return {{"recording", made.filename().string()}, {"report", ToJson(report)}};
+  return {{"recording", made.filename().string()}, {"report", ToPageJson(report)}};
 }
 
 /// Adds requests that only read. They run in the background, since they read files.
@@ -147,7 +147,7 @@ void AddEditing(const library::Library* library, BackgroundJobs* jobs, page::Req
   table->requests["try_edit"] = {[=](const page::Request& request) {
     const auto work = [previews, edits = EditsOf(*library, request)](
                           const recording::Progress& progress) -> Json {
-      return {{"report", ToJson(previews->Preview(edits, progress))}};
+      return {{"report", ToPageJson(previews->Preview(edits, progress))}};
     };
     jobs->Begin(
         {.request = request, .work = work, .replaces_older = true, .can_be_canceled = true});

@@ -11,12 +11,15 @@
 #include "replay/log_player.h"
 #include "scene/solid.h"
 #include "studio/event_message.h"
+#include "texts/user_message.h"
 
 // A simulation with what the session needs around it: the recorder, the eye whose pictures people
 // see, and messages about events. It listens to its simulation, so commands of brains and undo
 // update it like those of pages.
 
 namespace smile::studio {
+
+using texts::Say;
 namespace {
 
 /// Limits the messages of one batch: a brain may be refused continuously.
@@ -91,7 +94,7 @@ std::optional<sim::Refusal> LiveWorld::ApplyToOwn(const sim::Command& command) {
   const bool is_undo = std::holds_alternative<sim::Undo>(command);
   const bool is_redo = std::holds_alternative<sim::Redo>(command);
   if (is_undo && is_recording() && simulation_.history().current().id == take_.kept) {
-    return "the correction begins here; what was recorded before is kept";
+    return Say("recorder.isCorrection");
   }
   const auto is_played = [this] {
     return tracks_ && tracks_->HasPlayed(simulation_.history().current().id);

@@ -20,8 +20,11 @@
 #include "studio/internal_state_announcer.h"
 #include "studio/internal_state_machine.h"
 #include "studio/internal_world_requests.h"
+#include "texts/user_message.h"
 
 namespace smile::studio {
+
+using texts::Say;
 namespace {
 
 constexpr std::uint64_t kTicksPerState = 3;  // at most 20 states a second
@@ -73,7 +76,7 @@ class Session::Impl : private StateMachine::Listener {
 
   /// Returns the cameras whose pictures can be recorded.
   std::vector<std::string_view> EyeCameras() const;
-  std::optional<std::string> RefuseEye(const page::RequestFields& fields) const;
+  std::optional<texts::UserMessage> RefuseEye(const page::RequestFields& fields) const;
   Json ChooseEye(const page::RequestFields& fields);
 
   std::optional<model::ChosenEye> eye_;  ///< nullopt for no pictures
@@ -172,9 +175,9 @@ std::vector<std::string_view> Session::Impl::EyeCameras() const {
   return {model::kEyeCamera, model::kHeadCamera};
 }
 
-std::optional<std::string> Session::Impl::RefuseEye(const page::RequestFields&) const {
-  if (!eye_) return "the studio was started without pictures";
-  if (states_.world().is_recording()) return "a recording is in progress; finish it first";
+std::optional<texts::UserMessage> Session::Impl::RefuseEye(const page::RequestFields&) const {
+  if (!eye_) return Say("eye.isMissing");
+  if (states_.world().is_recording()) return Say("recorder.finishFirst");
   return std::nullopt;
 }
 

@@ -14,6 +14,7 @@
 #include "studio/internal_studio_loop.h"
 #include "studio/library_requests.h"
 #include "studio/pose_stream.h"
+#include "texts/message_json.h"
 
 // Puts the program together: session, library, background jobs, server, and the loop that drives
 // them. The session itself knows no network, and the server no session; they meet in the table of
@@ -72,7 +73,7 @@ library::ContentRoutesOptions ContentRoutesOptionsOf(const SessionOptions& sessi
                                         .recordings = session.recordings};
   // The gallery lists presets beside scenes; the library's room does not know them.
   for (const layout::Preset& preset : layout::Presets()) {
-    options.presets.push_back({{"name", preset.name}, {"title", preset.title}});
+    options.presets.push_back({{"name", preset.name}, {"title", texts::ToJson(preset.title)}});
   }
   return options;
 }

@@ -5,8 +5,6 @@
 namespace smile::study {
 namespace {
 
-constexpr const char* kRefusal = "this is not part of the study";
-
 /// Returns the `do` of a command; empty if there is none.
 std::string CommandIn(const Json& fields) {
   if (!fields.is_object() || !fields.contains("command")) return "";
@@ -17,14 +15,15 @@ std::string CommandIn(const Json& fields) {
 
 }  // namespace
 
-std::optional<std::string> RefuseToParticipant(const page::Request& request) {
+std::optional<texts::UserMessage> RefuseToParticipant(const page::Request& request) {
   static const std::set<std::string> kRequests{"allowed", "command", "resting_place", "snap",
                                                "support"};
   static const std::set<std::string> kCommands{
       "",      "attend", "drag",    "fasten", "finish", "grasp",   "loosen", "move_to", "plane",
       "point", "redo",   "release", "rotate", "start",  "trigger", "undo",   "use"};
-  if (!kRequests.contains(request.what)) return kRefusal;
-  if (request.what == "command" && !kCommands.contains(CommandIn(request.fields))) return kRefusal;
+  if (!kRequests.contains(request.what)) return texts::Say("study.isNotPart");
+  if (request.what == "command" && !kCommands.contains(CommandIn(request.fields)))
+    return texts::Say("study.isNotPart");
   return std::nullopt;
 }
 

@@ -1,4 +1,5 @@
 #include "world/bonds.h"
+#include "world/refusal_names.h"
 
 #include <algorithm>
 #include <map>
@@ -9,6 +10,8 @@
 // the original.
 
 namespace smile::world {
+
+using texts::Say;
 namespace {
 
 /// Greatest distance of a guest from the host it is fastened to [units].
@@ -130,9 +133,8 @@ std::optional<HostIndex> Bonds::HostInReach(GuestIndex guest, double reach,
     nearest_distance = distance;
   }
   if (!nearest) {
-    *refusal = is_any_locked
-                   ? "the point that fits " + Named(plug.point->id) + " is locked"
-                   : "no free point that fits " + Named(plug.point->id) + " is within two units";
+    *refusal = is_any_locked ? Say("bonds.fitIsLocked", {{"point", plug.point->id}})
+                             : Say("bonds.noFit", {{"point", plug.point->id}});
   }
   return nearest;
 }
@@ -143,16 +145,17 @@ RigidTransform Bonds::GuestBodyAt(GuestIndex guest, HostIndex host, int tightnes
 }
 
 std::optional<Refusal> Bonds::Fasten(ObjectIndex object, const Vector3& p_WQ) {
-  const std::string name = Named((*objects_)[object].id());
   const auto guest = NearestGuest(object, p_WQ);
-  if (!guest) return name + " has no guestBondPoint to fasten it by";
+  if (!guest) return Say("bonds.noGuestPoint", {{"object", (*objects_)[object].id()}});
   if (auto refusal = RefuseHands(*guest)) return refusal;
   return TurnByHand(*guest, 1);
 }
 
 std::optional<Refusal> Bonds::Loosen(ObjectIndex object, const Vector3& p_WQ) {
   const auto guest = NearestGuest(object, p_WQ);
-  if (!guest || !HostOf(*guest)) return Named((*objects_)[object].id()) + " is not fastened there";
+  if (!guest || !HostOf(*guest)) {
+    return Say("bonds.notFastened", {{"object", ObjectName((*objects_)[object].id())}});
+  }
   if (auto refusal = RefuseHands(*guest)) return refusal;
   return TurnByHand(*guest, -1);
 }
@@ -160,8 +163,8 @@ std::optional<Refusal> Bonds::Loosen(ObjectIndex object, const Vector3& p_WQ) {
 std::optional<Refusal> Bonds::RefuseHands(GuestIndex guest) const {
   const scene::GuestPoint& point = *model_->guest(guest).point;
   if (!point.refuses_hands) return std::nullopt;
-  return NameOf(BodyOf(guest)) + " refuses bare hands; it takes a tool of type " +
-         point.accepts.front().type;
+  return Say("bonds.bareHands",
+             {{"object", NameOf(BodyOf(guest))}, {"type", point.accepts.front().type}});
 }
 
 std::optional<Refusal> Bonds::TurnByHand(GuestIndex guest, int direction) {
@@ -179,11 +182,11 @@ std::optional<GuestTurn> Bonds::NextStage(GuestIndex guest, int direction, Refus
     if (tightness <= static_cast<int>(model_->host(*host).point->stages.size())) {
       return GuestTurn{.guest = guest, .host = *host, .tightness = tightness};
     }
-    *refusal = NameOf(BodyOf(guest)) + " is already at its tightest stage";
+    *refusal = Say("bonds.tightest", {{"object", NameOf(BodyOf(guest))}});
     return std::nullopt;
   }
   if (direction < 0) {
-    *refusal = NameOf(BodyOf(guest)) + " is not fastened there";
+    *refusal = Say("bonds.notFastened", {{"object", NameOf(BodyOf(guest))}});
     return std::nullopt;
   }
   const auto host = HostInReach(guest, kReachUnits * model_->scene().meters_per_unit, refusal);
@@ -197,7 +200,7 @@ std::optional<GuestTurn> Bonds::PlanTurn(GuestIndex guest, int direction, physic
   if (!turn) return std::nullopt;
   turn->tool = tool;
   if (states_[turn->host].is_locked) {
-    *refusal = Named(model_->host(turn->host).point->id) + " is locked";
+    *refusal = Say("bonds.locked", {{"point", model_->host(turn->host).point->id}});
     return std::nullopt;
   }
   const RigidTransform X_WB = GuestBodyAt(guest, turn->host, turn->tightness);
@@ -223,30 +226,26 @@ std::optional<Refusal> Bonds::RefuseToMove(GuestIndex guest, HostIndex host,
                                            const RigidTransform& X_WB, physics::BodyId tool) const {
   const physics::BodyId body = BodyOf(guest), holder = BodyOf(host);
   const physics::JointId bond = states_[host].joint;
-  if (world_->body(body).is_static()) return NameOf(body) + " is fixed (its mass is 0)";
+  if (world_->body(body).is_static()) return Say("world.isFixed", {{"object", NameOf(body)}});
   // The bond itself does not count: it is about to change.
-  if (world_->IsAnchored(body, bond)) {
-    return NameOf(body) + " is connected to a fixed object and cannot move there";
-  }
+  if (world_->IsAnchored(body, bond)) return Say("bonds.anchored", {{"object", NameOf(body)}});
   const std::vector<physics::BodyId> moved = world_->Assembly(body, bond);
   if (std::ranges::binary_search(moved, holder)) {
-    return NameOf(body) + " and " + NameOf(holder) + " are also joined in another way";
+    return Say("bonds.joined", {{"object", NameOf(body)}, {"other", NameOf(holder)}});
   }
   // The motion of the guest in the world; everything connected to it moves along rigidly.
   const RigidTransform X_moved = X_WB * world_->body(body).pose_in_world().inverse();
   for (physics::BodyId member : moved) {
-    if (IsHeldByRobot(member)) return NameOf(member) + " is held by the robot";
+    if (IsHeldByRobot(member)) return Say("world.heldByRobot", {{"object", NameOf(member)}});
     const RigidTransform X_there = X_moved * world_->body(member).pose_in_world();
     const physics::Overlaps overlaps = world_->OverlapsAt(member, X_there, kMaxOverlap);
     for (physics::BodyId blocker : overlaps.bodies) {
       // A guest is inside its host's hole by design.
       const bool is_hole = member == body && blocker == holder;
       if (is_hole || blocker == tool || std::ranges::binary_search(moved, blocker)) continue;
-      return "there is no room for " + NameOf(member) + ": " + NameOf(blocker) + " is in the way";
+      return NoRoom(NameOf(member), NameOf(blocker));
     }
-    if (overlaps.with_articulation) {
-      return "there is no room for " + NameOf(member) + ": the robot is in the way";
-    }
+    if (overlaps.with_articulation) return NoRoom(NameOf(member), RobotName());
   }
   return std::nullopt;
 }
@@ -258,9 +257,9 @@ bool Bonds::IsHeldByRobot(physics::BodyId body) const {
   });
 }
 
-std::string Bonds::NameOf(physics::BodyId body) const {
+Refusal Bonds::NameOf(physics::BodyId body) const {
   const auto object = std::ranges::find(*objects_, body, &Object::body);
-  return object != objects_->end() ? Named(object->id()) : "the table";
+  return object != objects_->end() ? ObjectName(object->id()) : TableName();
 }
 
 void Bonds::Join(GuestIndex guest, HostIndex host, int tightness) {

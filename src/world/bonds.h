@@ -88,7 +88,7 @@ class Bonds {
     return (*objects_)[model_->host(host).object].body;
   }
   /// Returns the name of a body's object for refusals.
-  std::string NameOf(physics::BodyId body) const;
+  Refusal NameOf(physics::BodyId body) const;
   RigidTransform GuestBodyAt(GuestIndex guest, HostIndex host, int tightness) const;
   void Join(GuestIndex guest, HostIndex host, int tightness);
   /// Returns the reason why a guest and its assembly cannot be put at `X_WB`.

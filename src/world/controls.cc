@@ -11,6 +11,8 @@
 // controls are in one list by index, and the model has the wiring that drives other controls.
 
 namespace smile::world {
+
+using texts::Say;
 namespace {
 
 using scene::CustomControl;
@@ -48,14 +50,14 @@ std::vector<Target> TargetsOf(const CustomControl& control, int state) {
   return targets;
 }
 
-/// Returns the names of parts for a message, sorted and unique.
+/// Returns the names of parts as `'a', 'b' or 'c'`, sorted and unique; empty if none has a name.
 std::string NamesOf(const std::vector<Target>& targets) {
   std::set<std::string> names;
   for (const Target& target : targets) {
     if (!target.part.empty()) names.insert(Named(target.part));
   }
   const std::vector<std::string_view> words(names.begin(), names.end());
-  return names.empty() ? "" : ": " + OneOf(words);
+  return OneOf(words);
 }
 
 }  // namespace
@@ -77,7 +79,7 @@ void Controls::Restore(std::vector<ControlState> states, const model::Model& mod
 std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_view part) {
   const model::Control& control = model_->control(index);
   ControlState& state = states_[index];
-  const std::string name = Named(control.id());
+  const std::string& name = control.id();
   const auto press = [&](const ToggleSwitch& toggle) -> std::optional<Refusal> {
     const std::string left = scene::ButtonId(control.id(), scene::Button::kLeft);
     const std::string right = scene::ButtonId(control.id(), scene::Button::kRight);
@@ -85,11 +87,12 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
     const bool is_left_down = PressedButtonOf(control, state) == scene::Button::kLeft;
     const std::string& raised = is_left_down ? right : left;
     if (!part.empty() && part != left && part != right) {
-      return name + " has no button " + Named(part) + ", expected " + left + " or " + right;
+      return Say("controls.noButton",
+                 {{"control", name}, {"button", part}, {"left", left}, {"right", right}});
     }
     // Only the raised button can be pressed.
     if (!part.empty() && part != raised) {
-      return Named(part) + " is already pressed; press " + Named(raised);
+      return Say("controls.isPressed", {{"button", part}, {"other", raised}});
     }
     TurnOver(toggle, &state);
     return std::nullopt;
@@ -99,29 +102,28 @@ std::optional<Refusal> Controls::Trigger(model::ControlIndex index, std::string_
     if (!part.empty()) {
       std::erase_if(targets, [part](const Target& target) { return target.part != part; });
       if (targets.empty()) {
-        return "nothing would happen: " + Named(part) + " is not a part of " + name +
-               " in its present state, or leads to no state";
+        return Say("controls.notAPart", {{"part", part}, {"control", name}});
       }
     }
-    if (targets.empty())
-      return "nothing would happen: no part of " + name + " leads to another state";
-    if (targets.front().is_cut) return name + " refuses bare hands; it takes a tool that cuts";
+    if (targets.empty()) return Say("controls.leadsNowhere", {{"control", name}});
+    if (targets.front().is_cut) return Say("controls.bareHands", {{"control", name}});
     // Without a named part, all parts must agree.
     const bool is_one = std::ranges::all_of(targets, [&](const Target& target) {
       return target.next_state == targets.front().next_state;
     });
-    if (!is_one)
-      return "parts of " + name + " lead to different states; name one" + NamesOf(targets);
+    if (!is_one) {
+      const std::string parts = NamesOf(targets);
+      return parts.empty() ? Say("controls.isAmbiguous", {{"control", name}})
+                           : Say("controls.nameOne", {{"control", name}, {"parts", parts}});
+    }
     state.state = targets.front().next_state;
     return std::nullopt;
   };
-  auto refusal = std::visit(
-      Overloaded{press, advance,
-                 [&](const auto&) -> std::optional<Refusal> {
-                   return name +
-                          " is a row of lights: it follows other controls and cannot be triggered";
-                 }},
-      control.part->shape);
+  auto refusal = std::visit(Overloaded{press, advance,
+                                       [&](const auto&) -> std::optional<Refusal> {
+                                         return Say("controls.areLights", {{"control", name}});
+                                       }},
+                            control.part->shape);
   // Other controls follow only after the control has changed itself.
   if (!refusal) model::DriveDownstream(model_->all_controls(), index, &states_);
   return refusal;

@@ -11,6 +11,8 @@
 // are added is part of the determinism: the solver visits them in this order.
 
 namespace smile::world {
+
+using texts::Say;
 namespace {
 
 /// Angular damping of a chain's links, so that they swing but hardly spin. With 1 they would not
@@ -167,7 +169,7 @@ void Tabletop::FollowControls(const std::vector<ControlState>& before) {
 std::optional<Refusal> Tabletop::Trigger(std::string_view id, std::string_view part) {
   const auto control = model_->FindControl(id);
   if (!control || !IsPresent(*control)) {
-    return "there is no control " + Named(id);
+    return Say("world.noControl", {{"control", id}});
   }
   if (auto refusal = RefuseToReach(objects_[model_->control(*control).object])) return refusal;
   const std::vector<ControlState> before = controls_.states();
@@ -201,7 +203,7 @@ std::optional<ToolUse> Tabletop::PlanUse(const Object& tool, bool loosens, Refus
   if (const auto index = model_->ToolOf(tool.index)) {
     return tools_.PlanUse(*index, loosens, refusal);
   }
-  *refusal = Named(tool.id()) + " is no tool";
+  *refusal = Say("tools.notATool", {{"object", tool.id()}});
   return std::nullopt;
 }
 

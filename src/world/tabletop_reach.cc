@@ -7,6 +7,8 @@
 #include "world/tabletop.h"
 
 namespace smile::world {
+
+using texts::Say;
 namespace {
 
 /// An object this much lower than at the start has come down [m].
@@ -21,8 +23,8 @@ bool HasPart(const scene::Part& whole, std::string_view id) {
 }  // namespace
 
 std::optional<Refusal> Tabletop::RefuseToReach(const Object& object) const {
-  if (!IsPresent(object)) return Named(object.id()) + " no longer exists: it was destroyed";
-  if (HasFallen(object)) return Named(object.id()) + " fell to the floor; undo restores it";
+  if (!IsPresent(object)) return Say("world.wasDestroyed", {{"object", object.id()}});
+  if (HasFallen(object)) return Say("world.hasFallen", {{"object", object.id()}});
   return std::nullopt;
 }
 
@@ -36,10 +38,10 @@ std::optional<Refusal> Tabletop::RefuseToReach(std::string_view id) const {
   }
   for (const Object& object : objects_) {
     if (!id.empty() && IsPresent(object) && HasPart(object.spec->whole, id)) {
-      return Named(id) + " is a part of " + Named(object.id()) + ", which is handled as a whole";
+      return Say("world.isPart", {{"part", id}, {"object", object.id()}});
     }
   }
-  return "there is no object " + Named(id) + DidYouMean(id, known);
+  return Say("world.noObject", {{"object", id}, {"suggestion", DidYouMean(id, known)}});
 }
 
 std::optional<Refusal> Tabletop::RefuseToPoint(std::string_view id) const {
@@ -47,7 +49,7 @@ std::optional<Refusal> Tabletop::RefuseToPoint(std::string_view id) const {
   // An object that exists no longer has a better reason than an unknown id.
   const auto gone = std::ranges::find(objects_, id, &Object::id);
   if (gone != objects_.end()) return RefuseToReach(*gone);
-  return "there is no object " + Named(id) + ", and no pointable part with this id";
+  return Say("world.notPointable", {{"object", id}});
 }
 
 std::vector<const Object*> Tabletop::NoticeFallen() {

@@ -5,7 +5,6 @@
 #include <map>
 #include <utility>
 
-#include "base/wording.h"
 #include "math/angles.h"
 #include "physics/solid_probe.h"
 
@@ -13,6 +12,8 @@
 // blades, all others the nearest place of their type. Only how far a screw was turned is kept.
 
 namespace smile::world {
+
+using texts::Say;
 namespace {
 
 using scene::ToolAction;
@@ -65,8 +66,8 @@ Vector3 Perpendicular(const Vector3& n) {
   return n.cross(Vector3::Unit(least)).normalized();
 }
 
-std::string UnitsText(double meters, double meters_per_unit) {
-  return NumberText(std::round(meters / meters_per_unit * 100) / 100) + " units";
+double RoundedUnits(double meters, double meters_per_unit) {
+  return std::round(meters / meters_per_unit * 100) / 100;
 }
 
 }  // namespace
@@ -110,15 +111,16 @@ std::optional<ToolUse> Tools::CutTarget(model::ToolIndex tool, Refusal* refusal)
   });
   // The first one in the order of the scene wins a tie.
   const auto nearest = std::ranges::min_element(candidates, {}, &Candidate::distance);
-  const std::string blades = "the blades of " + Named(NameOf(which.object));
   if (nearest == candidates.end()) {
-    *refusal = "there is nothing that " + Named(NameOf(which.object)) + " can cut";
+    *refusal = Say("tools.nothingToCut", {{"tool", NameOf(which.object)}});
     return std::nullopt;
   }
   if (nearest->distance > spec.reach) {
     const double unit = model_->scene().meters_per_unit;
-    *refusal = blades + " are " + UnitsText(nearest->distance, unit) + " from " +
-               nearest->use.target + ", expected at most " + UnitsText(spec.reach, unit);
+    *refusal = Say("tools.bladesAreFar", {{"tool", NameOf(which.object)},
+                                          {"distance", RoundedUnits(nearest->distance, unit)},
+                                          {"target", nearest->use.target},
+                                          {"reach", RoundedUnits(spec.reach, unit)}});
     return std::nullopt;
   }
   nearest->use.tool = tool;
@@ -206,7 +208,7 @@ std::optional<ToolUse> Tools::BondTarget(model::ToolIndex tool, Refusal* refusal
   const double unit = model_->scene().meters_per_unit;
   std::optional<ToolUse> nearest;
   double nearest_distance = 0, nearest_angle = 0;
-  std::string other_type;
+  Refusal other_type;
   for (const GuestIndex guest : model_->guests()) {
     const model::Guest& plug = model_->guest(guest);
     if (!IsInPlay(plug.object) || plug.object == which.object) continue;
@@ -216,8 +218,10 @@ std::optional<ToolUse> Tools::BondTarget(model::ToolIndex tool, Refusal* refusal
       if (place.type != spec.type) {
         // Only for the message: the tool is where another one belongs.
         if (distance <= spec.reach) {
-          other_type = Named(NameOf(plug.object)) + " takes " + place.type + ", and " +
-                       Named(NameOf(which.object)) + " is " + spec.type;
+          other_type = Say("tools.otherType", {{"object", NameOf(plug.object)},
+                                               {"expected", place.type},
+                                               {"tool", NameOf(which.object)},
+                                               {"type", spec.type}});
         }
         continue;
       }
@@ -229,20 +233,22 @@ std::optional<ToolUse> Tools::BondTarget(model::ToolIndex tool, Refusal* refusal
       nearest_angle = std::acos(std::clamp(cosine, -1.0, 1.0));
     }
   }
-  const std::string tip = "the tip of " + Named(NameOf(which.object));
   if (nearest && nearest_distance <= spec.reach && nearest_angle <= spec.angle) return nearest;
   if (!other_type.empty()) {
     *refusal = other_type;
   } else if (!nearest) {
-    *refusal = "there is nothing for a tool of type " + spec.type;
+    *refusal = Say("tools.nothingOfType", {{"type", spec.type}});
   } else if (nearest_distance > spec.reach) {
-    *refusal = tip + " is " + UnitsText(nearest_distance, unit) + " from its place on " +
-               Named(nearest->target) + ", expected at most " + UnitsText(spec.reach, unit);
+    *refusal = Say("tools.tipIsFar", {{"tool", NameOf(which.object)},
+                                      {"distance", RoundedUnits(nearest_distance, unit)},
+                                      {"object", nearest->target},
+                                      {"reach", RoundedUnits(spec.reach, unit)}});
   } else {
-    *refusal = Named(NameOf(which.object)) + " is tilted by " +
-               NumberText(std::round(RadiansToDegrees(nearest_angle))) + " degrees against " +
-               Named(nearest->target) + ", expected at most " +
-               NumberText(std::round(RadiansToDegrees(spec.angle) * 10) / 10);
+    *refusal =
+        Say("tools.isTilted", {{"tool", NameOf(which.object)},
+                               {"degrees", std::round(RadiansToDegrees(nearest_angle))},
+                               {"object", nearest->target},
+                               {"limit", std::round(RadiansToDegrees(spec.angle) * 10) / 10}});
   }
   return std::nullopt;
 }
@@ -252,7 +258,7 @@ std::optional<ToolUse> Tools::PlanUse(model::ToolIndex tool, bool loosens, Refus
   if (action == ToolAction::kCut) {
     auto use = CutTarget(tool, refusal);
     if (use && use->control && !controls_->CanPress(*use->control, use->next_state)) {
-      *refusal = "nothing would happen: " + Named(use->target) + " leads to no other state";
+      *refusal = Say("tools.leadsNowhere", {{"part", use->target}});
       return std::nullopt;
     }
     return use;

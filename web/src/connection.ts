@@ -1,3 +1,5 @@
+import { parse } from "./said";
+import { texts } from "./texts";
 import { decodeBinary, VERSION, type AnswerTo, type EyeView, type FieldsOf, type TextMessage, type Poses, type Reply, type Update, type Wanted } from "./protocol";
 
 const RECONNECT_MS = 500;
@@ -12,7 +14,7 @@ export interface Listener {
 /** The program said no; `reply` has its reasons. */
 export class Refused extends Error {
   constructor(readonly reply: Reply) {
-    super(reply.error ?? "refused");
+    super(reply.error);
   }
 }
 
@@ -43,7 +45,7 @@ export class StudioConnection {
     const seq = ++this.seq;
     return new Promise((resolve: (reply: AnswerTo<What>) => void, reject) => {
       if (this.socket?.readyState !== WebSocket.OPEN) {
-        reject(new Error("not connected"));
+        reject(new Error(texts.connection.none));
         return;
       }
       this.waiting.set(seq, { resolve: (reply) => resolve(reply as AnswerTo<What>), reject });
@@ -74,7 +76,7 @@ export class StudioConnection {
     socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => this.receive(data);
     socket.onclose = () => {
       this.listener.onConnected(false);
-      for (const { reject } of this.waiting.values()) reject(new Error("the connection was lost"));
+      for (const { reject } of this.waiting.values()) reject(new Error(texts.connection.wasLost));
       this.waiting.clear();
       if (!this.isClosed) setTimeout(() => this.connect(), RECONNECT_MS);
     };
@@ -89,7 +91,7 @@ export class StudioConnection {
       else this.listener.onPoses(message);
       return;
     }
-    const message = JSON.parse(data) as TextMessage;
+    const message = parse(data) as TextMessage;
     if (message.t !== "reply") {
       this.listener.onUpdate(message);
       return;

@@ -21,6 +21,20 @@ export function decimal(value: number, digits: number): string {
   return formatted(value, { minimumFractionDigits: digits, maximumFractionDigits: digits });
 }
 
+const SEPARATOR = decimal(0.1, 1).charAt(1);
+
+/** The number as it is typed: with a hyphen for a minus. Rounding turns -0.001 into "-0.00": without its minus. */
+export function typed(value: number, digits: number): string {
+  const text = value.toFixed(digits);
+  return (Number(text) === 0 ? text.replace("-", "") : text).replace(".", SEPARATOR);
+}
+
+/** The number that was typed, with a point or a comma; null if it is none. */
+export function numberIn(text: string): number | null {
+  const value = Number(text.trim().replace(",", ".").replace("−", "-"));
+  return text.trim() === "" || !Number.isFinite(value) ? null : value;
+}
+
 export function allOf(names: readonly Argument[]): string {
   return conjunction.format(names.map(String));
 }
@@ -69,7 +83,7 @@ function insert(field: string, given: Arguments, counted: string): string {
   const value = given[name];
   if (value === undefined) throw new Error(`message without its argument: {${field}}`);
   if (kind === undefined) return String(value);
-  if (kind === "number") return numberIn(rest, Number(value));
+  if (kind === "number") return styledNumber(rest, Number(value));
   const cases = casesOf(rest);
   const word = kind === "plural" ? plurals.select(Number(value)) : String(value);
   const chosen = cases.get(word) ?? cases.get("other");
@@ -77,7 +91,7 @@ function insert(field: string, given: Arguments, counted: string): string {
   return render(chosen, given, kind === "plural" ? formatted(Number(value), {}) : counted);
 }
 
-function numberIn(style: string, value: number): string {
+function styledNumber(style: string, value: number): string {
   if (style === "") return formatted(value, {});
   const digits = DECIMALS[style];
   if (digits === undefined) throw new Error(`message with the unknown style of numbers ${style}`);

@@ -111,7 +111,7 @@ export interface Conflict {
   /** null: of no hand */
   hand: HandName | null;
   seconds: number;
-  reason: string;
+  reason: UserMessage;
 }
 
 /** All times are from the start [s]. */
@@ -217,6 +217,9 @@ export interface Job {
   causes?: Record<string, number>;
 }
 
+/** Message of the program, in the page's language: web/src/said.ts. */
+export type UserMessage = string;
+
 /** True, or the reason why not. */
 export type Allowed = string | true;
 
@@ -281,7 +284,7 @@ export interface StateMessage {
   /** the recording of which a moment is being restored */
   restoring: string | null;
   /** reason why the last recording ended by itself */
-  failure: { recording: string; title: string; error: string; kept: boolean } | null;
+  failure: { recording: string; title: string; error: UserMessage; kept: boolean } | null;
   /** states as in recordings; for a switch, its position */
   controls: Record<string, string>;
   gone: string[];
@@ -310,7 +313,7 @@ export interface EventMessage {
   control?: string;
   state?: string;
   /** what contact or a tool did, in words */
-  words?: string;
+  words?: UserMessage;
   guest?: string;
   host?: string;
   tightness?: number;
@@ -365,7 +368,7 @@ export interface JobsMessage {
 
 export interface ErrorMessage {
   t: "error";
-  error: string;
+  error: UserMessage;
 }
 
 /** Messages that are not replies. */

@@ -144,7 +144,7 @@ export function disconnect(): void {
 
 /** Asks the program; rejects with Refused or when the connection is lost. */
 export function request<What extends Wanted>(what: What, ...fields: FieldsOf<What>): Promise<AnswerTo<What>> {
-  if (connection === null) return Promise.reject(new Error("not connected"));
+  if (connection === null) return Promise.reject(new Error(texts.connection.none));
   return connection.request(what, ...fields);
 }
 

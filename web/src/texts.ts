@@ -1,15 +1,20 @@
 // The texts of the page, by subject, in the language of the page: the tables in texts/ as they are, and a
-// function for each message with arguments. What the program says is English.
+// function for each message with arguments. Messages of the program are in `program`, by their ids there.
 
-import type { HandName, Job } from "./protocol";
+import { numberOfObjects, partsOf } from "./action_parts";
+import type { ActionSummary, HandName, Job } from "./protocol";
 import { language, type Language } from "./language";
-import { allOf, anyOf, decimal, named, say } from "./message_format";
-import de from "../../texts/de.json";
-import en from "../../texts/en.json";
+import { allOf, anyOf, decimal, named, say, type Arguments } from "./message_format";
 import type { SharedEvent } from "./shared/recording";
 
-const tables: Record<Language, typeof en> = { en, de };
-const t = tables[language];
+type Table = typeof import("../../texts/en.json");
+
+// Only the table of the page's language is loaded.
+const tables: Record<Language, () => Promise<{ default: Table }>> = {
+  en: () => import("../../texts/en.json"),
+  de: () => import("../../texts/de.json"),
+};
+const { default: t } = await tables[language]();
 
 /** Texts for x, y and z. */
 type Axes = readonly [string, string, string];
@@ -22,6 +27,12 @@ const sentences = (hands: HandName[]) => allOf(hands.map((hand) => t.hands.sente
 export const texts = {
   ...t,
   seconds: (seconds: number) => say(t.seconds, { seconds }),
+  /** A message of the program; its id, if this page is older than the program and lacks it. */
+  ofProgram: (id: string, given: Arguments) => {
+    const message = programMessage(id);
+    return message === undefined ? id : say(message, given);
+  },
+  action: (action: ActionSummary) => actionWords(action),
 
   hands: {
     ...t.hands,
@@ -86,6 +97,8 @@ export const texts = {
 
   objects: {
     ...t.objects,
+    /** @param shape  that the scene names: of its own elements, or any word */
+    kindOf: (shape: string) => named(t.objects.kinds, shape),
     heldBy: (hand: HandName) => say(t.objects.heldBy, { hand }),
     onFloor: (ids: string[]) => say(t.objects.onFloor, { objects: ids.join(", ") }),
     show: (number: number) => say(t.objects.show, { number }),
@@ -331,6 +344,36 @@ export const texts = {
     breakLeft: (seconds: number) => say(t.study.breakLeft, { seconds }),
   },
 };
+
+function programMessage(id: string): string | undefined {
+  const subjects: Record<string, Record<string, string>> = t.program;
+  const [subject = "", name = ""] = id.split(".");
+  return subjects[subject]?.[name];
+}
+
+/** What an action did, as the program's own words of it. */
+function actionWords(action: ActionSummary): string {
+  const { hand, tool, where, object } = partsOf(action);
+  const number = numberOfObjects(action.what);
+  const what = number === null ? action.what : say(t.actions.objects, { number });
+  return {
+    take: () => say(t.actions.take, { hand, what }),
+    put: () => say(t.actions.put, { hand, what, where, object }),
+    drop: () => say(t.actions.drop, { hand, what, where, object }),
+    release: () => say(t.actions.release, { hand, what }),
+    destroy: () => say(t.actions.destroy, { hand, what }),
+    point: () => say(t.actions.point, { hand, what }),
+    trigger: () => say(t.actions.trigger, { hand, what }),
+    fasten: () => say(t.actions.fasten, { hand, what, tool }),
+    loosen: () => say(t.actions.loosen, { hand, what, tool }),
+    cut: () => say(t.actions.cut, { hand, what, tool }),
+    add: () => say(t.actions.add, { what }),
+    remove: () => say(t.actions.remove, { what }),
+    move: () => say(t.actions.move, { what }),
+    clear: () => say(t.actions.clear, { what }),
+    load: () => say(t.actions.load, { what }),
+  }[action.do]();
+}
 
 function progressOf({ do: what, done = 0, total }: Job): string {
   if (total === undefined) return t.datasets.starts;

@@ -34,6 +34,7 @@ test("tooltips name the keys that do the same", async (t) => {
   await witness.until(() => witness.handOf("RedBlock").place[2] > before, "the key moves it up");
   await page.keyboard.press("h");
   const help = page.getByRole("dialog", { name: "Keys and mouse" });
+  await help.waitFor();
   const known = await help.locator("kbd").allTextContents();
   for (const { title } of hinted) assert.ok(known.includes(/\((\S+)\)$/.exec(title)[1]), title);
 });

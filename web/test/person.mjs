@@ -130,7 +130,7 @@ export class Person {
   }
 
   async openMenu(timeout) {
-    const menu = this.page.getByRole("menu", { name: /^Actions for/ });
+    const menu = this.page.getByRole("menu", { name: /^(Actions for|Aktionen für)/ });
     await menu.waitFor({ timeout });
     return menu;
   }

@@ -280,10 +280,10 @@ test("axe-core finds no serious barrier, and a session does nothing that is not 
   const { witness } = await participant.table();
   await holdsNothingAgainst(page, "table");
   for (const what of ["load", "start_brain", "pause", "library", "generate"]) {
-    assert.match((await witness.request(what)).error, /not part of the study|you are watching/, what);
+    assert.match((await witness.request(what)).error.say, /^(study.isNotPart|control.isMissing)$/, what);
   }
   const { allowed } = witness.state;
-  assert.equal(allowed.requests.load, "this is not part of the study");
+  assert.deepEqual(allowed.requests.load, { say: "study.isNotPart" });
   assert.equal(allowed.requests.command, true);
   await participant.leaveTable();
   await participant.sees("Questions");

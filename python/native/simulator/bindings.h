@@ -2,6 +2,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include "user_messages.h"
+
 // What each file of this module binds, in this order.
 
 namespace smile::python {

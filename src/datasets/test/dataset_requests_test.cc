@@ -7,6 +7,7 @@
 
 #include "page/page_protocol.h"
 #include "recorder/test/recording_fixture.h"
+#include "texts/message_json.h"
 
 namespace smile::datasets {
 namespace {
@@ -186,7 +187,7 @@ TEST_F(DatasetRequestsTest, AStoppedSetContinuesByTheSameCommand) {
   EXPECT_FALSE(Ask("stop_job", {{"job", 1}})["ok"]);
   EXPECT_FALSE(Ask("sets")["sets"][0]["is_complete"]);
   LetItEnd();
-  EXPECT_EQ(Ask("generate", Wanted())["error"],
+  EXPECT_EQ(texts::MessageOf(Ask("generate", Wanted())["error"]),
             "there is a set \"many\" already; continue it, or choose another name");
   // Also after the studio has ended.
   Begin(/*has_robot=*/true);
@@ -229,8 +230,9 @@ TEST_F(DatasetRequestsTest, SetsAreRenamedAndBinnedAndRestored) {
   ASSERT_EQ(Ask("generate", Wanted())["job"], 1);
   UntilStatus(0, "running");
   const char* busy = "\"many\" is being made or exported; wait until that is done";
-  EXPECT_EQ(Ask("bin_set", {{"set", "many"}})["error"], busy);
-  EXPECT_EQ(Ask("rename_set", {{"set", "many"}, {"name", "towers"}})["error"], busy);
+  EXPECT_EQ(texts::MessageOf(Ask("bin_set", {{"set", "many"}})["error"]), busy);
+  EXPECT_EQ(texts::MessageOf(Ask("rename_set", {{"set", "many"}, {"name", "towers"}})["error"]),
+            busy);
   LetItEnd();
   UntilStatus(0, "done");
 
@@ -265,7 +267,8 @@ TEST_F(DatasetRequestsTest, JobsWaitForEachOther) {
   ASSERT_EQ(Ask("generate", other)["job"], 2);
   UntilStatus(0, "running");
   EXPECT_EQ(JobAt(1)["status"], "waiting");
-  EXPECT_EQ(Ask("generate", other)["error"], "\"others\" is being made; wait until it is done");
+  EXPECT_EQ(texts::MessageOf(Ask("generate", other)["error"]),
+            "\"others\" is being made; wait until it is done");
   EXPECT_TRUE(Ask("stop_job", {{"job", 2}})["ok"]);
   EXPECT_EQ(JobAt(1)["status"], "stopped");
   LetItEnd();
@@ -332,7 +335,7 @@ TEST_F(DatasetRequestsTest, WatchersOnlyLook) {
 
 TEST_F(DatasetRequestsTest, WithoutARobotNothingIsGenerated) {
   Begin(/*has_robot=*/false);
-  EXPECT_EQ(Ask("generate", Wanted())["error"],
+  EXPECT_EQ(texts::MessageOf(Ask("generate", Wanted())["error"]),
             "there is no robot; start the studio without --no-robot");
   EXPECT_NE(AllowedRequests(table_)["generate"], true);
 }
@@ -365,12 +368,12 @@ TEST_F(DatasetRequestsTest, AFilmIsMadeOnceUnderItsName) {
   const std::string film = (root_ / "films/tower.mp4").string();
   EXPECT_EQ(Calls(), "render " + (root_ / "demo").string() + " --out " + film +
                          " --camera nice --size 640x480 --rate 30 --progress\n");
-  EXPECT_EQ(Ask("film", ToFilm())["error"],
+  EXPECT_EQ(texts::MessageOf(Ask("film", ToFilm())["error"]),
             "there is a film \"tower\" already; choose another name");
   // A recording of this name is not written into.
   fs::remove_all(root_ / "films");
   fs::copy(root_ / "demo", root_ / "films");
-  EXPECT_EQ(Ask("film", ToFilm())["error"],
+  EXPECT_EQ(texts::MessageOf(Ask("film", ToFilm())["error"]),
             (root_ / "films").string() + " is no folder of films; rename it");
 }
 

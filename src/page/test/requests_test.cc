@@ -1,4 +1,5 @@
 #include "page/requests.h"
+#include "texts/message_json.h"
 
 #include <gtest/gtest.h>
 
@@ -43,13 +44,14 @@ TEST(Answer, ReportsTheFailedPrecondition) {
   EXPECT_TRUE(Answer(table, {.what = "dig"}, /*is_controller=*/true)["ok"]);
   reason = "the ground is frozen";
   EXPECT_EQ(AllowedRequests(table), (Json{{"dig", *reason}}));
-  EXPECT_EQ(Answer(table, {.what = "dig"}, /*is_controller=*/true)["error"], *reason);
+  EXPECT_EQ(texts::MessageOf(Answer(table, {.what = "dig"}, /*is_controller=*/true)["error"]),
+            *reason);
   EXPECT_EQ(num_done, 1);
 }
 
 TEST(Answer, RefusesControlToWatchers) {
   const Json answer = Answer(MakeTable(), {.what = "load"}, /*is_controller=*/false);
-  EXPECT_EQ(answer["error"], "you are watching; take control first");
+  EXPECT_EQ(answer["error"], Json({{"say", "control.isMissing"}}));
 }
 
 TEST(Answer, MayBeDeferred) {

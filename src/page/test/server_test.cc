@@ -10,6 +10,7 @@
 #include "base/bytes.h"
 #include "page/control_requests.h"
 #include "page/page_protocol.h"
+#include "texts/message_json.h"
 #include "web_client.h"
 
 namespace smile::page {
@@ -102,7 +103,7 @@ TEST_F(ServerTest, AControllerCanHandOver) {
   EXPECT_EQ(second.Ask({{"do", "take_control"}})["granted"], false);
   EXPECT_EQ(first.Await("control_wanted")["by"], 2);
   EXPECT_EQ(second.Ask({{"do", "give_control"}, {"to", 2}})["ok"], false);
-  EXPECT_EQ(first.Ask({{"do", "give_control"}, {"to", 9}})["error"],
+  EXPECT_EQ(texts::MessageOf(first.Ask({{"do", "give_control"}, {"to", 9}})["error"]),
             "there is no client 9 to give control to");
   EXPECT_EQ(first.Ask({{"do", "give_control"}, {"to", 2}})["ok"], true);
   EXPECT_TRUE(server().IsController(2));

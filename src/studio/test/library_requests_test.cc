@@ -8,6 +8,7 @@
 
 #include "library_requests_fixture.h"
 #include "replay/replay.h"
+#include "texts/message_json.h"
 
 namespace smile::studio {
 namespace {
@@ -63,7 +64,8 @@ TEST_F(LibraryRequestsTest, TidyUp) {
   EXPECT_EQ(Ask("unbin", {{"recording", "demo~1"}})["recording"], "demo");
   EXPECT_EQ(Ask("rename", {{"recording", 7}})["error"],
             R"("recording" is number, expected a string)");
-  EXPECT_EQ(Ask("bin", {{"recording", "../demo"}})["error"], R"(there is no recording "../demo")");
+  EXPECT_EQ(texts::MessageOf(Ask("bin", {{"recording", "../demo"}})["error"]),
+            R"(there is no recording "../demo")");
   EXPECT_EQ(Ask("open", Json::object())["error"], R"("recording" is missing)");
 }
 
@@ -79,7 +81,8 @@ TEST_F(LibraryRequestsTest, TryEditReportsTheEffectAndWritesNothing) {
   const Json answer = Ask("try_edit", {{"recording", "demo"}, {"edits", edits}});
   ASSERT_EQ(answer["ok"], true) << answer;
   EXPECT_EQ(answer["report"]["displaced"][0]["id"], "a");
-  EXPECT_EQ(answer["report"]["left_out"][0]["reason"], "the left hand holds nothing");
+  EXPECT_EQ(texts::MessageOf(answer["report"]["left_out"][0]["reason"]),
+            "the left hand holds nothing");
   EXPECT_EQ(library_.List().size(), 1u);
   // Everyone sees how far it is, and that it ends.
   const auto last = std::ranges::find_if(
@@ -161,7 +164,7 @@ TEST_F(LibraryRequestsTest, CanceledPreviewsAndSavesLeaveNoFiles) {
     }
     EXPECT_EQ(Ask("cancel", {{"request", 1001}})["ok"], true) << "nothing is canceled";
     EXPECT_EQ(Ask("cancel", {{"request", 1000}}, /*is_controller=*/false)["ok"], true);
-    EXPECT_EQ(AnswerTo(1000)["error"], "canceled");
+    EXPECT_EQ(texts::MessageOf(AnswerTo(1000)["error"]), "canceled");
     deferred_.clear();
   }
   EXPECT_EQ(library_.List().size(), 1u);
@@ -211,7 +214,7 @@ TEST(BackgroundJobs, CancelsReplacedJobs) {
       if (deferred.client == 1) answers[deferred.message["seq"]] = deferred.message;
     }
   }
-  EXPECT_EQ(answers[1]["error"], "canceled by a newer request");
+  EXPECT_EQ(texts::MessageOf(answers[1]["error"]), "canceled by a newer request");
   EXPECT_EQ(answers[2]["is"], "newest");
 }
 
@@ -251,8 +254,8 @@ TEST(BackgroundJobs, CancelsUnfinishedCancelableJobs) {
     }
   }
   EXPECT_EQ(answers[1]["is"], "done") << "it could no longer be stopped";
-  EXPECT_EQ(answers[2]["error"], "canceled");
-  EXPECT_EQ(answers[3]["error"], "canceled") << "before it began";
+  EXPECT_EQ(texts::MessageOf(answers[2]["error"]), "canceled");
+  EXPECT_EQ(texts::MessageOf(answers[3]["error"]), "canceled") << "before it began";
   EXPECT_EQ(answers[4]["is"], "done");
 }
 

@@ -19,6 +19,7 @@
 #include "page/page_protocol.h"
 #include "robot/urdf_reader.h"
 #include "studio/session.h"
+#include "texts/message_json.h"
 
 namespace smile::studio {
 
@@ -116,7 +117,7 @@ class SessionFixture : public ::testing::Test {
   std::string Refused(const std::string& text) {
     const Json answer = Ask(text);
     EXPECT_FALSE(answer["ok"].get<bool>()) << text;
-    return answer.value("error", "");
+    return texts::MessageOf(answer.value("error", Json("")));
   }
 
   /// Expects that everything the state message refuses is refused for the reason that it gives.
@@ -134,7 +135,7 @@ class SessionFixture : public ::testing::Test {
         const Json wanted = {{"do", name}};
         const Json answer =
             AskWith(is_command ? Json{{"do", "command"}, {"command", wanted}} : wanted);
-        EXPECT_EQ(answer.value("error", "it is carried out"), reason) << name;
+        EXPECT_EQ(answer.value("error", Json("it is carried out")), reason) << name;
       }
     }
     return allowed;

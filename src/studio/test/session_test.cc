@@ -11,6 +11,7 @@
 #include "replay/replay.h"
 #include "robot/test/generated_robot.h"
 #include "session_fixture.h"
+#include "texts/message_json.h"
 
 namespace smile::studio {
 namespace {
@@ -502,7 +503,8 @@ TEST_F(SessionTest, ReportsWhatAnObjectStandsOn) {
   TickSeconds(2);
   EXPECT_EQ(Do(ask)["on"], "b");
   EXPECT_FALSE(Do(ask).contains("into"));
-  EXPECT_EQ(Ask(R"({"do":"support","object":"c"})")["error"], "there is no object \"c\"");
+  EXPECT_EQ(texts::MessageOf(Ask(R"({"do":"support","object":"c"})")["error"]),
+            "there is no object \"c\"");
 }
 
 TEST_F(SessionTest, ARestingPlaceThatWasFoundEarlierIsMarkedAsStale) {
@@ -659,7 +661,7 @@ TEST_F(SessionTest, ClearingTheTableIsNotInTheHistory) {
     EXPECT_EQ(State()["hands"]["left"]["object"], "a");
     EXPECT_EQ(State()["allowed"]["commands"]["redo"], true);
     Command(R"({"do":"undo"})");
-    EXPECT_TRUE(State()["allowed"]["commands"]["undo"].is_string());
+    EXPECT_NE(State()["allowed"]["commands"]["undo"], true);
     ends.push_back(State());
     session_.reset();
     std::filesystem::remove_all(root_ / "recordings");

@@ -13,6 +13,7 @@
 #include "page/page_protocol.h"
 #include "page/test/web_client.h"
 #include "scene_xml/scene_reader.h"
+#include "texts/message_json.h"
 
 namespace smile::studio {
 namespace {
@@ -77,10 +78,10 @@ TEST_F(ViewerTest, RefusesRequestsThatWouldChangeSomething) {
   page::WebClient client = Join();
   for (const page::RequestForm& form : page::RequestForms()) {
     if (form.is_for_anyone || form.name == "allowed" || form.name.ends_with("_control")) continue;
-    EXPECT_EQ(client.Ask({{"do", form.name}})["error"], kReason) << form.name;
+    EXPECT_EQ(texts::MessageOf(client.Ask({{"do", form.name}})["error"]), kReason) << form.name;
   }
   const Json allowed = client.Ask({{"do", "allowed"}, {"requests", {{{"do", "pause"}}}}});
-  EXPECT_EQ(allowed["allowed"], Json({kReason})) << allowed;
+  EXPECT_EQ(texts::MessageOf(allowed["allowed"][0]), kReason) << allowed;
   EXPECT_EQ(client.Ask({{"do", "library"}})["recordings"], Json::array());
   EXPECT_EQ(tower.simulation.tick(), 0u);
 }

@@ -16,7 +16,7 @@ const { objects: words } = texts;
 async function take(object: string): Promise<void> {
   const reply = await command({ do: "grasp", hand: currentHand.value, object });
   if (reply === null) return;
-  if (reply.deed) notify(reply.deed.words);
+  if (reply.deed) notify(texts.action(reply.deed));
   showPanel("hands");
   // Keys move it at once, for users of the keyboard.
   setTimeout(() => document.getElementById("nudge")?.focus(), 100);
@@ -135,7 +135,7 @@ export function ObjectList() {
 function ObjectNote({ object }: { object: SceneObject }) {
   const hand = holders.value[object.id];
   if (hand === undefined) {
-    return <span class="object-note">{object.fixed ? words.isFixed : object.shape}</span>;
+    return <span class="object-note">{object.fixed ? words.isFixed : words.kindOf(object.shape)}</span>;
   }
   return (
     <span class="object-note held" style={{ "--hand": handColors[hand] }}>

@@ -1,4 +1,5 @@
 import { signal } from "@preact/signals";
+import { parse } from "../said";
 
 export interface SceneCatalog {
   scenes: { name: string; title: string; picture: string | null }[];
@@ -13,7 +14,7 @@ export async function refreshSceneCatalog(): Promise<void> {
   try {
     const answer = await fetch("/scenes");
     if (!answer.ok) throw new Error(answer.statusText);
-    sceneCatalog.value = (await answer.json()) as SceneCatalog;
+    sceneCatalog.value = parse(await answer.text()) as SceneCatalog;
     isSceneCatalogLost.value = false;
   } catch {
     isSceneCatalogLost.value = sceneCatalog.value === null;

@@ -4,7 +4,7 @@ import { Picture } from "../ui/card";
 
 /** What a segment or a step of a history is, in words. */
 export function wordsOf({ deed }: { deed: ActionSummary | null }): string {
-  return deed?.words ?? texts.timeline.start;
+  return deed === null ? texts.timeline.start : texts.action(deed);
 }
 
 /** One segment: how it ends, and what it is. */

@@ -1,4 +1,5 @@
 import type { Pose, SceneMessage, Timeline } from "../protocol";
+import { parse } from "../said";
 
 /** Steps per unit of positions, and of the numbers of quaternions; docs/studio-protocol.md specifies the file. */
 const POSITION_STEPS = 1e4;
@@ -108,7 +109,7 @@ function decodeTracks(bytes: Uint8Array, numTicks: number, numFrames: number): F
 export function decodeRecording(file: ArrayBuffer): Recording {
   const data = new DataView(file);
   const length = data.getUint32(0, true);
-  const description = JSON.parse(new TextDecoder().decode(new Uint8Array(file, 4, length))) as Description;
+  const description = parse(new TextDecoder().decode(new Uint8Array(file, 4, length))) as Description;
   const numTicks = data.getUint32(4 + length, true);
   const tracks = decodeTracks(new Uint8Array(file, 8 + length), numTicks, description.scene.numFrames);
   return { description, numTicks, tracks };

@@ -1,6 +1,9 @@
 import { useState } from "preact/hooks";
+import { numberIn, typed } from "../message_format";
 
-/** A number to be typed: taken with Enter or when the field is left, forgotten with Escape. */
+/**
+ * A number to be typed, with a point or a comma: taken with Enter or when the field is left, forgotten with Escape. The arrow keys change it by a step.
+ */
 export function NumberField(props: {
   label: string;
   value: number;
@@ -19,26 +22,36 @@ export function NumberField(props: {
   const commit = () => {
     if (draft === null) return;
     setDraft(null);
-    const value = Number(draft.replace(",", "."));
-    if (draft.trim() === "" || !Number.isFinite(value)) return;
-    props.onCommit(Math.min(props.max ?? Infinity, Math.max(props.min ?? -Infinity, value)));
+    const value = numberIn(draft);
+    if (value !== null) props.onCommit(within(value));
   };
+  const within = (value: number) => Math.min(props.max ?? Infinity, Math.max(props.min ?? -Infinity, value));
+  const shown = draft ?? typed(props.value, digits);
+  const changeBy = (steps: number) =>
+    setDraft(typed(within((numberIn(shown) ?? props.value) + steps * (props.step ?? 1)), digits));
   return (
     <label class="number-field">
       {props.isLabelled && <span aria-hidden="true">{props.label}</span>}
       <input
-        type="number"
+        type="text"
         inputMode="decimal"
+        role="spinbutton"
         aria-label={props.unit ? `${props.label} (${props.unit})` : props.label}
-        step={props.step ?? "any"}
-        min={props.min}
-        max={props.max}
+        aria-valuenow={numberIn(shown) ?? props.value}
+        aria-valuetext={shown}
+        aria-valuemin={props.min}
+        aria-valuemax={props.max}
+        autocomplete="off"
         disabled={props.disabled}
-        value={draft ?? withoutMinusZero(props.value.toFixed(digits))}
+        value={shown}
         onInput={(event) => setDraft(event.currentTarget.value)}
         onBlur={commit}
         onKeyDown={(event) => {
           if (event.key === "Enter") commit();
+          if (event.key === "ArrowUp" || event.key === "ArrowDown") {
+            event.preventDefault();
+            changeBy(event.key === "ArrowUp" ? 1 : -1);
+          }
           if (event.key === "Escape" && draft !== null) {
             event.stopPropagation();
             setDraft(null);
@@ -52,9 +65,4 @@ export function NumberField(props: {
       )}
     </label>
   );
-}
-
-/** Rounding turns -0.001 into "-0.00": this removes the minus. */
-function withoutMinusZero(text: string): string {
-  return Number(text) === 0 ? text.replace("-", "") : text;
 }

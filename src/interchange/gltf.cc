@@ -12,9 +12,6 @@
 namespace smile::interchange {
 namespace {
 
-/// Lux of the usual light: with it, viewers show colors about as SMILE does.
-constexpr double kIlluminance = 3;
-
 Json ToJson(const Vector3& v) { return {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0}; }
 Json ToJson(const Quaternion& q) { return {q.x() + 0.0, q.y() + 0.0, q.z() + 0.0, q.w() + 0.0}; }
 

@@ -30,6 +30,8 @@ class UsdWriter {
   /// Writes a property, such as `float radius`.
   void Set(std::string_view property, std::string_view value);
   void Set(std::string_view property, double value);
+  /// Writes a property without a value, such as an output of a shader.
+  void Declare(std::string_view property) { Line(property); }
 
   /// Write translation and orientation, and a scale where it is not 1.
   void SetPose(const RigidTransform& X, const Vector3& scale = Vector3::Ones());

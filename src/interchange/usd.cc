@@ -130,7 +130,9 @@ class UsdText {
     const scene::Lighting& light = world_.lighting;
     const auto [red, green, blue] = LinearOf(light.color);
     usd_.Open("DistantLight", "light");
-    usd_.Set("float inputs:intensity", light.brightness);
+    // Else a renderer would take it as the brightness of a disk as small as the sun.
+    usd_.Set("bool inputs:normalize", "true");
+    usd_.Set("float inputs:intensity", kIlluminance * light.brightness);
     usd_.Set("color3f inputs:color", UsdTuple(Vector3(red, green, blue)));
     // It shines along -z of its prim.
     usd_.SetPose(

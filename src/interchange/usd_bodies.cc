@@ -101,6 +101,38 @@ void UsdBodies::WriteMaterials(const ExportedWorld& world) {
     usd_.Close();
     name = "</World/materials/" + name + ">";
   }
+  WritePaints();
+  usd_.Close();
+}
+
+void UsdBodies::WritePaints() {
+  for (const MovingFrame& frame : motion_.frames) {
+    for (const MovingVisuals& group : frame.visuals) {
+      for (const scene::Visual& visual : group.visuals) {
+        paints_.try_emplace({LinearOf(visual.color), visual.glows},
+                            "color_" + std::to_string(paints_.size() + 1));
+      }
+    }
+  }
+  for (auto& [paint, name] : paints_) {
+    const std::string path = "/World/materials/" + name;
+    usd_.Open("Material", name);
+    usd_.Set("token outputs:surface.connect", "<" + path + "/surface.outputs:surface>");
+    WriteShader(paint);
+    usd_.Close();
+    name = "<" + path + ">";
+  }
+}
+
+void UsdBodies::WriteShader(const Paint& paint) {
+  const auto& [red, green, blue] = paint.first;
+  const std::string color = UsdTuple(Vector3(red, green, blue));
+  usd_.Open("Shader", "surface");
+  usd_.Set("uniform token info:id", "\"UsdPreviewSurface\"");
+  usd_.Set("color3f inputs:diffuseColor", color);
+  if (paint.second) usd_.Set("color3f inputs:emissiveColor", color);
+  usd_.Set("float inputs:roughness", 1);
+  usd_.Declare("token outputs:surface");
   usd_.Close();
 }
 
@@ -136,29 +168,30 @@ void UsdBodies::OpenBody(const std::string& name, const RigidTransform& X_WB,
   }
 }
 
-void UsdBodies::WriteSurface(const Material* material, const Color& color) {
-  if (material != nullptr) {
+void UsdBodies::WriteSurface(const Surface& surface) {
+  if (surface.material != nullptr) {
     usd_.Set("uniform token purpose", "\"guide\"");
-    usd_.Set("rel material:binding:physics", materials_.at(*material));
+    usd_.Set("rel material:binding:physics", materials_.at(*surface.material));
+  } else {
+    usd_.Set("rel material:binding", paints_.at(surface.paint));
   }
-  const auto [red, green, blue] = LinearOf(color);
+  const auto& [red, green, blue] = surface.paint.first;
   usd_.Set("color3f[] primvars:displayColor", "[" + UsdTuple(Vector3(red, green, blue)) + "]");
 }
 
 void UsdBodies::WriteShape(const scene::VisualShape& shape, const RigidTransform& X,
-                           const Color& color, const std::string& name, const Material* material) {
+                           const std::string& name, const Surface& surface) {
   const std::string type = TypeOf(shape);
-  std::vector<std::string_view> schemas;
-  if (material != nullptr) {
-    schemas = {"PhysicsCollisionAPI", "MaterialBindingAPI"};
-    if (type == "Mesh") schemas.emplace_back("PhysicsMeshCollisionAPI");
-  }
+  const bool collides = surface.material != nullptr;
+  std::vector<std::string_view> schemas{"MaterialBindingAPI"};
+  if (collides) schemas.emplace_back("PhysicsCollisionAPI");
+  if (collides && type == "Mesh") schemas.emplace_back("PhysicsMeshCollisionAPI");
   usd_.Open(type, name, schemas);
-  if (material != nullptr && type == "Mesh") {
+  if (collides && type == "Mesh") {
     usd_.Set("uniform token physics:approximation", "\"convexHull\"");
   }
   WriteSizes(shape, &usd_);
-  WriteSurface(material, color);
+  WriteSurface(surface);
   const auto* block = std::get_if<scene::Block>(&shape);
   usd_.SetPose(X, block != nullptr ? block->size : Vector3(Vector3::Ones()));
   usd_.Close();
@@ -169,8 +202,9 @@ void UsdBodies::WriteSolids(const std::vector<scene::Solid>& solids, double fric
   const Material material(friction, restitution);
   int number = 0;
   for (const scene::Solid& solid : solids) {
-    WriteShape(scene::VisualShapeOf(solid.shape), solid.X_BS, solid.color,
-               "collision_" + std::to_string(++number), &material);
+    WriteShape(scene::VisualShapeOf(solid.shape), solid.X_BS,
+               "collision_" + std::to_string(++number),
+               {.paint = {LinearOf(solid.color), false}, .material = &material});
   }
 }
 
@@ -184,8 +218,8 @@ void UsdBodies::WriteVisuals(int frame) {
       usd_.SetVisibility(group, codes_);
     }
     for (const scene::Visual& visual : group.visuals) {
-      WriteShape(visual.shape, visual.X_FV, visual.color, "visual_" + std::to_string(++number),
-                 nullptr);
+      WriteShape(visual.shape, visual.X_FV, "visual_" + std::to_string(++number),
+                 {.paint = {LinearOf(visual.color), visual.glows}});
     }
     if (changes) usd_.Close();
   }

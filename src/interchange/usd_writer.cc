@@ -52,15 +52,19 @@ void UsdWriter::Line(std::string_view text) {
 
 void UsdWriter::Open(std::string_view type, std::string_view name,
                      const std::vector<std::string_view>& schemas) {
-  std::string head = "def " + std::string(type) + " " + UsdString(name);
-  if (!schemas.empty()) {
+  const std::string head = "def " + std::string(type) + " " + UsdString(name);
+  if (schemas.empty()) {
+    Line(head);
+  } else {
     std::string list;
     for (const std::string_view schema : schemas) {
       list += (list.empty() ? "" : ", ") + UsdString(schema);
     }
-    head += " (prepend apiSchemas = [" + list + "])";
+    // In three lines, as OpenUSD writes them: the reader of three.js 0.187 skips prims with one.
+    Line(head + " (");
+    Line("    prepend apiSchemas = [" + list + "]");
+    Line(")");
   }
-  Line(head);
   Line("{");
   ++depth_;
 }

@@ -17,7 +17,7 @@ import numpy as np
 PROJECT = Path(sys.argv[1])
 sys.path.append(str(PROJECT / "build/usd"))
 try:
-    from pxr import Gf, Usd, UsdGeom, UsdPhysics, UsdValidation
+    from pxr import Gf, Usd, UsdGeom, UsdLux, UsdPhysics, UsdShade, UsdValidation
 except ImportError:
     print("skipped: OpenUSD is not installed, see tools/get_usd.sh")
     sys.exit(77)
@@ -75,6 +75,18 @@ class Exported(unittest.TestCase):
         errors = [error.GetErrorAsString() for error in context.Validate(stage)]
         self.assertEqual(errors, [])
 
+    def assert_is_painted(self, stage):
+        """That renderers see each shape in its color, whether they draw materials or display colors."""
+        for prim in filter(lambda prim: prim.IsA(UsdGeom.Gprim), stage.Traverse()):
+            material, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial()
+            if UsdGeom.Imageable(prim).ComputePurpose() != "default":
+                self.assertFalse(material, prim)
+                continue
+            surface, *_ = material.ComputeSurfaceSource()
+            self.assertEqual(surface.GetShaderId(), "UsdPreviewSurface")
+            color, = UsdGeom.Gprim(prim).GetDisplayColorAttr().Get()
+            self.assertEqual(surface.GetInput("diffuseColor").Get(), color)
+
     def test_a_validator_finds_what_is_wrong(self):
         stage, _ = export(PROJECT / "scenes/tower.xml", "--no-robot")
         UsdPhysics.RigidBodyAPI.Apply(stage.DefinePrim("/World/materials/body", "Scope"))
@@ -88,6 +100,7 @@ class Exported(unittest.TestCase):
             with self.subTest(scene.stem):
                 stage, _ = export(scene, "--no-robot")
                 self.assert_valid(stage)
+                self.assert_is_painted(stage)
                 self.assertEqual((UsdGeom.GetStageUpAxis(stage), UsdGeom.GetStageMetersPerUnit(stage)), ("Z", 1))
                 with smile.Simulation(smile.load(scene, robot=None)) as sim:
                     for id in sim.object_ids:
@@ -121,6 +134,20 @@ class Exported(unittest.TestCase):
         ends = [-0.1 + sign * r0[1, 0] * (rail.GetAttribute(f"physics:{limit}Limit").Get() - offset)
                 for limit in ("lower", "upper")]
         np.testing.assert_allclose(sorted(ends), [-0.3, -0.05], atol=1e-6)
+
+    def test_lamps_that_are_on_glow(self):
+        stage, _ = export(PROJECT / "scenes/dock.xml", "--no-robot")
+        surfaces = [UsdShade.Shader(prim) for prim in stage.Traverse() if prim.IsA(UsdShade.Shader)]
+        glowing = [surface for surface in surfaces if surface.GetInput("emissiveColor")]
+        self.assertTrue(0 < len(glowing) < len(surfaces))
+        for surface in glowing:
+            self.assertEqual(surface.GetInput("emissiveColor").Get(), surface.GetInput("diffuseColor").Get())
+
+    def test_the_light_is_as_bright_for_a_sun_of_any_size(self):
+        stage, _ = export(PROJECT / "scenes/tower.xml", "--no-robot")
+        light = UsdLux.DistantLight(stage.GetPrimAtPath("/World/light"))
+        self.assertTrue(light.GetNormalizeAttr().Get())
+        self.assertEqual(light.GetIntensityAttr().Get(), 3)
 
     def test_joints_hold_what_they_join(self):
         stage, said = export(PROJECT / "scenes/scissors.xml", "--after", "4")

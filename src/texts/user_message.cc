@@ -16,6 +16,16 @@ std::string English(std::string_view id, const std::vector<MessageArgument>& arg
 
 }  // namespace
 
+UserMessage::UserMessage() = default;
+UserMessage::UserMessage(const UserMessage&) = default;
+UserMessage::UserMessage(UserMessage&&) noexcept = default;
+UserMessage& UserMessage::operator=(const UserMessage&) = default;
+UserMessage& UserMessage::operator=(UserMessage&&) noexcept = default;
+UserMessage::~UserMessage() = default;
+UserMessage::UserMessage(std::string text) : std::string(std::move(text)) {}
+UserMessage::UserMessage(std::string_view text) : std::string(text) {}
+UserMessage::UserMessage(const char* text) : std::string(text) {}
+
 UserMessage::UserMessage(std::string text, std::string_view id,
                          std::vector<MessageArgument> arguments)
     : std::string(std::move(text)), id_(id), arguments_(std::move(arguments)) {}

@@ -18,11 +18,17 @@ struct MessageArgument;
 /// `std::string`, a message is its English text.
 class UserMessage : public std::string {
  public:
-  UserMessage() = default;
+  // Defined where MessageArgument is complete.
+  UserMessage();
+  UserMessage(const UserMessage&);
+  UserMessage(UserMessage&&) noexcept;
+  UserMessage& operator=(const UserMessage&);
+  UserMessage& operator=(UserMessage&&) noexcept;
+  ~UserMessage();
   // Implicit: text as it is.
-  UserMessage(std::string text) : std::string(std::move(text)) {}
-  UserMessage(std::string_view text) : std::string(text) {}
-  UserMessage(const char* text) : std::string(text) {}
+  UserMessage(std::string text);
+  UserMessage(std::string_view text);
+  UserMessage(const char* text);
   /// Returns the path of the message in `program` of texts/en.json; empty for text as it is.
   const std::string& id() const { return id_; }
   const std::vector<MessageArgument>& arguments() const { return arguments_; }

@@ -12,6 +12,7 @@
 #include "recording/trace_reader.h"
 #include "recording/view_sample.h"
 #include "sharing/pose_track.h"
+#include "texts/message_json.h"
 #include "web_server/secret.h"
 
 namespace smile::sharing {
@@ -189,7 +190,7 @@ TEST_F(SharingTest, RefusesWhatCannotBeShared) {
   const auto error_of = [this](const char* what, const Json& fields) {
     const Json reply = Ask(what, fields);
     EXPECT_EQ(reply["ok"], false) << reply;
-    return reply["error"].get<std::string>();
+    return std::string(texts::MessageOf(reply["error"]));
   };
   EXPECT_EQ(error_of("share", {{"recording", binned}}),
             "\"binned~1\" is in the bin; restore it first");

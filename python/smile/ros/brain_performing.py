@@ -327,8 +327,7 @@ class BrainPerformance(WatchedRobot):
 
     def perform(self, say: Callable[[str], None]) -> BrainOutcome:
         """Lets the brain drive until it ends; stops with a reason if anything is not as it should be."""
-        reason = None
-        try:
+        def move() -> None:
             plan = self.start(say)
             if plan is not None:
                 self._go_to_start(plan, say)
@@ -339,12 +338,8 @@ class BrainPerformance(WatchedRobot):
             say("the brain drives the robot")
             self._drive(reading)
             self._settle(self._goals)
-        except Stopped as error:
-            reason = str(error)
-        except KeyboardInterrupt:
-            reason = "interrupted"
-        if reason is not None and self._last is not None:
-            self._hold()
+
+        reason = self._until_stopped(move)
         return BrainOutcome(reason, self._brain.seconds, self._tracking, self._brain.claim, self._num_pictures, self._waits,
                             self._link.words())
 

@@ -230,6 +230,19 @@ class WatchedRobot:
             if self._link.wait(0.1) is None:
                 return
 
+    def _until_stopped(self, move: Callable[[], None]) -> str | None:
+        """Moves the robot. Returns why it was stopped before the end, None if it was not; then it holds still."""
+        reason = None
+        try:
+            move()
+        except Stopped as error:
+            reason = str(error)
+        except KeyboardInterrupt:
+            reason = "interrupted"
+        if reason is not None and self._last is not None:
+            self._hold()
+        return reason
+
     def _settle(self, end: Floats) -> None:
         """Waits until the joints are where they should be in the end."""
         assert self._last is not None
@@ -311,18 +324,13 @@ class Performance(WatchedRobot):
 
     def perform(self, say: Callable[[str], None]) -> Outcome:
         """Moves to the start and along the path; stops with a reason if anything is not as it should be."""
-        reason = None
-        try:
+        def move() -> None:
             self._go_to_start(self._plan, say)
             say(f"performing: {self._plan.seconds:.1f} s")
             self._follow(self._plan.path, self._plan.speed, self._grip, self._tracking)
             self._settle(self._plan.path.positions[-1])
-        except Stopped as error:
-            reason = str(error)
-        except KeyboardInterrupt:
-            reason = "interrupted"
-        if reason is not None and self._last is not None:
-            self._hold()
+
+        reason = self._until_stopped(move)
         return Outcome(reason, self._elapsed, self._tracking, self._link.words())
 
 

@@ -10,23 +10,29 @@ import re
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 import unittest
 import urllib.error
 import urllib.request
 from pathlib import Path
 
 # First: it finds ROS, or ends the test.
-from ros_graph import Graph, Program
+from ros_graph import Graph, Program, wait_until
 
 import numpy as np
+import rospy
 import smile
+from sensor_msgs.msg import JointState
 from smile.ros.__main__ import switch_on
+from smile.ros.message_types import AssemblyState, JointCommand
 from smile.ros.joint_path import JointPath
 from smile.ros.motion_plan import approach, faults, plan_of
 from smile.ros.performing import Performance, Watch
 from smile.ros.description import describe
 from smile.ros.served_robot import ServedRobot
 from smile.ros.stop_page import StopPage
+from std_msgs.msg import Float64
 from simulated_link import SimulatedLink
 
 PROJECT, PROGRAM = Path(sys.argv[1]), os.environ["SMILE"]
@@ -294,6 +300,32 @@ class GraphTest(unittest.TestCase):
         self.assertIn("nothing moved: this would be performed", typed.output)
         self.assertIn("\nperformed\n", typed.output)
 
+    def test_full_speed_is_asked_for_once_the_robot_listens(self):
+        rospy.init_node("late_robot", disable_signals=True)
+        is_over = threading.Event()
+        self.addCleanup(is_over.set)
+        states = (rospy.Publisher("/robot/joint_states", JointState, queue_size=1), JointState(name=["right_s0"], position=[0])), (
+            rospy.Publisher("/robot/state", AssemblyState, queue_size=1), AssemblyState(enabled=True))
+
+        def report():
+            while not is_over.wait(0.02):
+                for publisher, message in states:
+                    publisher.publish(message)
+
+        threading.Thread(target=report, daemon=True).start()
+        rospy.Subscriber("/robot/limb/right/joint_command", JointCommand, lambda message: None)
+        linked = Program(self.folder, "link", [
+            sys.executable, "-c", "from smile.ros.ros_link import RosLink; RosLink(['right'], ['right_s0']); print('linked')"])
+        self.addCleanup(linked.end)
+        wait_until(lambda: states[0][0].get_num_connections() > 0, "the connection")
+        # Everything else is there for a while.
+        time.sleep(0.5)
+        self.assertNotIn("linked", linked.output)
+        ratios = []
+        rospy.Subscriber("/robot/limb/right/set_speed_ratio", Float64, lambda message: ratios.append(message.data))
+        wait_until(lambda: ratios, "the speed ratio")
+        self.assertEqual((linked.wait(), ratios), (0, [1.0]), linked.output)
+
     def test_ctrl_c_stops_the_robot(self):
         served, record = self.serve(GOLDEN / "scene.xml")
         performed = self.perform(GOLDEN, "--yes")
@@ -319,7 +351,7 @@ class GraphTest(unittest.TestCase):
         refused = self.perform(GOLDEN, "--yes")
         self.assertEqual(refused.wait(), 2)
         self.assertRegex(refused.output, f"error: no robot at {self.graph.address}: /robot/joint_states, /robot/state, "
-                                         "/robot/limb/right/joint_command not served within 10 s")
+                                         "/robot/limb/right/joint_command, /robot/limb/right/set_speed_ratio not served within 10 s")
         refused = self.perform(GOLDEN, "--yes", "--speed", 1)
         self.assertEqual(refused.wait(), 1)
         self.assertRegex(refused.output, r"refused: right_w2 accelerates by")

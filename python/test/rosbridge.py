@@ -48,9 +48,10 @@ class GraphTopics:
     def __init__(self, version=1):
         self._version, self._publishers = version, {}
 
-    def advertise(self, topic, kind):
+    def advertise(self, topic, kind, latch):
         import rospy
-        self._publishers[topic] = rospy.Publisher(topic, class_of(kind), queue_size=10, tcp_nodelay=True)
+        self._publishers[topic] = rospy.Publisher(topic, class_of(kind), queue_size=10, tcp_nodelay=True, latch=latch)
+        return self._publishers[topic].unregister
 
     def publish(self, topic, values):
         from smile.ros.message_types import fill
@@ -79,7 +80,9 @@ class RosbridgeServer:
     """Serves topics at a free port of 127.0.0.1, in a thread."""
 
     def __init__(self, topics):
-        self._topics, self._sockets, self._subscriptions = topics, set(), {}
+        self._topics, self._sockets = topics, set()
+        self._subscriptions, self._advertised = {}, {}
+        """by topic: functions that end them"""
         self._loop = asyncio.new_event_loop()
         ready = threading.Event()
         threading.Thread(target=self._run, args=(ready,), daemon=True).start()
@@ -120,11 +123,14 @@ class RosbridgeServer:
             for end in self._subscriptions.values():
                 end()
             self._subscriptions.clear()
+            for end in self._advertised.values():
+                end()
+            self._advertised.clear()
 
     def _take(self, socket, words):
         topic, op = words["topic"], words["op"]
         if op == "advertise":
-            self._topics.advertise(topic, words["type"])
+            self._advertised[topic] = self._topics.advertise(topic, words["type"], words.get("latch", False))
         elif op == "publish":
             self._topics.publish(topic, words["msg"])
         elif op == "subscribe":

@@ -231,7 +231,7 @@ class BrainPerformance(WatchedRobot):
     def _stand(self, why: str) -> Reading:
         """Reads once more, while the arms stand at their goals."""
         before = self._last
-        reading = self.read()
+        reading = self.read(at_rest=not self._is_moving)
         if self._is_moving and before is not None:
             self._observe(reading)
             self._command(self._goals)
@@ -310,17 +310,15 @@ class BrainPerformance(WatchedRobot):
         Raises Stopped if the brain fails or asks for what a robot cannot do.
         """
         self._say = say
-        reading = begin = self.read()
+        reading = begin = self.read(at_rest=True)
         # Grippers report less often than joints.
         while reading.time - begin.time < _GRIPPER_SECONDS and any(self._link.gripper(arm) is None for arm in self._grippers):
-            reading = self.read()
+            reading = self.read(at_rest=True)
         self._ask(reading, _START_PATIENCE)
         initial = [self._brain.initial_joints(k) for k in range(len(self._arms))]
         if all(one is None for one in initial):
             return None
-        # Starting took its time.
-        self._last = None
-        reading = self.read()
+        reading = self.read(at_rest=True)  # starting took its time
         start = np.concatenate([[reading.positions[name] for name in self._description.arms[arm]] if one is None else one
                                 for arm, one in zip(self._arms, initial)])
         return Plan(self._description, self._task.brain, self._table, self._arms, JointPath(self._names, [0.0], [start]), [], 1.0)
@@ -331,8 +329,7 @@ class BrainPerformance(WatchedRobot):
             plan = self.start(say)
             if plan is not None:
                 self._go_to_start(plan, say)
-            self._last = None
-            reading = self.read()
+            reading = self.read(at_rest=True)
             self._goals = self.positions(reading) if plan is None else plan.path.positions[0].copy()
             self._asked, self._is_moving = None, True
             say("the brain drives the robot")

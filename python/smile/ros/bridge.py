@@ -58,13 +58,16 @@ class Bridge:
         if self.fault is not None:
             raise RuntimeError(self.fault)
 
-    def advertise(self, topic: str, kind: str) -> None:
-        """Announces messages of a type, as `std_msgs/Bool`."""
-        self._send({"op": "advertise", "topic": topic, "type": kind})
+    def advertise(self, topic: str, kind: str, *, latch: bool = False) -> None:
+        """Announces messages of a type, as `std_msgs/Bool`.
 
-    def publish(self, topic: str, message: dict[str, Any]) -> None:
-        """Publishes a message on a topic that was announced."""
-        self._send({"op": "publish", "topic": topic, "msg": message})
+        latch  the last message is kept for nodes that listen later
+        """
+        self._send({"op": "advertise", "topic": topic, "type": kind, **({"latch": True} if latch else {})})
+
+    def publish(self, topic: str, message: dict[str, Any], *, latch: bool = False) -> None:
+        """Publishes a message on a topic that was announced, with the same `latch`."""
+        self._send({"op": "publish", "topic": topic, "msg": message, **({"latch": True} if latch else {})})
 
     def subscribe(self, topic: str, kind: str | None, handler: Handler) -> None:
         """Asks for the messages of a topic. A type of None is that which the topic has.

@@ -94,13 +94,14 @@ class BridgeLink(SeeingLink):
         self._bridge = Bridge(address, self._notify)
         for arm in arms:
             self._bridge.advertise(f"/robot/limb/{arm}/joint_command", "baxter_core_msgs/JointCommand")
-            self._bridge.advertise(f"/robot/limb/{arm}/set_speed_ratio", "std_msgs/Float64")
+            # A bridge does not say when the robot listens.
+            self._bridge.advertise(f"/robot/limb/{arm}/set_speed_ratio", "std_msgs/Float64", latch=True)
             self._bridge.advertise(f"/robot/end_effector/{arm}_gripper/command", "baxter_core_msgs/EndEffectorCommand")
         self._bridge.advertise("/robot/set_super_enable", "std_msgs/Bool")
         self._subscribe(arms)
         self._await_robot()
         for arm in arms:
-            self._bridge.publish(f"/robot/limb/{arm}/set_speed_ratio", {"data": 1.0})
+            self._bridge.publish(f"/robot/limb/{arm}/set_speed_ratio", {"data": 1.0}, latch=True)
 
     def _subscribe(self, arms: Sequence[str]) -> None:
         self._bridge.subscribe("/clock", "rosgraph_msgs/Clock", self._take_clock)

@@ -6,6 +6,7 @@ import json
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from time import monotonic
 from typing import Any
 
 import numpy as np
@@ -136,22 +137,38 @@ class WatchedRobot:
 
     # Readings.
 
-    def read(self) -> Reading:
-        """Returns the next reading; raises Stopped if it is not as it should be."""
-        reading = self._link.wait(self._watch.silence)
-        fault = self._link.connection_fault()
-        if reading is None:
-            raise Stopped(fault or f"no joint states for {self._watch.silence:g} s: the connection is lost")
-        fault = fault or self._link.motors_fault() or self._fault_of(reading)
-        if fault is not None:
-            raise Stopped(fault)
+    def read(self, *, at_rest: bool = False) -> Reading:
+        """Returns the next reading; raises Stopped if it is not as it should be.
+
+        at_rest  the arms rest, and this computer was busy: time may have jumped, and what waits may be old
+        """
+        if at_rest:
+            self._last = None
+        deadline = monotonic() + self._watch.silence
+        while True:
+            reading = self._next()
+            fault = self._time_fault(reading)
+            if fault is None:
+                break
+            if not at_rest or monotonic() > deadline:
+                raise Stopped(fault)
         self._last = reading
         # After the reading was found to be good: the arms are told to stay where it has them.
         if (reason := self._supervisor.must_stop()) is not None:
             raise Stopped(reason)
         return reading
 
-    def _fault_of(self, reading: Reading) -> str | None:
+    def _next(self) -> Reading:
+        reading = self._link.wait(self._watch.silence)
+        fault = self._link.connection_fault()
+        if reading is None:
+            raise Stopped(fault or f"no joint states for {self._watch.silence:g} s: the connection is lost")
+        fault = fault or self._link.motors_fault() or self._joints_fault(reading)
+        if fault is not None:
+            raise Stopped(fault)
+        return reading
+
+    def _joints_fault(self, reading: Reading) -> str | None:
         missing = [name for name in self._names if name not in reading.positions]
         if missing:
             named = ", ".join(reading.positions)[:200]
@@ -159,6 +176,9 @@ class WatchedRobot:
         for name in self._names:
             if not math.isfinite(reading.positions[name]):
                 return f"{name} is {reading.positions[name]}, expected a finite number"
+        return None
+
+    def _time_fault(self, reading: Reading) -> str | None:
         if reading.age > self._watch.age:
             return f"the joint states are {reading.age:.2f} s old, expected less than {self._watch.age:g} s"
         if reading.age < -self._watch.age:
@@ -259,12 +279,10 @@ class WatchedRobot:
 
     def _go_to_start(self, plan: Plan, say: Callable[[str], None]) -> None:
         """Moves slowly to the begin of a plan, if nothing is in the way."""
-        path, fault = approach(plan, self.read().positions)
+        path, fault = approach(plan, self.read(at_rest=True).positions)
         if fault is not None:
             raise Stopped(fault)
-        # Planning took its time.
-        self._last = None
-        self.read()
+        self.read(at_rest=True)  # planning took its time
         say(f"moving to the start: {path.duration:.1f} s")
         if self._by_trajectory:
             self._send(path)
@@ -277,9 +295,7 @@ class WatchedRobot:
             self._link.follow({arm: path.ordered(self._description.arms[arm]) for arm in self._arms}, self._watch.tolerance)
         except RuntimeError as error:
             raise Stopped(str(error)) from None
-        # Connecting took its time.
-        self._last = None
-        begin = now = self.read().time
+        begin = now = self.read(at_rest=True).time  # connecting took its time
         while True:
             states = {arm: self._link.trajectory(arm) for arm in self._arms}
             for arm, state in states.items():

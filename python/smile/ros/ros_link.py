@@ -7,7 +7,7 @@ import os
 import threading
 import time
 from collections import deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -77,7 +77,8 @@ class RosLink(SeeingLink):
     def _await_robot(self) -> None:
         deadline = time.monotonic() + _CONNECTION_SECONDS
         while time.monotonic() < deadline:
-            deaf = [one.resolved_name for one in self._commands.values() if one.get_num_connections() == 0]
+            # The ratios as well: a message that is sent before the robot listens is lost, and the arms remain slow.
+            deaf = _unheard([*self._commands.values(), *self._ratios.values()])
             if self._message is not None and self._state is not None and not deaf:
                 return
             time.sleep(0.02)
@@ -158,7 +159,7 @@ class RosLink(SeeingLink):
     def connection_fault(self) -> str | None:
         if self._is_lost():
             return f"the ROS master at {os.environ['ROS_MASTER_URI']} no longer answers"
-        deaf = [one.resolved_name for one in self._commands.values() if one.get_num_connections() == 0]
+        deaf = _unheard(self._commands.values())
         return f"the robot no longer listens to {deaf[0]}" if deaf else None
 
     def words(self) -> list[str]:
@@ -197,6 +198,11 @@ class RosLink(SeeingLink):
         if len(newest) < (3 if self._has_depth else 2):
             return None
         return _camera_reading_of(newest["image"], newest["info"], newest.get("depth"))
+
+
+def _unheard(publishers: Iterable[rospy.Publisher]) -> list[str]:
+    """Returns the topics to which nobody listens."""
+    return [one.resolved_name for one in publishers if one.get_num_connections() == 0]
 
 
 def _is_served(client: Any) -> bool:

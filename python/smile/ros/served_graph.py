@@ -33,8 +33,10 @@ COMMAND_AGE = 0.5
 """largest difference between the start of a trajectory and its arrival [s]"""
 _GOAL_TIME = 1.0
 """time after the end of a trajectory in which its joints must arrive [s]"""
-_LOCKSTEP_PATIENCE = 0.5
-"""wall-clock time that a tick waits for the next command [s]"""
+_LOCKSTEP_PATIENCE = 5.0
+"""wall-clock time that a tick waits for the next command of a node that is still there [s]"""
+_CHECK_SECONDS = 0.05
+"""wall-clock time after which it is seen that the node left [s]"""
 _STATE_TICKS = 6
 """ticks between messages of states that change rarely"""
 
@@ -64,6 +66,8 @@ class ServedGraph:
         # One lock for the robot: ROS calls from threads of its own.
         self._lock = threading.Condition()
         self._commanded: set[str] = set()
+        """arms that have a command for the next tick"""
+        self._commands: dict[str, rospy.Subscriber] = {}
         rospy.set_param("/use_sim_time", True)
         rospy.set_param("/robot_description", robot.description.urdf.read_text())
         self._clock = rospy.Publisher("/clock", Clock, queue_size=10)
@@ -81,7 +85,7 @@ class ServedGraph:
                          for name in robot.sim.model.camera_names}
         self._actions = {arm: TrajectoryAction(arm, robot) for arm in robot.limbs}
 
-    def _subscribe(self, topic: str, kind: Any, handle: Callable[[Any, str], str | None]) -> None:
+    def _subscribe(self, topic: str, kind: Any, handle: Callable[[Any, str], str | None]) -> rospy.Subscriber:
         def receive(message: Any) -> None:
             sender = message._connection_header.get("callerid", "an unknown node")
             with self._lock:
@@ -89,7 +93,7 @@ class ServedGraph:
             if refusal is not None:
                 rospy.logwarn_throttle_identical(1, f"{topic} from {sender} refused: {refusal}")
 
-        rospy.Subscriber(topic, kind, receive, queue_size=10, tcp_nodelay=True)
+        return rospy.Subscriber(topic, kind, receive, queue_size=10, tcp_nodelay=True)
 
     def _offer_limb(self, arm: str) -> rospy.Publisher:
         def command(message: Any, sender: str) -> str | None:
@@ -99,7 +103,7 @@ class ServedGraph:
                 self._lock.notify_all()
             return refusal
 
-        self._subscribe(f"/robot/limb/{arm}/joint_command", types.JointCommand, command)
+        self._commands[arm] = self._subscribe(f"/robot/limb/{arm}/joint_command", types.JointCommand, command)
         self._subscribe(f"/robot/limb/{arm}/set_speed_ratio", Float64,
                         lambda message, sender: self._robot.set_speed_ratio(arm, message.data))
         return rospy.Publisher(f"/robot/limb/{arm}/endpoint_state", types.EndpointState, queue_size=10)
@@ -122,7 +126,7 @@ class ServedGraph:
         """Steps until `is_over`, at most `rate` times as fast as real time."""
         due = time.monotonic()
         while not is_over():
-            self._await_commands()
+            self._await_commands(is_over)
             with self._lock:
                 for action in self._actions.values():
                     action.check()
@@ -136,16 +140,19 @@ class ServedGraph:
         return self._lockstep and any(limb.owner is not None and limb.path is None
                                       for limb in self._robot.limbs.values())
 
-    def _await_commands(self) -> None:
+    def _is_awaited(self, arm: str) -> bool:
+        limb = self._robot.limbs[arm]
+        return (limb.owner is not None and limb.path is None and arm not in self._commanded
+                and self._commands[arm].get_num_connections() > 0)
+
+    def _await_commands(self, is_over: Callable[[], bool]) -> None:
         """In lockstep, waits for a command to each limb that is being commanded."""
         if not self._lockstep:
             return
+        deadline = time.monotonic() + _LOCKSTEP_PATIENCE
         with self._lock:
-            def is_complete() -> bool:
-                return all(limb.owner is None or limb.path is not None or arm in self._commanded
-                           for arm, limb in self._robot.limbs.items())
-
-            self._lock.wait_for(is_complete, _LOCKSTEP_PATIENCE)
+            while any(map(self._is_awaited, self._robot.limbs)) and time.monotonic() < deadline and not is_over():
+                self._lock.wait(_CHECK_SECONDS)
             self._commanded.clear()
 
     # Messages of a tick.

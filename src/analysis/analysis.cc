@@ -58,8 +58,7 @@ void RequireThatItStands(const recording::Recording& recording, Trials* trials) 
 }
 
 /// Tries the demonstration without each of these subtasks.
-std::vector<std::optional<std::string>> HarmsWithoutEach(const SubtaskOrder& order,
-                                                         Trials* trials) {
+std::vector<Harm> HarmsWithoutEach(const SubtaskOrder& order, Trials* trials) {
   std::vector<SubtaskOrder> orders;
   orders.reserve(order.size());
   for (const std::size_t subtask : order) orders.push_back(Without(subtask, order));
@@ -67,7 +66,7 @@ std::vector<std::optional<std::string>> HarmsWithoutEach(const SubtaskOrder& ord
 }
 
 /// Returns the last one that does no harm; nullopt if all do.
-std::optional<std::ptrdiff_t> LastRedundant(const std::vector<std::optional<std::string>>& harms) {
+std::optional<std::ptrdiff_t> LastRedundant(const std::vector<Harm>& harms) {
   const auto last = std::find(harms.rbegin(), harms.rend(), std::nullopt);
   if (last == harms.rend()) return std::nullopt;
   return harms.rend() - last - 1;
@@ -135,11 +134,13 @@ void TryColors(const recording::Recording& recording, Trials* trials, Analysis* 
         std::ranges::count(recording.start_scene().objects, id, &scene::ObjectSpec::id) > 0;
     if (std::ranges::find(attended, "color") != attended.end()) {
       analysis->properties.push_back(
-          {Property::kColor, id, "", "the demonstrator said that it matters"});
+          {Property::kColor, id, {}, texts::Say("analysis.wasAttended")});
     } else if (!object.is_static() && was_there && HasOneColor(object)) {
       places.push_back(analysis->properties.size());
       analysis->properties.push_back(
-          {Property::kColor, id, ToString(color) + " instead of " + ToString(object.whole.color),
+          {Property::kColor, id,
+           texts::Say("analysis.otherColor",
+                      {{"color", ToString(color)}, {"before", ToString(object.whole.color)}}),
            std::nullopt});
       tried.push_back({.order = order, .repaint = Repaint{id, color}});
     }
@@ -153,19 +154,19 @@ void TryPlaces(const recording::Recording& recording, Trials* trials, Analysis* 
   analysis->why_not_moved = WhyNotShifted(recording);
   if (!analysis->why_not_moved.empty()) return;
   constexpr int kShift = 100;  // [mm], the side of the usual block
-  constexpr std::array<std::pair<std::array<int, 2>, const char*>, 4> kShifts{
-      {{{kShift, 0}, "100 mm to the right"},
-       {{-kShift, 0}, "100 mm to the left"},
-       {{0, kShift}, "100 mm away from the viewer"},
-       {{0, -kShift}, "100 mm towards the viewer"}}};
+  const std::array<std::pair<std::array<int, 2>, texts::UserMessage>, 4> shifts{
+      {{{kShift, 0}, texts::Say("analysis.right")},
+       {{-kShift, 0}, texts::Say("analysis.left")},
+       {{0, kShift}, texts::Say("analysis.away")},
+       {{0, -kShift}, texts::Say("analysis.towards")}}};
   std::vector<Trial> tried;
-  for (const auto& [shift, words] : kShifts) {
+  for (const auto& [shift, words] : shifts) {
     tried.push_back({.order = DemonstratedOrder(trials->subtasks().size()), .shift_mm = shift});
   }
   const std::vector<Harm> harms = trials->HarmsOf(tried);
   for (std::size_t i = 0; i < tried.size(); ++i) {
     analysis->properties.push_back(
-        {PropertyFinding::Property::kPlace, "", kShifts[i].second, harms[i]});
+        {PropertyFinding::Property::kPlace, "", shifts[i].second, harms[i]});
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "analysis/subtask.h"
 #include "task/goals.h"
+#include "texts/user_message.h"
 
 namespace smile::analysis {
 
@@ -18,13 +19,13 @@ struct SubtaskFinding {
   Subtask subtask;
   /// Why the demonstration fails without it; nullopt if it achieves the same: the subtask is
   /// redundant.
-  std::optional<std::string> harm;
+  std::optional<texts::UserMessage> harm;
 };
 
 /// A subtask that must come before another one, and why.
 struct Precedence {
   std::size_t before = 0, after = 0;  ///< indices of Analysis::subtasks
-  std::string harm;                   ///< what happens in the opposite order
+  texts::UserMessage harm;            ///< what happens in the opposite order
 };
 
 /// Goal of a demonstration, and whether it counted.
@@ -38,9 +39,10 @@ struct PropertyFinding {
   enum class Property { kColor, kPlace };
 
   Property property = Property::kColor;
-  std::string object;               ///< id; empty: all loose objects
-  std::string tried;                ///< in words; empty if it was not tried
-  std::optional<std::string> harm;  ///< what happens then, or why it matters; nullopt: nothing
+  std::string object;        ///< id; empty: all loose objects
+  texts::UserMessage tried;  ///< in words; empty if it was not tried
+  /// What happens then, or why it matters; nullopt: nothing.
+  std::optional<texts::UserMessage> harm;
 };
 
 /// What matters in a demonstration: which subtasks, in which order, and which properties.
@@ -56,7 +58,7 @@ struct Analysis {
   std::vector<std::size_t> sufficient;
   /// Colors in scene order, then places. Only what was tried is known, not what lies in between.
   std::vector<PropertyFinding> properties;
-  std::string why_not_moved;  ///< why no other place was tried; empty if some were
+  texts::UserMessage why_not_moved;  ///< why no other place was tried; empty if some were
   std::size_t num_simulations = 0;
 
   /// Returns whether a subtask must come before another one, directly or by a chain.

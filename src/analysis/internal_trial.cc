@@ -67,15 +67,15 @@ void ShiftHands(const std::array<int, 2>& shift_mm, recording::Demonstration* de
   }
 }
 
-std::string WhyNotShifted(const recording::Recording& recording) {
+texts::UserMessage WhyNotShifted(const recording::Recording& recording) {
   const scene::SceneSpec& scene = recording.start_scene();
-  if (!scene.sliders.empty() || !scene.chains.empty()) return "the scene has sliders or chains";
+  if (!scene.sliders.empty() || !scene.chains.empty()) return texts::Say("analysis.hasLinks");
   const bool is_changed = std::ranges::any_of(recording.commands, [](const auto& one) {
     return std::holds_alternative<sim::Spawn>(one.command) ||
            std::holds_alternative<sim::Load>(one.command);
   });
-  if (is_changed) return "objects are added, or another scene is loaded";
-  return "";
+  if (is_changed) return texts::Say("analysis.isChanged");
+  return {};
 }
 
 }  // namespace smile::analysis

@@ -40,6 +40,6 @@ std::shared_ptr<const model::Model> StartModelOf(const Trial& trial,
 void ShiftHands(const std::array<int, 2>& shift_mm, recording::Demonstration* demonstration);
 
 /// Returns why a demonstration cannot be displaced as a whole, in words; empty if it can.
-std::string WhyNotShifted(const recording::Recording& recording);
+texts::UserMessage WhyNotShifted(const recording::Recording& recording);
 
 }  // namespace smile::analysis

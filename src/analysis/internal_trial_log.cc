@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "texts/message_json.h"
 
 namespace smile::analysis {
 namespace {
@@ -11,7 +12,8 @@ namespace {
 constexpr std::size_t kMaxBytes = 256 << 20;
 
 std::string LineOf(const std::string& trial, const Harm& harm) {
-  return ToText(Json{{"trial", trial}, {"harm", harm ? Json(*harm) : Json(nullptr)}}) + "\n";
+  return ToText(Json{{"trial", trial}, {"harm", harm ? texts::ToJson(*harm) : Json(nullptr)}}) +
+         "\n";
 }
 
 /// Removes the first line of a text and returns it without its end; nullopt if it has no end.
@@ -52,8 +54,8 @@ bool TrialLog::Read(std::string_view lines) {
       const Json json = ParseJson(*line);
       const Json& harm = json.at("harm");
       known_[json.at("trial").get<std::string>()] =
-          harm.is_null() ? Harm() : Harm(harm.get<std::string>());
-    } catch (const std::invalid_argument&) {
+          harm.is_null() ? Harm() : Harm(texts::MessageOf(harm));
+    } catch (const std::logic_error&) {
       return false;
     } catch (const Json::exception&) {
       return false;

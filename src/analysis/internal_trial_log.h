@@ -9,11 +9,12 @@
 #include <string_view>
 
 #include "base/json.h"
+#include "texts/user_message.h"
 
 namespace smile::analysis {
 
 /// Why a trial fails to achieve the goal; nullopt if it achieves it.
-using Harm = std::optional<std::string>;
+using Harm = std::optional<texts::UserMessage>;
 
 /// Results of trials in a file, so that an interrupted analysis continues: a line of JSON that says
 /// what they are about, then one line per trial, in the order in which they ended.

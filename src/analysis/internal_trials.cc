@@ -157,8 +157,8 @@ Harm Trials::HarmOf(const Trial& trial) const {
   const auto skipped = editing::RunFor(arranged.duration(), &player, &simulation);
   // Without a command that is refused, it is another demonstration, whatever it achieves.
   if (!skipped.empty()) {
-    return "line " + std::to_string(skipped.front().line) +
-           " of the log is refused: " + skipped.front().reason;
+    return texts::Say("analysis.isRefused",
+                      {{"line", skipped.front().line}, {"reason", skipped.front().reason}});
   }
   for (int i = 0; i < task::kRestSeconds * sim::kTicksPerSecond; ++i) simulation.Tick();
   task::Episode episode = observer.episode();

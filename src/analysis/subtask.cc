@@ -50,12 +50,18 @@ void AddObjects(const sim::ActionSummary& action, std::vector<std::string>* obje
   AddObject(action.with, objects);
 }
 
+/// Adds an action to what came of a subtask.
+void AddPart(const recording::Segment& action, Subtask* subtask) {
+  subtask->words += (subtask->words.empty() ? "" : ", ") + recording::WordsOf(action);
+  if (action.summary) subtask->parts.push_back(*action.summary);
+}
+
 /// Adds an action to a subtask, which then ends with it.
 /// @param start  tick at which the demonstration starts.
 void Append(const recording::Segment& action, std::uint64_t start, Subtask* subtask) {
   const std::string words = recording::WordsOf(action);
   const bool takes = action.summary && action.summary->kind == sim::ActionKind::kTake;
-  if (!takes) subtask->words += (subtask->words.empty() ? "" : ", ") + words;
+  if (!takes) AddPart(action, subtask);
   subtask->actions.push_back(words);
   if (action.summary) AddObjects(*action.summary, &subtask->objects);
   subtask->last = subtask->first + static_cast<int>(subtask->actions.size()) - 1;
@@ -84,7 +90,7 @@ std::vector<Subtask> SubtasksOf(const recording::Recording& recording) {
                       "contains no action of a hand, expected a demonstration by hands"});
   }
   // What is still held at the end.
-  if (subtasks.back().words.empty()) subtasks.back().words = subtasks.back().actions.back();
+  if (subtasks.back().words.empty()) AddPart(path.back(), &subtasks.back());
   return subtasks;
 }
 

@@ -6,6 +6,7 @@
 
 #include "recording/demonstration.h"
 #include "recording/recording.h"
+#include "sim/action_summary.h"
 
 namespace smile::analysis {
 
@@ -20,6 +21,8 @@ struct Subtask {
   std::vector<std::string> objects;
   /// What came of it, in words: all actions but those that take an object, unless it is still held.
   std::string words;
+  /// The actions that `words` tells of.
+  std::vector<sim::ActionSummary> parts;
 
   bool operator==(const Subtask&) const = default;
 };

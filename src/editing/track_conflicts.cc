@@ -1,13 +1,14 @@
 #include "editing/track_conflicts.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 #include "editing/re_simulation.h"
 #include "sim/action_summary.h"
 
 namespace smile::editing {
+
+using texts::UserMessage;
+
 namespace {
 
 /// Returns the hand that holds an object, other than the one that takes it.
@@ -21,22 +22,15 @@ std::optional<sim::HandName> OtherHolder(const sim::Grasp& grasp,
   return std::nullopt;
 }
 
-std::string InWords(const recording::PoseGap& gap) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.1f mm and %.1f degrees", gap.millimeters(),
-                gap.degrees());
-  return text.data();
-}
-
 }  // namespace
 
-std::optional<std::string> TrackConflicts::ReasonOf(const recording::LoggedCommand& logged,
+std::optional<UserMessage> TrackConflicts::ReasonOf(const recording::LoggedCommand& logged,
                                                     const sim::Simulation& simulation) const {
   const auto* grasp = std::get_if<sim::Grasp>(&logged.command);
   if (grasp == nullptr) return std::nullopt;
   if (const auto holder = OtherHolder(*grasp, simulation)) {
-    return "takes " + grasp->object + " from the " + std::string(ToString(*holder)) +
-           " hand, which holds it now";
+    return texts::Say("conflicts.heldByOther",
+                      {{"object", grasp->object}, {"hand", ToString(*holder)}});
   }
   const auto recorded = grasped_.find(logged.line);
   const auto object = simulation.model().FindObject(grasp->object);
@@ -44,7 +38,9 @@ std::optional<std::string> TrackConflicts::ReasonOf(const recording::LoggedComma
   const recording::PoseGap gap =
       recording::GapBetween(recorded->second, recording::Observe(simulation).objects[*object]);
   if (!gap.IsBeyond(kSamePlace)) return std::nullopt;
-  return grasp->object + " is " + InWords(gap) + " from where it was taken";
+  return texts::Say(
+      "conflicts.notWhereTaken",
+      {{"object", grasp->object}, {"distance", gap.millimeters()}, {"angle", gap.degrees()}});
 }
 
 void TrackConflicts::Before(const recording::LoggedCommand& logged,
@@ -55,8 +51,8 @@ void TrackConflicts::Before(const recording::LoggedCommand& logged,
 
 void TrackConflicts::After(const recording::LoggedCommand& logged,
                            const std::optional<sim::Refusal>& refusal) {
-  const std::optional<std::string> reason =
-      refusal ? std::optional<std::string>(*refusal) : found_before_;
+  const std::optional<UserMessage> reason =
+      refusal ? std::optional<UserMessage>(*refusal) : found_before_;
   const auto hand = sim::HandOf(logged.command);
   if (!reason || !in_conflict_.insert(hand).second) return;
   const auto last = std::find_if(found_.rbegin(), found_.rend(),

@@ -37,13 +37,13 @@ class TrackConflicts {
     recording::Conflict conflict;
   };
   /// Returns why a hand does not find what it found when it was recorded.
-  std::optional<std::string> ReasonOf(const recording::LoggedCommand& logged,
-                                      const sim::Simulation& simulation) const;
+  std::optional<texts::UserMessage> ReasonOf(const recording::LoggedCommand& logged,
+                                             const sim::Simulation& simulation) const;
 
   std::uint64_t start_tick_;
   std::map<std::size_t, recording::TracePose> grasped_;  ///< see Demonstration
   std::vector<OfCommand> found_;
-  std::optional<std::string> found_before_;  ///< of the command that is being applied
+  std::optional<texts::UserMessage> found_before_;  ///< of the command that is being applied
   /// Whose last action has a conflict.
   std::set<std::optional<sim::HandName>> in_conflict_;
 };

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 3> kOutcomeWords{"success", "failure", "impossible"};
 constexpr std::size_t kMaxAttemptBytes = 1 << 20, kMaxManifestBytes = std::size_t{4} << 30;
-constexpr std::size_t kMaxAttemptWordBytes = 64, kMaxCauseBytes = 1 << 16;
+constexpr std::size_t kMaxAttemptWordBytes = 64;
 constexpr std::uint64_t kMaxAttemptSeed = std::uint64_t{1} << 53;
 
 std::string TextOrEmpty(const JsonNode& node) {
@@ -63,8 +63,7 @@ Json ToJson(const EndedAttempt& ended) {
           {"seed", ended.attempt.seed},
           {"variation", ToJson(ended.attempt.variation)},
           {"outcome", kOutcomeWords[static_cast<std::size_t>(ended.outcome)]},
-          {"cause",
-           ended.cause ? Json{{"word", ended.cause->code}, {"text", ended.cause->text}} : Json()},
+          {"cause", task::ToJson(ended.cause)},
           {"score", ended.score},
           {"seconds", ended.seconds ? Json(*ended.seconds) : Json()},
           {"recording",
@@ -89,11 +88,7 @@ EndedAttempt EndedAttemptIn(const JsonNode& node) {
   ended.recording_hash = TextOrEmpty(node.Member("hash"));
   ended.result_hash = TextOrEmpty(node.Member("result_hash"));
   ended.state_hash = TextOrEmpty(node.Member("state_hash"));
-  if (const JsonNode cause = node.Member("cause"); !cause.IsNull()) {
-    ended.cause.emplace();
-    ended.cause->code = cause.Member("word").ShortString(kMaxAttemptWordBytes);
-    ended.cause->text = cause.Member("text").ShortString(kMaxCauseBytes);
-  }
+  ended.cause = task::FailureReasonIn(node.Member("cause"));
   return ended;
 }
 

@@ -57,10 +57,11 @@ void AddReplay(const std::filesystem::path& record, const Callbacks& callbacks, 
       {"identical", !difference}, {"ticks", report.ticks()}, {"hash", HashText(report.hash)}};
   if (!difference) return;
   (*result)["success"] = false;
-  (*result)["cause"] = {
-      {"word", "replay_differs"},
-      {"text", "the replay of the recording differs at tick " + std::to_string(difference->tick) +
-                   ": " + difference->object + ": " + difference->quantity}};
+  (*result)["cause"] = task::ToJson(task::FailureReason{
+      "replay_differs",
+      texts::Say("failures.replayDiffers", {{"tick", difference->tick},
+                                            {"object", difference->object},
+                                            {"quantity", difference->quantity}})});
 }
 
 }  // namespace

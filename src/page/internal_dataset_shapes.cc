@@ -31,17 +31,20 @@ JsonShape GeneratedSetShape() {
 }
 
 JsonShape SetAttemptShape() {
-  return ObjectShape(
-             {{"recording", TextShape().OrNull(), true, "null: the run has none"},
-              {"seed", NumberShape()},
-              {"episode", NumberShape(), true, "from 0"},
-              {"try", NumberShape(), true, "of the attempts at the episode, from 1"},
-              {"outcome", JsonShape::Word({"success", "failure", "impossible"})},
-              {"cause", ObjectShape({{"word", TextShape()}, {"text", TextShape()}}).OrNull()},
-              {"score", NumberShape()},
-              {"seconds", NumberShape().OrNull(), true, "simulated"},
-              {"scene", TextShape()},
-              {"level", TextShape()}})
+  return ObjectShape({{"recording", TextShape().OrNull(), true, "null: the run has none"},
+                      {"seed", NumberShape()},
+                      {"episode", NumberShape(), true, "from 0"},
+                      {"try", NumberShape(), true, "of the attempts at the episode, from 1"},
+                      {"outcome", JsonShape::Word({"success", "failure", "impossible"})},
+                      {"cause", ObjectShape({{"word", TextShape()},
+                                             {"text", TextShape(), true, "in English"},
+                                             {"message", MessageShape(), false,
+                                              "the text in the language of the page"}})
+                                    .OrNull()},
+                      {"score", NumberShape()},
+                      {"seconds", NumberShape().OrNull(), true, "simulated"},
+                      {"scene", TextShape()},
+                      {"level", TextShape()}})
       .Called("SetAttempt");
 }
 

@@ -153,7 +153,8 @@ JsonShape SegmentShape() {
 JsonShape ConflictShape() {
   return ObjectShape({{"hand", HandNameShape().OrNull(), true, "null: of no hand"},
                       {"seconds", NumberShape()},
-                      {"reason", MessageShape()}})
+                      {"reason", TextShape(), true, "in English"},
+                      {"message", MessageShape(), false, "the reason in the language of the page"}})
       .Called("Conflict");
 }
 

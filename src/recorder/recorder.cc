@@ -30,7 +30,7 @@ void CheckBefore(const std::filesystem::path& directory, const RecorderOptions& 
                                 ", expected more than 0 and at most 60");
   }
   if (recording::IsBlank(options.title))
-    throw std::invalid_argument(std::string("recording: ") + recording::kBlankTitle);
+    throw std::invalid_argument("recording: " + recording::BlankTitle());
   const auto& placement = simulation.model().robot_placement();
   if (placement && placement->files.empty()) {
     throw std::invalid_argument("recording: a robot without its files cannot be recorded");

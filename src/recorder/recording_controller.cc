@@ -34,7 +34,7 @@ std::optional<sim::Refusal> RecordingController::Start(const sim::Simulation& si
   // A scene's name need not be a valid name of a directory.
   if (start.name.empty() && !recording::IsRecordingName(name)) name = "recording";
   if (!recording::IsRecordingName(name)) return recording::FaultOfName(name);
-  if (recording::IsBlank(start.title)) return recording::kBlankTitle;
+  if (recording::IsBlank(start.title)) return recording::BlankTitle();
   RecorderOptions options = options_.recording;
   // What the command leaves open comes from the options of the program.
   if (!start.title.empty()) options.title = start.title;
@@ -45,7 +45,7 @@ std::optional<sim::Refusal> RecordingController::Start(const sim::Simulation& si
     // A fault of the request: the simulation is not affected.
     return error.what();
   } catch (const std::exception& error) {
-    failure_ = error.what();
+    failure_ = texts::UserMessage(error.what());
     return failure_;
   }
   return std::nullopt;
@@ -85,7 +85,7 @@ void RecordingController::EndIfRemoved() {
   const std::filesystem::path file = directories_.back() / "demo.json";
   std::error_code error;
   if (std::filesystem::exists(file, error) || error) return;
-  failure_ = file.string() + ": was removed during the recording";
+  failure_ = texts::Say("recorder.wasRemoved", {{"file", file.string()}});
   recorder_.reset();
 }
 
@@ -108,7 +108,7 @@ void RecordingController::Record(const Part& part) {
     // Errors of the disk end the recording, not the simulation.
     part(*recorder_);
   } catch (const std::exception& error) {
-    failure_ = error.what();
+    failure_ = texts::UserMessage(error.what());
     recorder_.reset();
   }
 }

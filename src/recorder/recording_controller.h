@@ -61,7 +61,7 @@ class RecordingController : public sim::Listener, public sim::RecordingControl {
   /// Returns the directories of all recordings that were started, in order.
   const std::vector<std::filesystem::path>& directories() const { return directories_; }
   /// Returns the reason why the last recording ended by itself or could not start, with the path.
-  const std::optional<std::string>& failure() const { return failure_; }
+  const std::optional<texts::UserMessage>& failure() const { return failure_; }
 
   std::optional<sim::Refusal> Refuse(const sim::Simulation& simulation,
                                      const sim::Command& command) override;
@@ -90,7 +90,7 @@ class RecordingController : public sim::Listener, public sim::RecordingControl {
   Options options_;
   std::unique_ptr<Recorder> recorder_;
   std::vector<std::filesystem::path> directories_;
-  std::optional<std::string> failure_;
+  std::optional<texts::UserMessage> failure_;
 };
 
 }  // namespace smile::recorder

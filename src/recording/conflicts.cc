@@ -9,18 +9,19 @@
 #include "base/files.h"
 #include "base/json_node.h"
 #include "base/wording.h"
+#include "texts/message_json.h"
 
 // `conflicts.json` is for people: no replay needs it, and a recording without it is complete.
 
 namespace smile::recording {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = 4u << 20;
-/// Of all reasons that are written; a letter may take six in the file.
+constexpr std::size_t kMaxFileBytes = 8u << 20;
+/// Of all reasons that are written; a letter may take six in the file, and is there twice.
 constexpr std::size_t kMaxReasonBytes = 512u << 10;
 constexpr double kMaxConflictSeconds = 31 * 86400.0;
 constexpr std::array<std::string_view, 1> kFileMembers{"conflicts"};
-constexpr std::array<std::string_view, 3> kConflictMembers{"hand", "seconds", "reason"};
+constexpr std::array<std::string_view, 4> kConflictMembers{"hand", "seconds", "reason", "message"};
 
 std::filesystem::path FileIn(const std::filesystem::path& directory) {
   return directory / "conflicts.json";
@@ -37,7 +38,8 @@ Conflict ReadConflict(const JsonNode& node) {
   node.ExpectMembers(kConflictMembers);
   return {.hand = ReadHand(node.Member("hand")),
           .seconds = node.Member("seconds").Number(0, kMaxConflictSeconds),
-          .reason = node.Member("reason").ShortString(kMaxReasonBytes)};
+          .reason = texts::MessageBeside(node.Member("reason").ShortString(kMaxReasonBytes),
+                                         node.value())};
 }
 
 }  // namespace
@@ -48,6 +50,7 @@ Json ToJson(const std::vector<Conflict>& conflicts) {
     json.push_back({{"hand", one.hand ? Json(ToString(*one.hand)) : Json()},
                     {"seconds", one.seconds},
                     {"reason", one.reason}});
+    texts::AddMessage(one.reason, &json.back());
   }
   return json;
 }

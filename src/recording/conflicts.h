@@ -7,6 +7,7 @@
 
 #include "base/json.h"
 #include "demonstrator/hand.h"
+#include "texts/user_message.h"
 
 namespace smile::recording {
 
@@ -14,12 +15,13 @@ namespace smile::recording {
 struct Conflict {
   std::optional<demonstrator::HandName> hand;  ///< nullopt: it was no command of a hand
   double seconds = 0;                          ///< from the start of the demonstration
-  std::string reason;
+  texts::UserMessage reason;
 
   bool operator==(const Conflict&) const = default;
 };
 
-/// `conflicts` of `conflicts.json`, of reports of edits, and of the page's protocol.
+/// `conflicts` of `conflicts.json`, of reports of edits, and of the page's protocol: each with its
+/// `reason` in English, and with `message`, the same as the page renders it.
 Json ToJson(const std::vector<Conflict>& conflicts);
 
 inline constexpr std::size_t kMaxConflicts = 1000;

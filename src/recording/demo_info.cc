@@ -292,6 +292,8 @@ DemoInfo ReadDemoInfo(const std::filesystem::path& path) {
   }
 }
 
+texts::UserMessage BlankTitle() { return texts::Say("recorder.blankTitle"); }
+
 bool IsBlank(std::string_view title) {
   const auto is_space = [](unsigned char c) { return std::isspace(c) != 0; };
   return !title.empty() && std::ranges::all_of(title, is_space);
@@ -299,7 +301,7 @@ bool IsBlank(std::string_view title) {
 
 void CheckTitle(const std::string& title) {
   CheckLength("title", title, kMaxTitleBytes);
-  if (IsBlank(title)) throw std::invalid_argument(kBlankTitle);
+  if (IsBlank(title)) throw std::invalid_argument(BlankTitle());
 }
 
 void Retitle(const std::filesystem::path& directory, const std::optional<std::string>& title,

@@ -89,7 +89,8 @@ std::string ToJsonText(const DemoInfo& info);
 DemoInfo ReadDemoInfo(const std::filesystem::path& path);
 
 inline constexpr std::size_t kMaxTitleBytes = 256, kMaxNotesBytes = 8 << 10;
-inline constexpr const char* kBlankTitle = "title is blank, expected text or no title";
+/// Returns the message about a title that IsBlank().
+texts::UserMessage BlankTitle();
 /// True if a title is not empty but consists of white space.
 bool IsBlank(std::string_view title);
 /// Validates a title.

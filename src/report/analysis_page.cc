@@ -105,6 +105,7 @@ Markup SvgOf(const analysis::Analysis& analysis) {
   return Element("svg",
                  {{"viewBox", "0 0 " + At(width) + " " + At(height)},
                   {"style", style},
+                  {"data-letters", std::to_string(kLetters)},
                   {"role", "img"},
                   {"aria-label", "Graph of the order of subtasks; the text contains the same"}},
                  drawing);
@@ -119,6 +120,10 @@ Markup GraphSection(const analysis::Analysis& analysis) {
   return Section("Order of the subtasks", content);
 }
 
+std::string ThenText(const std::optional<texts::UserMessage>& harm) {
+  return harm ? *harm : "the same is achieved";
+}
+
 Markup SubtaskTable(const analysis::Analysis& analysis) {
   const Markup head = Row({NumberHead("Subtask"), Head("What"), NumberHead("Begins, s"),
                            Head("Necessary"), Head("Without it")});
@@ -127,8 +132,7 @@ Markup SubtaskTable(const analysis::Analysis& analysis) {
     const analysis::SubtaskFinding& finding = analysis.subtasks[i];
     rows += Row({NumberCell(NumberOf(i)), WideCell(finding.subtask.words),
                  NumberCell(Fixed(sim::SecondsOf(finding.subtask.begin), 1)),
-                 Cell(finding.harm ? "yes" : "no"),
-                 WideCell(finding.harm.value_or("the same is achieved"))});
+                 Cell(finding.harm ? "yes" : "no"), WideCell(ThenText(finding.harm))});
   }
   return Section("Subtasks",
                  Table("The demonstration was simulated without each of them.", head, rows));
@@ -160,7 +164,7 @@ Markup PropertyTable(const analysis::Analysis& analysis) {
   const Markup head = Row({Head("What was changed"), Head("Then")});
   Markup rows;
   for (const analysis::PropertyFinding& one : analysis.properties) {
-    rows += Row({WideCell(TriedText(one)), WideCell(one.harm.value_or("the same is achieved"))});
+    rows += Row({WideCell(TriedText(one)), WideCell(ThenText(one.harm))});
   }
   std::string note =
       "The same actions were simulated with each change alone. Colors were not compared then: the "

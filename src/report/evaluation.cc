@@ -20,7 +20,7 @@ namespace {
 
 /// Limits on results, which other programs may have written.
 constexpr std::size_t kMaxResultBytes = 16 << 20;
-constexpr std::size_t kMaxWordBytes = 64, kMaxTextBytes = 4096;
+constexpr std::size_t kMaxTextBytes = 4096;
 constexpr std::uint64_t kMaxCount = 1'000'000'000;
 // Larger numbers are faults, and would spoil every mean.
 constexpr double kMostNumber = 1e12;
@@ -47,14 +47,6 @@ std::optional<std::uint64_t> CountIn(const JsonNode& node, const std::string& na
   return node.Member(name).Whole(0, kMaxCount);
 }
 
-/// Returns the reason in a result; nullopt in results of older versions, and after a success.
-std::optional<task::FailureReason> FailureReasonIn(const JsonNode& result) {
-  if (!result.Has("cause") || result.Member("cause").IsNull()) return std::nullopt;
-  const JsonNode cause = result.Member("cause");
-  return task::FailureReason{.code = cause.Member("word").ShortString(kMaxWordBytes),
-                             .text = cause.Member("text").ShortString(kMaxTextBytes)};
-}
-
 /// Returns the reason that follows from the fields that every version has.
 task::FailureReason FailureReasonFromStatus(const JsonNode& result) {
   const JsonNode brain = result.Member("brain");
@@ -62,8 +54,8 @@ task::FailureReason FailureReasonFromStatus(const JsonNode& result) {
   if (status == "failed") {
     return {"brain_failed", brain.Member("message").String().substr(0, kMaxTextBytes)};
   }
-  if (status == "running") return {"time_up", "the brain was still running when the episode ended"};
-  return {"not_rebuilt", "the structure differs from the demonstration"};
+  if (status == "running") return {"time_up", texts::Say("failures.timeUp")};
+  return {"not_rebuilt", texts::Say("failures.notRebuilt")};
 }
 
 /// Returns the run of a result.
@@ -84,9 +76,10 @@ EvaluatedRun RunIn(const JsonNode& result, std::uint64_t seed) {
     run.grasps = CountIn(result.Member("work"), "grasps");
     run.retries = CountIn(result.Member("work"), "retries");
   }
-  if (!run.has_succeeded) run.failure_reason = FailureReasonIn(result);
-  if (!run.has_succeeded && !run.failure_reason)
-    run.failure_reason = FailureReasonFromStatus(result);
+  if (run.has_succeeded) return run;
+  // Results of older versions have no cause.
+  if (result.Has("cause")) run.failure_reason = task::FailureReasonIn(result.Member("cause"));
+  if (!run.failure_reason) run.failure_reason = FailureReasonFromStatus(result);
   return run;
 }
 
@@ -171,9 +164,7 @@ Json RunJson(const EvaluatedRun& run) {
           {"seconds", OrNull(run.seconds)},
           {"grasps", OrNull(run.grasps)},
           {"retries", OrNull(run.retries)},
-          {"cause", run.failure_reason ? Json{{"word", run.failure_reason->code},
-                                              {"text", run.failure_reason->text}}
-                                       : Json()},
+          {"cause", task::ToJson(run.failure_reason)},
           {"recording", run.recording.empty() ? Json() : Json(run.recording)},
           {"realtime_factor", OrNull(run.realtime_factor)}};
 }

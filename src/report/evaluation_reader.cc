@@ -54,11 +54,7 @@ EvaluatedRun EvaluatedRunIn(const JsonNode& node) {
   run.realtime_factor = OptionalNumber(node, "realtime_factor");
   run.recording = OptionalText(node, "recording");
   if (HasValue(node, "claim")) run.claim = ClaimIn(node.Member("claim"));
-  if (const JsonNode cause = node.Member("cause"); !cause.IsNull()) {
-    run.failure_reason =
-        task::FailureReason{.code = cause.Member("word").ShortString(kMaxNameBytes),
-                            .text = OptionalText(cause, "text")};
-  }
+  run.failure_reason = task::FailureReasonIn(node.Member("cause"));
   return run;
 }
 

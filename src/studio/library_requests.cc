@@ -131,7 +131,7 @@ void AddAnalysis(const library::Library* library, BackgroundJobs* jobs, page::Re
       const auto analysis =
           analysis::Analyze(recording::OpenRecording(directory),
                             {.num_threads = threads, .ignored = ignored, .progress = report});
-      return {{"analysis", ToJson(analysis)}, {"graph", report::GraphOf(analysis)}};
+      return {{"analysis", ToJson(analysis, texts::ToJson)}, {"graph", report::GraphOf(analysis)}};
     };
     jobs->Begin(
         {.request = request, .work = work, .replaces_older = true, .can_be_canceled = true});

@@ -3,48 +3,63 @@
 #include <cmath>
 
 #include "base/overloaded.h"
-#include "base/wording.h"
 #include "math/angles.h"
 #include "task/effects.h"
 
 namespace smile::task {
 namespace {
 
+using texts::Say;
+
 /// Converts a length [m] to units of the scene file.
 double InUnits(double length, double meters_per_unit) { return length / meters_per_unit; }
 
 }  // namespace
 
-std::string WordsOf(const Effect& effect, double meters_per_unit) {
+texts::UserMessage WordsOf(const Effect& effect, double meters_per_unit) {
   return std::visit(
       Overloaded{
           [](const ControlEffect& control) {
-            return control.control + " from " + control.from + " to " + control.to;
+            return Say("effects.control",
+                       {{"control", control.control}, {"from", control.from}, {"to", control.to}});
           },
           [](const BondEffect& bond) {
-            return bond.tightness == 0 ? bond.guest + " loosened from " + bond.host
-                                       : bond.guest + " fastened to " + bond.host + ", stage " +
-                                             std::to_string(bond.tightness);
+            return bond.tightness == 0
+                       ? Say("effects.loosened", {{"guest", bond.guest}, {"host", bond.host}})
+                       : Say("effects.fastened", {{"guest", bond.guest},
+                                                  {"host", bond.host},
+                                                  {"stage", bond.tightness}});
           },
           [&](const SlideEffect& slide) {
             // Adding 0.0 turns -0 into 0.
             const auto tenths = [&](double offset) {
-              return NumberText(std::round(10 * InUnits(offset, meters_per_unit)) / 10 + 0.0);
+              return std::round(10 * InUnits(offset, meters_per_unit)) / 10 + 0.0;
             };
-            return slide.object + " slid from " + tenths(slide.from) + " to " + tenths(slide.to) +
-                   " units";
+            return Say(
+                "effects.slid",
+                {{"object", slide.object}, {"from", tenths(slide.from)}, {"to", tenths(slide.to)}});
           },
           [](const ContainerEffect& in) {
-            return in.object + (in.is_inside ? " put into " : " taken out of ") + in.container;
+            const texts::UserMessage object(in.object), container(in.container);
+            return in.is_inside
+                       ? Say("effects.putInto", {{"object", object}, {"container", container}})
+                       : Say("effects.takenOut", {{"object", object}, {"container", container}});
           },
-          [](const CutEffect& cut) { return cut.where + " cut with " + cut.tool; },
-          [](const PressedEffect& pressed) { return pressed.control + " pressed"; },
+          [](const CutEffect& cut) {
+            return Say("effects.cut", {{"where", cut.where}, {"tool", cut.tool}});
+          },
+          [](const PressedEffect& pressed) {
+            return Say("effects.pressed", {{"control", pressed.control}});
+          },
           [](const OrientedEffect& oriented) {
-            const std::string by =
-                " by " + NumberText(std::round(RadiansToDegrees(oriented.angle))) + " degrees";
-            return oriented.object + (oriented.is_tilt ? " tilted" + by : " turned in place" + by);
+            const double degrees = std::round(RadiansToDegrees(oriented.angle));
+            return oriented.is_tilt
+                       ? Say("effects.tilted", {{"object", oriented.object}, {"degrees", degrees}})
+                       : Say("effects.turned", {{"object", oriented.object}, {"degrees", degrees}});
           },
-          [](const DestroyedEffect& gone) { return gone.object + " removed from the table"; }},
+          [](const DestroyedEffect& gone) {
+            return Say("effects.removed", {{"object", gone.object}});
+          }},
       effect);
 }
 

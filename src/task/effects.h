@@ -7,6 +7,7 @@
 
 #include "base/json.h"
 #include "task/episode.h"
+#include "texts/user_message.h"
 
 namespace smile::task {
 
@@ -115,7 +116,7 @@ std::vector<bool> AreAchieved(const std::vector<Effect>& effects, const Episode&
 /// `Lid slid from 0 to 4 units`, `Cherry taken out of Chest`,
 /// `Rope between link 4 and 5 cut with Scissors`, `Bell pressed`, `Plank tilted by 90 degrees`,
 /// `Peel removed from the table`.
-std::string WordsOf(const Effect& effect, double meters_per_unit);
+texts::UserMessage WordsOf(const Effect& effect, double meters_per_unit);
 /// Returns JSON with a `kind`: `control`, `bond`, `slide`, `container`, `cut`, `pressed`,
 /// `oriented` or `destroyed`; lengths in units, angles in degrees.
 Json ToJson(const Effect& effect, double meters_per_unit);

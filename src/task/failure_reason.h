@@ -3,7 +3,9 @@
 #include <optional>
 #include <string>
 
+#include "base/json_node.h"
 #include "task/comparison.h"
+#include "texts/user_message.h"
 
 namespace smile::task {
 
@@ -21,10 +23,17 @@ bool IsSuccess(const StructureComparison& comparison, const ProgramEnd& program)
 /// Reason why an imitation failed.
 struct FailureReason {
   std::string code;  ///< see docs/results.md
-  std::string text;  ///< a sentence for people
+  texts::UserMessage text;
 
   bool operator==(const FailureReason&) const = default;
 };
+
+/// Returns `{"word","text","message"}`, where `message` is the text as the page renders it, absent
+/// for a text as it is; null for nullopt.
+Json ToJson(const std::optional<FailureReason>& reason);
+/// Reads what ToJson() returns.
+/// @throws InputError naming the place in the file, what was found and what was expected.
+std::optional<FailureReason> FailureReasonIn(const JsonNode& node);
 
 /// Returns the first reason that applies, in this order: `brain_failed`, `fell_off_table`,
 /// `rule_broken`, `time_up`, `still_held`, `never_taken`, `toppled`, `misplaced`, `not_placed`,

@@ -55,7 +55,7 @@ std::vector<Goal> GoalsOf(const Structure& structure, double meters_per_unit) {
     goals.push_back({object.id(), PlaceWordsOf(object.id(), structure.relations)});
   }
   for (const Effect& effect : structure.effects) {
-    const std::string words = WordsOf(effect, meters_per_unit);
+    const texts::UserMessage words = WordsOf(effect, meters_per_unit);
     // Two effects in the same words count together.
     const Goal goal{words, words, /*is_place=*/false};
     if (std::ranges::find(goals, goal) == goals.end()) goals.push_back(goal);

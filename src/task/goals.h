@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "task/structure.h"
+#include "texts/user_message.h"
 
 namespace smile::task {
 
 /// Part of what a demonstration achieved: the place of an object, or an effect.
 struct Goal {
   std::string id;  ///< of the object; of an effect, the words: unique within a structure
-  std::string words;
+  texts::UserMessage words;
   bool is_place = true;
 
   bool operator==(const Goal&) const = default;

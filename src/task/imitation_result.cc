@@ -81,11 +81,6 @@ Json EffectsJson(const Structure& structure, const std::vector<bool>& achieved, 
 
 Json ToJson(const Work& work) { return {{"grasps", work.grasps}, {"retries", work.retries}}; }
 
-Json ToJson(const std::optional<FailureReason>& reason) {
-  if (!reason) return nullptr;
-  return {{"word", reason->code}, {"text", reason->text}};
-}
-
 /// Returns the episode of a scene in which nothing has happened yet.
 Episode EpisodeBefore(const scene::SceneSpec& scene) {
   const recording::TraceTick start = recording::StartOf(model::Model(scene));

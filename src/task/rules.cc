@@ -161,13 +161,14 @@ std::vector<RuleBreak> RuleBreaksOf(const Structure& structure, const Episode& o
   return breaks;
 }
 
-std::string WordsOf(const RuleBreak& rule_break) {
-  const std::string at = " at " + NumberText(std::round(10 * rule_break.seconds) / 10) + " s";
-  if (rule_break.rule == RuleBreak::Rule::kOrder) {
-    return rule_break.object + " was placed after " + rule_break.other + "," + at +
-           ", and demonstrated before it";
-  }
-  return rule_break.object + " was put on " + rule_break.other + ", which is smaller," + at;
+texts::UserMessage WordsOf(const RuleBreak& rule_break) {
+  std::vector<texts::MessageArgument> arguments{
+      {"object", rule_break.object},
+      {"other", rule_break.other},
+      {"seconds", std::round(10 * rule_break.seconds) / 10}};
+  return rule_break.rule == RuleBreak::Rule::kOrder
+             ? texts::Say("failures.wrongOrder", std::move(arguments))
+             : texts::Say("failures.smallerSupport", std::move(arguments));
 }
 
 }  // namespace smile::task

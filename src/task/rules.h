@@ -7,6 +7,7 @@
 #include "task/match.h"
 #include "task/order.h"
 #include "task/structure.h"
+#include "texts/user_message.h"
 
 namespace smile::task {
 
@@ -36,6 +37,6 @@ std::vector<RuleBreak> RuleBreaksOf(const Structure& structure, const Episode& o
                                     const Match& match, const Order& order);
 
 /// Returns a sentence for people: `Large was put on Small, which is smaller, at 12.3 s`.
-std::string WordsOf(const RuleBreak& rule_break);
+texts::UserMessage WordsOf(const RuleBreak& rule_break);
 
 }  // namespace smile::task

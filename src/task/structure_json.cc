@@ -4,9 +4,12 @@
 
 #include "math/angles.h"
 #include "scene/units.h"
+#include "texts/lists.h"
 
 namespace smile::task {
 namespace {
+
+using texts::Say;
 
 constexpr const char* kFellText = " fell to the floor";
 
@@ -18,27 +21,25 @@ Json ToJson(const Relation& relation) {
 
 /// Joins words as in a sentence: `a, b and c`.
 std::string Joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 < words.size() ? ", " : " and ";
-    text += words[i];
-  }
-  return text;
+  return texts::AllOf({words.begin(), words.end()});
 }
 
 }  // namespace
 
-std::string PlaceWordsOf(const std::string& id, const std::vector<Relation>& relations) {
-  std::vector<std::string> around, beneath;
+texts::UserMessage PlaceWordsOf(const std::string& id, const std::vector<Relation>& relations) {
+  std::vector<texts::UserMessage> around, beneath;
   for (const Relation& relation : relations) {
     if (relation.object != id) continue;
     const bool is_in = relation.kind == Relation::Kind::kIn;
-    (is_in ? around : beneath).push_back(relation.support.empty() ? "the table" : relation.support);
+    (is_in ? around : beneath)
+        .push_back(relation.support.empty() ? Say("effects.theTable")
+                                            : texts::UserMessage(relation.support));
   }
-  std::string place = id;
-  if (!around.empty()) place += " in " + Joined(around);
-  if (!beneath.empty()) place += (around.empty() ? " on " : ", on ") + Joined(beneath);
-  return place;
+  const texts::UserMessage object(id), in = AllOf(around), on = AllOf(beneath);
+  if (around.empty() && beneath.empty()) return object;
+  if (beneath.empty()) return Say("effects.isIn", {{"object", object}, {"in", in}});
+  if (around.empty()) return Say("effects.isOn", {{"object", object}, {"on", on}});
+  return Say("effects.isInAndOn", {{"object", object}, {"in", in}, {"on", on}});
 }
 
 namespace {

@@ -2,6 +2,7 @@
 
 #include "base/json.h"
 #include "task/structure.h"
+#include "texts/user_message.h"
 
 namespace smile::task {
 
@@ -13,7 +14,7 @@ Json ToJson(const Structure& structure, double meters_per_unit);
 
 /// Returns the place of an object for people, as `Red1 on ShortPlank`. An object may have several
 /// supports.
-std::string PlaceWordsOf(const std::string& id, const std::vector<Relation>& relations);
+texts::UserMessage PlaceWordsOf(const std::string& id, const std::vector<Relation>& relations);
 
 /// Returns a description for people, line by line: `1. ShortPlank on the table`, …, effects,
 /// attention.

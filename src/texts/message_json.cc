@@ -12,8 +12,10 @@ Json ValueOf(const MessageArgument& argument) {
 
 }  // namespace
 
+Json EnglishOf(const UserMessage& message) { return static_cast<const std::string&>(message); }
+
 Json ToJson(const UserMessage& message) {
-  if (message.id().empty()) return static_cast<const std::string&>(message);
+  if (message.id().empty()) return EnglishOf(message);
   Json json = {{"say", message.id()}};
   for (const MessageArgument& argument : message.arguments()) {
     json["with"][argument.name] = ValueOf(argument);
@@ -36,6 +38,19 @@ UserMessage MessageOf(const Json& json) {
     }
   }
   return Say(json["say"].get<std::string>(), std::move(arguments));
+}
+
+void AddMessage(const UserMessage& message, Json* object) {
+  if (!message.id().empty()) (*object)["message"] = ToJson(message);
+}
+
+UserMessage MessageBeside(std::string english, const Json& object) {
+  try {
+    if (object.contains("message")) return MessageOf(object["message"]);
+  } catch (const std::logic_error&) {
+    // Of another version, or changed by hand.
+  }
+  return english;
 }
 
 }  // namespace smile::texts

@@ -14,6 +14,14 @@ export function partsOf(action: ActionSummary) {
   };
 }
 
+/** The place in a chain that the program names by both its sides, as `Rope between link 4 and 5`. */
+export function placeInChain(name: string) {
+  const [, chain, start, before, after] = /^(.+) between (?:(start)|link (\d+)) and (?:end|(?:link )?(\d+))$/.exec(name) ?? [];
+  if (chain === undefined) return null;
+  const place = start !== undefined ? "start" : after === undefined ? "end" : "inside";
+  return { chain, place, before: before ?? "", after: after ?? "" };
+}
+
 /** How many objects, if the program names their number only. */
 export function numberOfObjects(what: string): number | null {
   const [, number] = /^(\d+) objects$/.exec(what) ?? [];

@@ -48,6 +48,13 @@ export function named(table: Record<string, string>, name: string): string {
   return Object.hasOwn(table, name) ? table[name]! : name;
 }
 
+/** Arguments with each text among them replaced. */
+export function mapped(given: Arguments, replace: (text: string) => string): Arguments {
+  return Object.fromEntries(
+    Object.entries(given).map(([name, value]) => [name, typeof value === "string" ? replace(value) : value]),
+  );
+}
+
 function formatted(value: number, options: Intl.NumberFormatOptions): string {
   return value.toLocaleString(language, { useGrouping: false, ...options }).replace("-", "−");
 }

@@ -1,10 +1,10 @@
 // The texts of the page, by subject, in the language of the page: the tables in texts/ as they are, and a
 // function for each message with arguments. Messages of the program are in `program`, by their ids there.
 
-import { numberOfObjects, partsOf } from "./action_parts";
+import { numberOfObjects, partsOf, placeInChain } from "./action_parts";
 import type { ActionSummary, HandName, Job } from "./protocol";
 import { language, type Language } from "./language";
-import { allOf, anyOf, decimal, named, say, type Arguments } from "./message_format";
+import { allOf, anyOf, decimal, mapped, named, say, type Arguments } from "./message_format";
 import type { SharedEvent } from "./shared/recording";
 
 type Table = typeof import("../../texts/en.json");
@@ -30,7 +30,7 @@ export const texts = {
   /** A message of the program; its id, if this page is older than the program and lacks it. */
   ofProgram: (id: string, given: Arguments) => {
     const message = programMessage(id);
-    return message === undefined ? id : say(message, given);
+    return message === undefined ? id : say(message, mapped(given, partWords));
   },
   action: (action: ActionSummary) => actionWords(action),
 
@@ -167,7 +167,8 @@ export const texts = {
     dismissNamed: (name: string) => say(t.datasets.dismissNamed, { name }),
     renameTitle: (name: string) => say(t.datasets.renameTitle, { name }),
     pictureOf: (name: string) => say(t.datasets.pictureOf, { name }),
-    cause: (number: number, word: string) => say(t.datasets.cause, { number, word }),
+    causeOf: (word: string) => named(t.datasets.causeNames, word),
+    cause: (number: number, word: string) => say(t.datasets.cause, { number, word: named(t.datasets.causeNames, word) }),
     progressOf: (name: string) => say(t.datasets.progressOf, { name }),
     episodes: (done: number, wanted: number | null) =>
       wanted === null ? say(t.datasets.episodes, { number: done }) : say(t.datasets.episodesOf, { done, wanted }),
@@ -351,11 +352,17 @@ function programMessage(id: string): string | undefined {
   return subjects[subject]?.[name];
 }
 
+/** The name of a part, most of which are ids. */
+function partWords(name: string): string {
+  const place = placeInChain(name);
+  return place === null ? name : say(t.actions.between, place);
+}
+
 /** What an action did, as the program's own words of it. */
 function actionWords(action: ActionSummary): string {
   const { hand, tool, where, object } = partsOf(action);
   const number = numberOfObjects(action.what);
-  const what = number === null ? action.what : say(t.actions.objects, { number });
+  const what = number === null ? partWords(action.what) : say(t.actions.objects, { number });
   return {
     take: () => say(t.actions.take, { hand, what }),
     put: () => say(t.actions.put, { hand, what, where, object }),

@@ -68,7 +68,7 @@ test("a set is generated, looked at by its causes, and its failure opened", asyn
   await dialog.getByText("Variations: sensor noise").waitFor();
   await person.press("Generate", dialog);
   await dialog.getByText("0 of 1 episode").waitFor();
-  await dialog.getByText("1 × never_taken").waitFor({ timeout: 60_000 });
+  await dialog.getByText("1 × never taken").waitFor({ timeout: 60_000 });
   // The page may be closed meanwhile.
   await page.reload();
   await page.waitForFunction(() => window.firstPictureAt !== undefined);

@@ -147,6 +147,9 @@ test("actions have the program's words in English, and others in German", async 
     [{ do: "drop", hand: "right", what: "b03", into: "" }, "right hand drops b03 into the table", "rechte Hand lässt b03 in den Tisch fallen"],
     [{ do: "put", hand: "any", what: "b03", on: "" }, "any hand puts b03 on the table", "irgendeine Hand stellt b03 auf dem Tisch ab"],
     [{ do: "cut", hand: "left", what: "String", with: "Knife" }, "left hand cuts String with Knife", "linke Hand schneidet String mit Knife"],
+    [{ do: "cut", hand: "left", what: "Rope between link 4 and 5", with: "Knife" }, "left hand cuts Rope between link 4 and 5 with Knife", "linke Hand schneidet Rope zwischen Glied 4 und 5 mit Knife"],
+    [{ do: "cut", hand: "left", what: "Rope between start and link 0" }, "left hand cuts Rope between start and link 0", "linke Hand schneidet Rope zwischen Anfang und Glied 0"],
+    [{ do: "cut", hand: "left", what: "Rope between link 9 and end" }, "left hand cuts Rope between link 9 and end", "linke Hand schneidet Rope zwischen Glied 9 und Ende"],
     [{ do: "point", hand: "left", what: "b03" }, "left hand points at b03", "linke Hand zeigt auf b03"],
     [{ do: "clear", hand: null, what: "5 objects" }, "cleared the table of 5 objects", "Tisch abgeräumt: 5 Objekte"],
     [{ do: "move", hand: null, what: "b03" }, "moved b03", "b03 verschoben"],
@@ -274,6 +277,7 @@ test("the large dialogs, the timeline and the tour are German, and their words f
   const german = tableOf("de");
   await page.getByRole("button", { name: "Aufnehmen", disabled: false }).click();
   await person.grasp("RedBlock");
+  await person.dragTo("RedBlock", [-1, null, 0.8]);
   await person.press("Loslassen");
   await witness.until(() => !witness.isHolding, "it is released");
   await person.press("Beenden");
@@ -284,6 +288,7 @@ test("the large dialogs, the timeline and the tour are German, and their words f
   for (const id of ["datasets.generateEntry", "filming.entry", "exporting.entry", "library.analyze", "library.rename"]) {
     await page.getByRole("button", { name: /^Aktionen für/ }).first().click();
     await page.getByRole("menuitem", { name: german.get(id) }).click();
+    if (id === "library.analyze") await page.getByText(/notwendig; sonst: RedBlock liegt noch da/).waitFor();
     await judgeDialog(id);
   }
   const segments = page.getByRole("list", { name: german.get("timeline.segments"), exact: true });

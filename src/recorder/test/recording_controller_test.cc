@@ -92,7 +92,7 @@ TEST_F(RecordingControllerTest, NoNameLeadsOutOfItsFolder) {
 
 TEST_F(RecordingControllerTest, ABlankTitleIsRefused) {
   EXPECT_EQ(*simulation_->Apply(sim::StartRecording{.name = "take", .title = " \t "}),
-            recording::kBlankTitle);
+            recording::BlankTitle());
   EXPECT_TRUE(std::filesystem::is_empty(root_));
   EXPECT_THROW(Recorder(root_ / "demo", {.title = "  "}, nullptr, *simulation_),
                std::invalid_argument);

@@ -35,9 +35,10 @@ class Conflicts : public ::testing::Test {
 
 TEST_F(Conflicts, AreReadAsTheyWereWritten) {
   const std::vector<Conflict> conflicts{{HandName::kLeft, 1.25, "\"a\" is\n gone"},
-                                        {std::nullopt, 2.5, "there is no robot"}};
+                                        {std::nullopt, 2.5, texts::Say("session.noRobot")}};
   WriteConflicts(root_, conflicts);
   EXPECT_EQ(ReadConflicts(root_), conflicts);
+  EXPECT_EQ(ReadConflicts(root_)[1].reason.id(), "session.noRobot");
   RemoveConflictsAfter(root_, 1.25);
   EXPECT_EQ(ReadConflicts(root_), std::vector{conflicts[0]});
   RemoveConflictsAfter(root_, 1);
@@ -51,6 +52,15 @@ TEST_F(Conflicts, StayReadableHoweverManyAndLongTheyAre) {
   WriteConflicts(root_,
                  std::vector<Conflict>(9, {HandName::kRight, 1, std::string(100'000, '\1')}));
   EXPECT_EQ(ReadConflicts(root_).size(), 5u);
+}
+
+TEST_F(Conflicts, AreInEnglishIfTheirMessagesAreOfAnotherVersion) {
+  for (const char* message : {R"({"say":"of.another"})", R"({"say":"session.noObject"})", "7"}) {
+    EXPECT_EQ(FaultOf(R"({"conflicts":[{"hand":null,"seconds":1,"reason":"it is gone","message":)" +
+                      std::string(message) + "}]}"),
+              "");
+    EXPECT_EQ(ReadConflicts(root_)[0].reason, "it is gone");
+  }
 }
 
 TEST_F(Conflicts, NameFaultsWithTheirPlace) {

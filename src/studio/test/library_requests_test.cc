@@ -58,7 +58,7 @@ TEST_F(LibraryRequestsTest, TidyUp) {
             true);
   EXPECT_EQ(Ask("library", {}, /*is_controller=*/false)["recordings"][0]["title"], "Um");
   EXPECT_EQ(Ask("rename", {{"recording", "demo"}, {"title", "  "}, {"notes", nullptr}})["error"],
-            recording::kBlankTitle);
+            recording::BlankTitle());
   EXPECT_EQ(library_.List()[0]["title"], "Um");
   EXPECT_EQ(Ask("bin", {{"recording", "demo"}})["recording"], "demo~1");
   EXPECT_EQ(Ask("unbin", {{"recording", "demo~1"}})["recording"], "demo");
@@ -100,6 +100,9 @@ TEST_F(LibraryRequestsTest, AnalyzeSaysWhatMatteredAndDrawsIt) {
   ASSERT_EQ(answer["ok"], true) << answer;
   EXPECT_EQ(answer["analysis"]["subtasks"].size(), 1u);
   EXPECT_EQ(answer["analysis"]["subtasks"][0]["necessary"], true);
+  // As a message, which the page renders in its language.
+  EXPECT_EQ(answer["analysis"]["subtasks"][0]["without"]["say"], "failures.neverTaken");
+  EXPECT_EQ(answer["analysis"]["subtasks"][0]["parts"][0]["do"], "put");
   EXPECT_NE(answer["graph"].get<std::string>().find("class=\"subtask\""), std::string::npos);
   EXPECT_EQ(Ask("analyze", {{"recording", "other"}})["ok"], false);
 }

@@ -1,6 +1,7 @@
 import { useEffect } from "preact/hooks";
 import { type Signal, useSignal } from "@preact/signals";
 import { may } from "../allowed";
+import type { ActionSummary } from "../protocol";
 import { cancelableRequest } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
@@ -16,7 +17,7 @@ interface Analysis {
   goals: { id: string; words: string; counts: boolean }[];
   properties: { property: "color" | "place"; object: string | null; tried: string | null; harm: string | null }[];
   why_not_moved: string | null;
-  subtasks: { number: number; segments: [number, number]; words: string; without: string | null }[];
+  subtasks: { number: number; segments: [number, number]; parts: ActionSummary[]; without: string | null }[];
   order: { before: number; after: number; otherwise: string }[];
   sufficient: number[];
 }
@@ -86,17 +87,34 @@ function Properties({ properties, why_not_moved: why }: Analysis) {
   );
 }
 
+/** What came of a subtask. */
+const partsIn = (parts: ActionSummary[]) => parts.map((part) => texts.action(part)).join(", ");
+
+/** The graph with the names of its subtasks in the language of the page; the program drew it in English. */
+function named(graph: string, subtasks: Analysis["subtasks"]): string {
+  const drawing = new DOMParser().parseFromString(graph, "text/html").querySelector("svg")!;
+  const letters = Number(drawing.dataset["letters"]);
+  drawing.querySelectorAll("g").forEach((box, i) => {
+    const { number, parts } = subtasks[i]!;
+    const name = partsIn(parts);
+    box.querySelector("title")!.textContent = `${number}. ${name}`;
+    box.querySelector("text")!.textContent = `${number}. ${name.length > letters ? `${name.slice(0, letters - 1)}…` : name}`;
+  });
+  drawing.setAttribute("aria-label", words.graph);
+  return drawing.outerHTML;
+}
+
 function Findings({ analysis, graph }: { analysis: Analysis; graph: string }) {
   const { subtasks, order, sufficient } = analysis;
   return (
     <>
       {/* The program drew it, with all texts escaped. */}
-      <div class="order-graph" tabIndex={0} dangerouslySetInnerHTML={{ __html: graph }} />
+      <div class="order-graph" tabIndex={0} dangerouslySetInnerHTML={{ __html: named(graph, subtasks) }} />
       <section>
         <h3>{words.subtasks}</h3>
         <ul>
-          {subtasks.map(({ number, words: what, without }) => (
-            <li key={number}>{words.subtask(number, what, without)}</li>
+          {subtasks.map(({ number, parts, without }) => (
+            <li key={number}>{words.subtask(number, partsIn(parts), without)}</li>
           ))}
         </ul>
         {sufficient.length < subtasks.length && <p>{words.enough(sufficient)}</p>}

@@ -95,8 +95,9 @@ function StartProgram() {
 
 /** Returns the cause of a failure in words: the brain may fail although all objects are in place. */
 function causeOf(result: Record<string, unknown>): string {
-  const cause = result.cause as { text?: unknown } | null | undefined;
-  return typeof cause?.text === "string" ? cause.text : words.notRebuilt;
+  const cause = result.cause as { text?: unknown; message?: unknown } | null | undefined;
+  const text = cause?.message ?? cause?.text;
+  return typeof text === "string" ? text : words.notRebuilt;
 }
 
 function Score() {

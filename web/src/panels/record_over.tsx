@@ -52,9 +52,9 @@ export function Over() {
   return (
     <>
       <span class="timeline-moment">{words.overLeft(over.actions_left)}</span>
-      {over.conflicts.slice(0, 1).map(({ hand, reason }) => (
+      {over.conflicts.slice(0, 1).map(({ hand, reason, message = reason }) => (
         <span key={reason} class="timeline-skipped" role="alert">
-          {words.overConflict(hand, reason)}
+          {words.overConflict(hand, message)}
         </span>
       ))}
     </>

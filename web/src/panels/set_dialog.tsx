@@ -78,7 +78,7 @@ function FilterRow({ filters, causes }: { filters: Filters; causes: string[] }) 
           <option value="">{words.anyCause}</option>
           {causes.map((cause) => (
             <option key={cause} value={cause}>
-              {cause}
+              {texts.datasets.causeOf(cause)}
             </option>
           ))}
         </select>
@@ -107,7 +107,7 @@ function show(recording: string): void {
 
 function AttemptCard({ attempt }: { attempt: SetAttempt }) {
   const { recording, seed, cause, outcome } = attempt;
-  const about = cause?.text ?? words.outcome.success;
+  const about = cause?.message ?? cause?.text ?? words.outcome.success;
   return (
     <li>
       <button
@@ -127,7 +127,7 @@ function AttemptCard({ attempt }: { attempt: SetAttempt }) {
         <span class="attempt-words">
           <Icon name={outcome === "success" ? "check" : "warning"} size={16} />
           <strong>{words.seed(seed)}</strong>
-          <span class="attempt-cause">{cause?.word ?? words.outcome.success}</span>
+          <span class="attempt-cause">{cause === null ? words.outcome.success : texts.datasets.causeOf(cause.word)}</span>
         </span>
       </button>
     </li>

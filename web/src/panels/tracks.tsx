@@ -89,7 +89,7 @@ function ClipHandle(props: { drawn: DrawnClip; part: ClipPart; moves: ClipMoves 
 
 /** Where a hand does not find what it found when it was recorded; the reason shows on hover and focus. */
 function ConflictMark({ conflict, left, isRight }: { conflict: Conflict; left: string; isRight: boolean }) {
-  const reason = words.conflict(conflict.seconds, conflict.reason);
+  const reason = words.conflict(conflict.seconds, conflict.message ?? conflict.reason);
   return (
     <li class="conflict" style={{ left }}>
       <span role="img" tabIndex={0} aria-label={reason}>

@@ -28,7 +28,7 @@ function container = measureContainer(demo, steps)
       end
     end
   end
-  error('no picture of the demonstration shows the container of %s', inside(1).name);
+  error('no picture of the demonstration shows on or in what %s was put; an arm may hide it', inside(1).name);
 end
 
 function container = containerAt(demo, n, picture, color, height, inside)

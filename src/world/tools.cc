@@ -70,6 +70,11 @@ double RoundedUnits(double meters, double meters_per_unit) {
   return std::round(meters / meters_per_unit * 100) / 100;
 }
 
+/// Rounded up: what is too far does not look like the limit.
+double UnitsRoundedUp(double meters, double meters_per_unit) {
+  return std::ceil(meters / meters_per_unit * 100 - 1e-6) / 100;
+}
+
 }  // namespace
 
 Tools::Tools(physics::World* world, const model::Model& model, const std::vector<Object>* objects,
@@ -118,7 +123,7 @@ std::optional<ToolUse> Tools::CutTarget(model::ToolIndex tool, Refusal* refusal)
   if (nearest->distance > spec.reach) {
     const double unit = model_->scene().meters_per_unit;
     *refusal = Say("tools.bladesAreFar", {{"tool", NameOf(which.object)},
-                                          {"distance", RoundedUnits(nearest->distance, unit)},
+                                          {"distance", UnitsRoundedUp(nearest->distance, unit)},
                                           {"target", nearest->use.target},
                                           {"reach", RoundedUnits(spec.reach, unit)}});
     return std::nullopt;
@@ -240,7 +245,7 @@ std::optional<ToolUse> Tools::BondTarget(model::ToolIndex tool, Refusal* refusal
     *refusal = Say("tools.nothingOfType", {{"type", spec.type}});
   } else if (nearest_distance > spec.reach) {
     *refusal = Say("tools.tipIsFar", {{"tool", NameOf(which.object)},
-                                      {"distance", RoundedUnits(nearest_distance, unit)},
+                                      {"distance", UnitsRoundedUp(nearest_distance, unit)},
                                       {"object", nearest->target},
                                       {"reach", RoundedUnits(spec.reach, unit)}});
   } else {

@@ -2,7 +2,7 @@
 // function for each message with arguments. Messages of the program are in `program`, by their ids there.
 
 import { numberOfObjects, partsOf, placeInChain } from "./action_parts";
-import type { ActionSummary, HandName, Job } from "./protocol";
+import type { ActionSummary, HandName, Job, ToolUse } from "./protocol";
 import { language, type Language } from "./language";
 import { allOf, anyOf, decimal, mapped, named, say, type Arguments } from "./message_format";
 import type { SharedEvent } from "./shared/recording";
@@ -81,7 +81,9 @@ export const texts = {
 
   menu: {
     ...t.menu,
-    use: (tool: string) => say(t.menu.use, { tool }),
+    /** @param use  what it would do now, if anything */
+    use: (tool: string, use: ToolUse | undefined) =>
+      say(t.menu.use, { tool, what: use?.do.find((one) => one !== "loosen") ?? "none" }),
     useLoosening: (tool: string) => say(t.menu.useLoosening, { tool }),
     title: (object: string) => say(t.menu.title, { object }),
   },
@@ -143,6 +145,7 @@ export const texts = {
     program: (name: string, kind: string) => say(t.brain.program, { name, kind }),
     copyPlace: (place: string) => say(t.brain.copyPlace, { place }),
     copied: (text: string) => say(t.brain.copied, { text }),
+    sceneOfDemonstration: (name: string) => say(t.brain.sceneOfDemonstration, { name }),
     scored: (percent: number) => say(t.brain.scored, { percent }),
     meanError: (millimeters: number) => say(t.brain.meanError, { millimeters }),
     took: (seconds: number) => say(t.brain.took, { seconds }),

@@ -111,12 +111,15 @@ test("the shipped learner is chosen, begins, and is recorded", async (t) => {
   await person.showPanel("Brain");
   const imitator = page.getByRole("combobox", { name: "Imitating brain" });
   assert.equal(await imitator.inputValue(), "matlab/learner");
+  const place = page.getByRole("combobox", { name: "Scene", exact: true });
+  assert.equal(await place.locator("option:checked").textContent(), "where it was recorded: tower");
   await person.press("Imitate");
   await witness.until(() => witness.state.recording !== null, "the imitation is recorded");
   assert.notEqual(witness.state.recording.id, id);
   const hasBegun = await witness.within(60_000, () => witness.state.brain.status !== "starting");
   assert.ok(hasBegun && witness.state.brain.status === "running", JSON.stringify(witness.state.brain));
   assert.equal(witness.state.brain.name, "matlab/learner");
+  await page.getByRole("status").getByText(/^matlab\/learner running$/).waitFor();
   await person.press("Stop");
   await page.getByRole("status", { name: "Score" }).waitFor();
   await witness.until(() => witness.state.recording === null, "the recording ends with the imitation");

@@ -26,10 +26,12 @@ test("a mark and a text show what scissors can cut, while the string is between 
   await person.typePlace({ x: -0.2, y: -0.6, z: HEIGHT });
   await witness.until(() => witness.positionOf("Scissors")[0] < -0.1, "the scissors are in front of the string");
   await isWithoutHint();
+  await person.press("Use Scissors");
+  await page.getByRole("alert").getByText(/the blades of 'Scissors' are [\d.]+ units from String/).waitFor();
 
   await person.carryAbove("Scissors", IN_PLACE);
   await hint.getByText(/^Scissors can cut String between link \d+ and \d+$/).waitFor();
-  await hint.getByText("Right-click it: Use Scissors").waitFor();
+  await hint.getByText("Right-click it: Cut with Scissors").waitFor();
   await witness.settled(() => witness.positionOf("Scissors"), "the scissors hang there", 300);
   await person.look();
   const [[x, y, z], shown] = [witness.positionOf("Scissors"), await mark()];
@@ -41,7 +43,9 @@ test("a mark and a text show what scissors can cut, while the string is between 
   await person.carryAbove("Scissors", IN_PLACE);
   await hint.getByText("Scissors can cut").waitFor();
   const menu = await person.menuAt(witness.positionOf("Scissors"));
-  await person.entry("Use Scissors", menu).click();
+  await person.entry("Cut with Scissors", menu).waitFor();
+  await page.keyboard.press("Escape");
+  await person.press("Cut with Scissors");
   await witness.until(() => witness.events.some(({ kind, state }) => kind === "used" && state === "cut"), "the string is cut");
 
   async function isWithoutHint() {

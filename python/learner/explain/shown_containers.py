@@ -31,7 +31,7 @@ def measure_container(demo, steps):
             is_there = np.hypot(*(face.center - [x, y])) < TASK_MODEL.max_center_error
             if is_there and all(is_inside(container, step.position) for step in inside):
                 return container
-    raise ValueError(f"no picture of the demonstration shows the container of {inside[0].name}")
+    raise ValueError(f"no picture of the demonstration shows on or in what {inside[0].name} was put; an arm may hide it")
 
 
 def rims_at(demo, n, top):

@@ -240,7 +240,7 @@ TEST_F(NoRoomTest, FixedObjectsDoNotMove) {
   screw.mass = 0;
   Start({Nut("nut", {0, 0, 0.055}), screw, ObjectAt("b", scene::Block{}, {0.5, 0, 0.05})});
   ExpectRefusal("screw", "'screw' is fixed (its mass is 0)");
-  ExpectRefusal("b", "'b' has no guestBondPoint to fasten it by");
+  ExpectRefusal("b", "'b' has nothing to fasten it by");
 }
 
 TEST_F(NoRoomTest, ASliderOnAFixedRailStaysOnIt) {

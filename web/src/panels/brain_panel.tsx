@@ -39,9 +39,13 @@ function Place({ file, line }: { file: string; line: number | undefined }) {
 function Status() {
   const now = brain.value;
   const status = now?.status || "none";
+  const isOther = now !== null && now.name !== "" && now.name !== chosenBrain.value;
   return (
     <span class={`badge status-${status}`} role="status">
-      {status === "starting" && <span class="spinner" />} {words.statuses[status] ?? status}
+      {status === "starting" && <span class="spinner" />}
+      {/* An imitating brain is chosen elsewhere. */}
+      {isOther && `${now.name} `}
+      {words.statuses[status] ?? status}
     </span>
   );
 }
@@ -103,7 +107,9 @@ function causeOf(result: Record<string, unknown>): string {
 function Score() {
   const result = lastScore.value;
   if (result === null) return null;
-  const score = typeof result.score === "number" ? result.score : 0;
+  // What was right before the robot began is no part of its work.
+  const achieved = typeof result.gain === "number" ? result.gain : result.score;
+  const score = typeof achieved === "number" ? achieved : 0;
   const error = typeof result.mean_error_mm === "number" ? words.meanError(result.mean_error_mm) : null;
   const took = typeof result.seconds === "number" ? words.took(result.seconds) : null;
   return (
@@ -116,18 +122,23 @@ function Score() {
 }
 
 function Imitation() {
-  const where = useSignal("");
+  const chosenPlace = useSignal<string | null>(null);
   const isBusy = useSignal(false);
   const choices = (recordings.value ?? []).filter((recording) => !recording.binned && !recording.error);
   if (choices.length === 0) return <p class="hint">{words.noRecordings}</p>;
   if (imitators.value.length === 0) return <p class="hint">{words.noImitators}</p>;
   const chosen = choices.some(({ id }) => id === toImitate.value) ? toImitate.value! : choices[0]!.id;
+  // Where it was recorded, unless that scene comes from elsewhere.
+  const scenes = sceneCatalog.value?.scenes ?? [];
+  const recordedIn = choices.find(({ id }) => id === chosen)?.scene;
+  const ownPlace = scenes.some(({ name }) => name === recordedIn) ? recordedIn! : "";
+  const where = chosenPlace.value ?? ownPlace;
   const imitate = async () => {
     isBusy.value = true;
     lastScore.value = null;
     // The imitation becomes the newest recording: the demonstration stays the chosen one.
     toImitate.value = chosen;
-    const place = where.value || (scene.value?.name ?? "");
+    const place = where || (scene.value?.name ?? "");
     await ask("imitate", { recording: chosen, brain: chosenImitator.value, scene: place });
     isBusy.value = false;
   };
@@ -149,11 +160,12 @@ function Imitation() {
       </label>
       <label class="field">
         <span class="field-label">{words.scene}</span>
-        <select value={where.value} onChange={(event) => (where.value = event.currentTarget.value)}>
+        <select value={where} onChange={(event) => (chosenPlace.value = event.currentTarget.value)}>
+          {ownPlace !== "" && <option value={ownPlace}>{words.sceneOfDemonstration(ownPlace)}</option>}
           <option value="">{words.sceneHere}</option>
-          {(sceneCatalog.value?.scenes ?? []).map(({ name, title }) => (
-            <option key={name} value={name}>
-              {title}
+          {scenes.map(({ name, title }) => (
+            <option key={name} value={name} disabled={name === ownPlace}>
+              {title} ({name})
             </option>
           ))}
         </select>

@@ -1,6 +1,6 @@
 import { isCommandOffered } from "../allowed";
 import type { Command } from "../commands";
-import { command, currentHand, heldObject, scene } from "../studio";
+import { command, currentHand, heldObject, scene, state } from "../studio";
 import type { SceneObject } from "../protocol";
 import { texts } from "../texts";
 import { Menu, type MenuEntry } from "../ui/menu";
@@ -39,6 +39,8 @@ interface Choice {
   label: string;
   /** Null where there is nothing that a command could name. */
   wanted: Command | null;
+  /** What is meant where that is refused. */
+  otherwise?: Command | undefined;
 }
 
 /** What a hand might do with what was clicked. */
@@ -57,17 +59,19 @@ function choicesAt({ object, part, button, point }: Place): Choice[] {
     ...(triggered === null ? {} : { part: triggered }),
   };
   const held = heldObject.value;
+  const tool = scene.value?.objects.find(({ id }) => id === held)?.tool;
   // What a tool in the hand would do, or in grey why not: how far its tip is from the work.
   const uses: Choice[] =
     held === null
       ? []
       : [
-          { label: menu.use(held), wanted: { do: "use", hand } },
-          { label: menu.useLoosening(held), wanted: { do: "use", hand, loosen: true } },
+          { label: menu.use(held, state.value?.uses[held]), wanted: { do: "use", hand } },
+          ...(tool?.turns ? [{ label: menu.useLoosening(held), wanted: { do: "use", hand, loosen: true } } as const] : []),
         ];
   return [
     ...uses,
-    { label: menu.trigger, wanted: trigger },
+    // One button of a rocker is always down: the other one is meant.
+    { label: menu.trigger, wanted: trigger, otherwise: control && triggered ? { do: "trigger", hand, control: control.id } : undefined },
     { label: menu.point, wanted: { do: "point", hand, part: pointed } },
     { label: menu.fasten, wanted: { do: "fasten", hand, object: object.id, point } },
     { label: menu.loosen, wanted: { do: "loosen", hand, object: object.id, point } },
@@ -76,16 +80,16 @@ function choicesAt({ object, part, button, point }: Place): Choice[] {
 
 /** Each choice, or in grey why the program refuses it. */
 function ChoiceMenu(props: { object: string; x: number; y: number; choices: Choice[] }) {
-  const wanted = props.choices.map((choice) => choice.wanted).filter((one) => one !== null);
+  const wanted = props.choices.flatMap((choice) => [choice.wanted, choice.otherwise]).filter((one) => one != null);
   const allowed = useAllowed(wanted.map((one) => ({ do: "command", command: one })));
   if (allowed.includes(null)) return null;
-  const entries = props.choices.map(({ label, wanted: one }): MenuEntry => {
-    if (one === null) {
+  const entries = props.choices.map(({ label, wanted: first, otherwise }): MenuEntry => {
+    if (first === null) {
       return { label, reason: texts.menuReasons.noControl, disabled: true, onChoose: () => {} };
     }
-    const onChoose = () => void command(one);
-    const why = allowed[wanted.indexOf(one)];
-    return why === true ? { label, onChoose } : { label, reason: why ?? "", disabled: true, onChoose };
+    const may = [first, otherwise].find((one) => one !== undefined && allowed[wanted.indexOf(one)] === true);
+    if (may) return { label, onChoose: () => void command(may) };
+    return { label, reason: String(allowed[wanted.indexOf(first)]), disabled: true, onChoose: () => {} };
   });
   return (
     <Menu

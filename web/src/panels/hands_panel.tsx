@@ -104,6 +104,25 @@ function propertyChoices(object: string): { value: string; label: string }[] {
   return properties.map((value) => ({ value, label: texts.properties[value] ?? value }));
 }
 
+/** Uses a held tool; if its tip is not where it can work, the program says how far it is. */
+function UseTool({ object }: { object: string }) {
+  const tool = scene.value?.objects.find((one) => one.id === object)?.tool;
+  if (tool === undefined || !isCommandOffered("use")) return null;
+  const hand = currentHand.value;
+  return (
+    <>
+      <Button
+        label={texts.menu.use(object, state.value?.uses[object])}
+        icon="check"
+        class="wide"
+        disabled={!mayAct.value}
+        onClick={() => void command({ do: "use", hand })}
+      />
+      <p class="hint">{tool.turns ? words.useOrTurn : words.useHint}</p>
+    </>
+  );
+}
+
 function Held({ object }: { object: string }) {
   const attended = attention.value[object] ?? [];
   const choices = propertyChoices(object);
@@ -361,6 +380,7 @@ export function HandsPanel() {
       {object !== null && (
         <Card title={`${words.held}: ${object}`}>
           <Held object={object} />
+          <UseTool object={object} />
         </Card>
       )}
       {isOffered("snap") && (

@@ -4,7 +4,8 @@ import { language } from "../language";
 import type { LibraryEntry, Timeline } from "../protocol";
 import { ask, notify, request, state } from "../studio";
 import { texts } from "../texts";
-import { holders, shownRecording } from "./derived_signals";
+import { holders, isBrainAtWork, shownRecording } from "./derived_signals";
+import { toImitate } from "./page";
 
 const { record: words } = texts;
 
@@ -94,7 +95,11 @@ export async function finishRecording(): Promise<void> {
     () => null,
     (error: Error) => error.message,
   );
-  if (refusal === null) return;
+  if (refusal === null) {
+    // What a person just recorded, and not the run of a robot, is to be imitated.
+    if (!isBrainAtWork.value) toImitate.value = recording ?? null;
+    return;
+  }
   await new Promise((resolve) => setTimeout(resolve, FAILURE_MS));
   if (state.value?.failure?.recording !== recording) notify(refusal, true);
 }

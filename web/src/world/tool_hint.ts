@@ -92,7 +92,7 @@ function howToUse({ tool, use, turns }: ToolInPlace): string {
   if (may("command") !== true || !hands) return "";
   if (heldObject.value === tool) {
     const onlyLoosens = turns && !use.do.includes("fasten");
-    const entry = onlyLoosens ? texts.menu.useLoosening(tool) : texts.menu.use(tool);
+    const entry = onlyLoosens ? texts.menu.useLoosening(tool) : texts.menu.use(tool, use);
     return words.byHand(entry, turns, isTouch.value);
   }
   const isInOtherHand = Object.values(hands).some(({ object }) => object === tool);

@@ -357,8 +357,10 @@ function programMessage(id: string): string | undefined {
 
 /** The name of a part, most of which are ids. */
 function partWords(name: string): string {
-  const place = placeInChain(name);
-  return place === null ? name : say(t.actions.between, place);
+  const found = placeInChain(name);
+  if (found === null) return name;
+  const { chain, place, before, after } = found;
+  return say(t.actions.between, { chain, place, before, after });
 }
 
 /** What an action did, as the program's own words of it. */

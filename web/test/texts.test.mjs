@@ -78,7 +78,7 @@ test("the last word of each id is used", () => {
   const named = new RegExp(
     "^(properties|progress|keys|keyNames|theme|tour[.]steps|help[.]mouseHelp|.*[.](names|meanings|sentences|axes|axisNames|" +
       "snaps|snapsWhy|directions|details|cameras|moods|statuses|levels|stopsHow|kinds|formats|outcome|obstacles|titles|parts|" +
-      "how|arms)|views[.](front|robot|top|left|right)$)",
+      "how|arms|causeNames)|views[.](front|robot|top|left|right)$)",
   );
   const isUsed = (key) => new RegExp(`[.]${key}\\b|const \\{[^}]*\\b${key}\\b[^}]*\\} = texts`).test(all);
   const unused = [...en.keys()].filter((id) => !isOfProgram(id) && !named.test(id) && !isUsed(id.split(".").at(-1)));

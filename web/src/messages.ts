@@ -111,7 +111,10 @@ export interface Conflict {
   /** null: of no hand */
   hand: HandName | null;
   seconds: number;
-  reason: UserMessage;
+  /** in English */
+  reason: string;
+  /** the reason in the language of the page */
+  message?: UserMessage;
 }
 
 /** All times are from the start [s]. */
@@ -181,7 +184,7 @@ export interface SetAttempt {
   /** of the attempts at the episode, from 1 */
   try: number;
   outcome: "success" | "failure" | "impossible";
-  cause: { word: string; text: string } | null;
+  cause: { word: string; text: string; message?: UserMessage } | null;
   score: number;
   /** simulated */
   seconds: number | null;

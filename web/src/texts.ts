@@ -300,6 +300,7 @@ export const texts = {
       trim: (segment: string) => say(t.edit.titles.trim, { segment }),
       shift: (segment: string) => say(t.edit.titles.shift, { segment }),
     },
+    dropToo: (segment: string) => say(t.edit.dropToo, { segment }),
     lasts: (after: number, before: number) => say(t.edit.lasts, { after, before }),
     leftOut: (reason: string) => say(t.edit.leftOut, { reason }),
     displaced: (id: string, millimeters: number, degrees: number) => {

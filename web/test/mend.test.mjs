@@ -101,8 +101,15 @@ test("the effect of an edit is reported before it is written, and comes true", a
   await page.locator(".recording").waitFor();
   const listed = await witness.request("library");
 
-  // The green block is never taken then: reported, and not done.
-  await choose(3, "Delete");
+  // Neither taken nor released, or released only: reported, and not done.
+  await timeline.getByRole("slider", { name: "Any: GreenBlock", exact: true }).click();
+  await page.getByRole("button", { name: /hand takes GreenBlock/, pressed: true }).waitFor();
+  await person.press("Delete", timeline);
+  const pair = dialog.getByRole("switch", { name: "Also delete “any hand drops GreenBlock on the table”" });
+  const both = programSays(["edit", join(studio.recordings, id), "--drop", "3-4", "--dry-run"]);
+  assert.deepEqual(both.left_out, []);
+  await reports(both, "GreenBlock");
+  await pair.uncheck();
   const dropped = programSays(["edit", join(studio.recordings, id), "--drop", "3", "--dry-run"]);
   assert.equal(dropped.left_out.length, 1, JSON.stringify(dropped));
   await reports(dropped, "GreenBlock");

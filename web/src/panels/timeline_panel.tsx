@@ -7,7 +7,7 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { isSmall } from "../ui/media";
 import { Menu } from "../ui/menu";
-import { endOfClip } from "./clips";
+import { endOfClip, otherEndOfClip } from "./clips";
 import { EditDialog, type EditKind } from "./edit_dialog";
 import { isRecording, liveSegments, mayControl, recordingId } from "./derived_signals";
 import { isTimelineOpen, renamed, shared, sheet } from "./page";
@@ -194,8 +194,8 @@ function useMoment(id: string): void {
 function OpenedTimeline({ id, timeline }: { id: string; timeline: Timeline }) {
   useMoment(id);
   const now = moment.value;
-  const choose = (number: number, end: number) => {
-    chosenSegment.value = chosenSegment.value === number ? null : number;
+  const choose = (number: number | null, end: number) => {
+    chosenSegment.value = number;
     void show(id, end);
   };
   return (
@@ -207,7 +207,7 @@ function OpenedTimeline({ id, timeline }: { id: string; timeline: Timeline }) {
         disabled={may("show") !== true}
         onMoment={(seconds) => void show(id, seconds)}
       />
-      <Tracks id={id} timeline={timeline} />
+      <Tracks id={id} timeline={timeline} onChoose={({ number, end }) => choose(number, end)} />
       <ol class="segments" aria-label={words.segments}>
         {timeline.segments.map(({ number, deed, begin, end }) => (
           <SegmentCard
@@ -216,7 +216,7 @@ function OpenedTimeline({ id, timeline }: { id: string; timeline: Timeline }) {
             segment={{ number, deed, seconds: end - begin }}
             isNow={now > begin && now <= end}
             isChosen={chosenSegment.value === number}
-            onChoose={() => choose(number, end)}
+            onChoose={() => choose(chosenSegment.value === number ? null : number, end)}
           />
         ))}
       </ol>
@@ -228,6 +228,7 @@ function EditOf({ id, timeline }: { id: string; timeline: Timeline }) {
   const edit = edited.value;
   const segment = timeline.segments.find((one) => one.number === edit?.segment);
   if (edit === null || segment === undefined) return null;
+  const other = timeline.segments.find(({ number }) => number === otherEndOfClip(timeline.segments, segment.number));
   return (
     <EditDialog
       key={`${edit.kind} ${edit.segment}`}
@@ -238,6 +239,7 @@ function EditOf({ id, timeline }: { id: string; timeline: Timeline }) {
         title: wordsOf(segment),
         seconds: segment.end - segment.begin,
         last: endOfClip(timeline.segments, segment.number),
+        otherEnd: other === undefined ? null : { number: other.number, title: wordsOf(other) },
       }}
       onClose={() => (edited.value = null)}
     />

@@ -99,6 +99,9 @@ test("clips are shifted and stretched with mouse and keys, and show where hands 
   await person.dragTo("RedBlock", [null, null, 3]);
   await page.keyboard.press("Backspace");
   await witness.until(() => witness.state.hands.right.object === null && witness.state.still, "it lies again");
+  const { x, y } = await page.getByRole("button", { name: /right hand takes RedBlock/ }).boundingBox();
+  await page.mouse.click(x + 40, y + 20);
+  await page.getByText("Finish the recording first; then its segments can be deleted or changed.").waitFor();
   await person.press("Finish");
   await witness.until(() => witness.state.recording === null, "the end of the recording");
 

@@ -1,8 +1,8 @@
 import { useEffect, useRef } from "preact/hooks";
 import { signal, useSignal } from "@preact/signals";
 import type { Allowed, Timeline } from "../protocol";
-import { may, when } from "../allowed";
-import { ask, state } from "../studio";
+import { may, mayControlNow, when } from "../allowed";
+import { ask, notify, state } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { isSmall } from "../ui/media";
@@ -31,6 +31,8 @@ function LiveTimeline({ id }: { id: string }) {
   const segments = liveSegments.value;
   useEffect(() => list.current?.scrollTo({ left: list.current.scrollWidth }), [segments.length]);
   if (segments.length === 0) return <p class="timeline-empty">{words.none}</p>;
+  const control = mayControlNow();
+  const whyFixed = control === true ? words.finishFirst : control;
   return (
     <ol class="segments" aria-label={words.segments} ref={list}>
       {segments.map((segment, k) => (
@@ -40,6 +42,8 @@ function LiveTimeline({ id }: { id: string }) {
           segment={segment}
           isNow={k === segments.length - 1}
           isChosen={false}
+          whyFixed={whyFixed}
+          onChoose={() => notify(whyFixed, true)}
         />
       ))}
     </ol>

@@ -290,7 +290,11 @@ export const texts = {
       begin: (clip: string) => say(t.tracks.parts.begin, { clip }),
       end: (clip: string) => say(t.tracks.parts.end, { clip }),
     },
-    conflict: (seconds: number, reason: string) => say(t.tracks.conflict, { seconds, reason }),
+    conflicts: {
+      tried: (seconds: number, reason: string) => say(t.tracks.conflicts.tried, { seconds, reason }),
+      kept: (seconds: number, reason: string) => say(t.tracks.conflicts.kept, { seconds, reason }),
+      leftOut: (seconds: number, reason: string) => say(t.tracks.conflicts.leftOut, { seconds, reason }),
+    },
   },
 
   edit: {

@@ -141,7 +141,7 @@ test("clips are shifted and stretched with mouse and keys, and show where hands 
   await page.locator(".conflict-reason").filter({ hasText: reason }).waitFor({ state: "visible" });
   await person.press("Save as a new recording", effect);
   await page.locator(".timeline-name", { hasText: "edited" }).waitFor();
-  await tracks.getByRole("img", { name: reason }).waitFor();
+  await tracks.getByRole("img", { name: /holds it now\. The recording is complete; this is only a note\.$/ }).waitFor();
   const { recording } = witness.state.playback;
   assert.equal(replay(join(studio.recordings, recording)).identical, true);
   const kept = JSON.parse(readFileSync(join(studio.recordings, recording, "conflicts.json"), "utf8"));

@@ -113,7 +113,7 @@ test("the effect of an edit is reported before it is written, and comes true", a
   const dropped = programSays(["edit", join(studio.recordings, id), "--drop", "3", "--dry-run"]);
   assert.equal(dropped.left_out.length, 1, JSON.stringify(dropped));
   await reports(dropped, "GreenBlock");
-  await dialog.getByText("can no longer be carried out").waitFor();
+  await dialog.getByText("can no longer be carried out, and is left out").waitFor();
   await person.press("Cancel", dialog);
   await dialog.waitFor({ state: "detached" });
   assert.deepEqual((await witness.request("library")).recordings, listed.recordings, "nothing was done");
@@ -201,6 +201,8 @@ test("an edit is canceled while it is written, or is seen at once, from its star
   assert.deepEqual(await recordings(), [id]);
 
   await tryDelete();
+  await dialog.getByRole("switch", { name: "Also delete" }).uncheck();
+  await dialog.getByText("and is left out").waitFor();
   await page.evaluate(() => {
     window.barNames = new Set();
     const note = () => document.querySelectorAll("dialog progress").forEach((bar) => window.barNames.add(bar.ariaLabel));
@@ -213,6 +215,7 @@ test("an edit is canceled while it is written, or is seen at once, from its star
   await witness.until(() => ![undefined, id].includes(witness.state.playback?.recording), "the new one is shown");
   assert.equal(witness.state.playback.seconds, 0);
   await timeline.getByText(/^0\.0 of /).waitFor();
+  await timeline.getByRole("img", { name: /a command was left out: .* holds nothing\. The recording is complete without it/ }).waitFor();
   await heightIs("GreenBlock", 0, 0.6);
   await until(async () => (await seenByRobot(page)) === start, "the robot sees the start as well");
   assert.equal((await recordings()).length, 2, "what was canceled is not there");

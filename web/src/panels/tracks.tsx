@@ -15,6 +15,8 @@ const { tracks: words } = texts;
 /** What an arrow key moves a clip, or one end of it; the second one with Shift [s]. */
 const KEY_STEPS = [0.1, 1];
 
+const HALF_TICK = 1 / 120; // [s]
+
 /** A press that moves less is a click [px]. */
 const CLICK_PIXELS = 4;
 
@@ -101,13 +103,27 @@ function ClipHandle(props: { drawn: DrawnClip; part: ClipPart; moves: ClipMoves 
   );
 }
 
+/** A conflict of an edit that is tried; one that the recording contains; or a command that it was recorded without. */
+type ConflictKind = "tried" | "kept" | "leftOut";
+
+interface ShownConflict {
+  conflict: Conflict;
+  kind: ConflictKind;
+}
+
+/** What a hand does at a conflict begins a segment, unless it was left out. */
+function kindOf({ hand, seconds }: Conflict, segments: Timeline["segments"]): ConflictKind {
+  const isDone = segments.some(({ deed, begin }) => deed?.hand === hand && Math.abs(begin - seconds) < HALF_TICK);
+  return isDone ? "kept" : "leftOut";
+}
+
 /** Where a hand does not find what it found when it was recorded; the reason shows on hover and focus. */
-function ConflictMark({ conflict, left, isRight }: { conflict: Conflict; left: string; isRight: boolean }) {
-  const reason = words.conflict(conflict.seconds, conflict.message ?? conflict.reason);
+function ConflictMark({ conflict, kind, left, isRight }: ShownConflict & { left: string; isRight: boolean }) {
+  const reason = words.conflicts[kind](conflict.seconds, conflict.message ?? conflict.reason);
   return (
-    <li class="conflict" style={{ left }}>
+    <li class={`conflict ${kind === "leftOut" ? "left-out" : ""}`} style={{ left }}>
       <span role="img" tabIndex={0} aria-label={reason}>
-        !
+        {kind === "leftOut" ? "i" : "!"}
       </span>
       <span class={`conflict-reason ${isRight ? "right" : ""}`} aria-hidden="true">
         {reason}
@@ -116,11 +132,13 @@ function ConflictMark({ conflict, left, isRight }: { conflict: Conflict; left: s
   );
 }
 
-function Track(props: { hand: HandName; clips: DrawnClip[]; conflicts: Conflict[]; moves: ClipMoves }) {
+function Track(props: { hand: HandName; clips: DrawnClip[]; conflicts: ShownConflict[]; moves: ClipMoves }) {
   const { moves } = props;
   const percent = (time: number) => `${(100 * time) / Math.max(moves.seconds, 1e-9)}%`;
   const isConflicting = ({ begin, end }: Clip) =>
-    props.conflicts.some(({ seconds }) => seconds >= begin - 1e-6 && seconds <= end + 1e-6);
+    props.conflicts.some(
+      ({ kind, conflict: { seconds } }) => kind !== "leftOut" && seconds >= begin - 1e-6 && seconds <= end + 1e-6,
+    );
   return (
     <li class="track" style={{ "--hand": handColors[props.hand] }}>
       <ol>
@@ -140,10 +158,11 @@ function Track(props: { hand: HandName; clips: DrawnClip[]; conflicts: Conflict[
             </li>
           );
         })}
-        {props.conflicts.map((conflict) => (
+        {props.conflicts.map(({ conflict, kind }) => (
           <ConflictMark
             key={`${conflict.seconds} ${conflict.reason}`}
             conflict={conflict}
+            kind={kind}
             left={percent(conflict.seconds)}
             isRight={conflict.seconds > moves.seconds / 2}
           />
@@ -218,7 +237,9 @@ export function Tracks(props: { id: string; timeline: Timeline; onChoose: (segme
               clip: editedClip(recorded, all),
               name: `${texts.hands.names[hand]}: ${recorded.what}`,
             }))}
-            conflicts={conflicts.filter((one) => one.hand === hand)}
+            conflicts={conflicts
+              .filter((one) => one.hand === hand)
+              .map((conflict) => ({ conflict, kind: all.length > 0 ? "tried" : kindOf(conflict, segments) }))}
             moves={movesOf(hand)}
           />
         ))}

@@ -119,6 +119,12 @@ test("the effect of an edit is reported before it is written, and comes true", a
   assert.deepEqual((await witness.request("library")).recordings, listed.recordings, "nothing was done");
   assert.deepEqual(recordingsOf(studio), [id]);
 
+  await choose(4, "Delete");
+  await dialog.getByRole("switch", { name: "Also delete “any hand takes GreenBlock”", checked: true }).waitFor();
+  await reports(both, "GreenBlock");
+  await person.press("Cancel", dialog);
+  await dialog.waitFor({ state: "detached" });
+
   // The red block is taken and not carried: reported, and done.
   await choose(1, "Trim");
   const to = dialog.getByRole("slider", { name: "To (s)" });

@@ -293,7 +293,11 @@ export const texts = {
       begin: (clip: string) => say(t.tracks.parts.begin, { clip }),
       end: (clip: string) => say(t.tracks.parts.end, { clip }),
     },
-    conflict: (seconds: number, reason: string) => say(t.tracks.conflict, { seconds, reason }),
+    conflicts: {
+      tried: (seconds: number, reason: string) => say(t.tracks.conflicts.tried, { seconds, reason }),
+      kept: (seconds: number, reason: string) => say(t.tracks.conflicts.kept, { seconds, reason }),
+      leftOut: (seconds: number, reason: string) => say(t.tracks.conflicts.leftOut, { seconds, reason }),
+    },
   },
 
   edit: {
@@ -303,6 +307,7 @@ export const texts = {
       trim: (segment: string) => say(t.edit.titles.trim, { segment }),
       shift: (segment: string) => say(t.edit.titles.shift, { segment }),
     },
+    dropToo: (segment: string) => say(t.edit.dropToo, { segment }),
     lasts: (after: number, before: number) => say(t.edit.lasts, { after, before }),
     leftOut: (reason: string) => say(t.edit.leftOut, { reason }),
     displaced: (id: string, millimeters: number, degrees: number) => {

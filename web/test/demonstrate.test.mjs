@@ -68,6 +68,22 @@ test("planes and rings turn the held object; clicks elsewhere and keys release i
   await page.getByRole("slider", { name: "Turn about z (°)" }).fill("90");
   await witness.until(() => Math.abs(witness.yawOf("BlueBlock") - 90) < 1, "the slider has turned it in the world");
 
+  // From here, both other rings cross z's letter: it turns about z nevertheless.
+  await page.keyboard.press("1");
+  await page.mouse.move(330, 120);
+  await page.mouse.down();
+  await page.mouse.move(410, 180, { steps: 4 });
+  await page.mouse.up();
+  await person.look();
+  assert.ok((await gapAtLetter("x")) < 8 && (await gapAtLetter("y")) < 8, "both cross it");
+  const upright = witness.handOf("BlueBlock").angles;
+  await person.turnRing("z", 230, 270);
+  await person.untilDone();
+  const turnedTo = witness.handOf("BlueBlock").angles;
+  assert.ok(Math.abs(turnedTo[2] - upright[2]) > 20, `${turnedTo}`);
+  assert.deepEqual(turnedTo.slice(0, 2), upright.slice(0, 2), "about z only");
+  await page.keyboard.press("2");
+
   await person.click(await person.placeOnPage([-6, 3, 0]));
   await witness.until(() => !witness.isHolding, "a click elsewhere releases it");
 
@@ -82,6 +98,15 @@ test("planes and rings turn the held object; clicks elsewhere and keys release i
   await page.keyboard.press("Enter");
   await witness.until(() => !witness.isHolding, "Enter releases it");
   await witness.until(() => witness.positionOf("RedBlock")[2] < 0.6, "and it falls");
+
+  /** From the letter of the ring about z to another ring [px]. */
+  function gapAtLetter(axis) {
+    return page.evaluate((other) => {
+      const letter = window.smileStudio.ringPointOf("z", 230);
+      const gaps = Array.from({ length: 180 }, (_, k) => window.smileStudio.ringPointOf(other, 2 * k));
+      return Math.min(...gaps.map(({ x, y }) => Math.hypot(x - letter.x, y - letter.y)));
+    }, axis);
+  }
 });
 
 test("keys work wherever the focus is, but where text is written", async (t) => {

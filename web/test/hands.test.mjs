@@ -99,6 +99,9 @@ test("clips are shifted and stretched with mouse and keys, and show where hands 
   await person.dragTo("RedBlock", [null, null, 3]);
   await page.keyboard.press("Backspace");
   await witness.until(() => witness.state.hands.right.object === null && witness.state.still, "it lies again");
+  const { x, y } = await page.getByRole("button", { name: /right hand takes RedBlock/ }).boundingBox();
+  await page.mouse.click(x + 40, y + 20);
+  await page.getByText("Finish the recording first; then its segments can be deleted or changed.").waitFor();
   await person.press("Finish");
   await witness.until(() => witness.state.recording === null, "the end of the recording");
 
@@ -138,7 +141,7 @@ test("clips are shifted and stretched with mouse and keys, and show where hands 
   await page.locator(".conflict-reason").filter({ hasText: reason }).waitFor({ state: "visible" });
   await person.press("Save as a new recording", effect);
   await page.locator(".timeline-name", { hasText: "edited" }).waitFor();
-  await tracks.getByRole("img", { name: reason }).waitFor();
+  await tracks.getByRole("img", { name: /holds it now\. The recording is complete; this is only a note\.$/ }).waitFor();
   const { recording } = witness.state.playback;
   assert.equal(replay(join(studio.recordings, recording)).identical, true);
   const kept = JSON.parse(readFileSync(join(studio.recordings, recording, "conflicts.json"), "utf8"));

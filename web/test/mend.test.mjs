@@ -101,16 +101,29 @@ test("the effect of an edit is reported before it is written, and comes true", a
   await page.locator(".recording").waitFor();
   const listed = await witness.request("library");
 
-  // The green block is never taken then: reported, and not done.
-  await choose(3, "Delete");
+  // Neither taken nor released, or released only: reported, and not done.
+  await timeline.getByRole("slider", { name: "Any: GreenBlock", exact: true }).click();
+  await page.getByRole("button", { name: /hand takes GreenBlock/, pressed: true }).waitFor();
+  await person.press("Delete", timeline);
+  const pair = dialog.getByRole("switch", { name: "Also delete “any hand drops GreenBlock on the table”" });
+  const both = programSays(["edit", join(studio.recordings, id), "--drop", "3-4", "--dry-run"]);
+  assert.deepEqual(both.left_out, []);
+  await reports(both, "GreenBlock");
+  await pair.uncheck();
   const dropped = programSays(["edit", join(studio.recordings, id), "--drop", "3", "--dry-run"]);
   assert.equal(dropped.left_out.length, 1, JSON.stringify(dropped));
   await reports(dropped, "GreenBlock");
-  await dialog.getByText("can no longer be carried out").waitFor();
+  await dialog.getByText("can no longer be carried out, and is left out").waitFor();
   await person.press("Cancel", dialog);
   await dialog.waitFor({ state: "detached" });
   assert.deepEqual((await witness.request("library")).recordings, listed.recordings, "nothing was done");
   assert.deepEqual(recordingsOf(studio), [id]);
+
+  await choose(4, "Delete");
+  await dialog.getByRole("switch", { name: "Also delete “any hand takes GreenBlock”", checked: true }).waitFor();
+  await reports(both, "GreenBlock");
+  await person.press("Cancel", dialog);
+  await dialog.waitFor({ state: "detached" });
 
   // The red block is taken and not carried: reported, and done.
   await choose(1, "Trim");
@@ -194,6 +207,8 @@ test("an edit is canceled while it is written, or is seen at once, from its star
   assert.deepEqual(await recordings(), [id]);
 
   await tryDelete();
+  await dialog.getByRole("switch", { name: "Also delete" }).uncheck();
+  await dialog.getByText("and is left out").waitFor();
   await page.evaluate(() => {
     window.barNames = new Set();
     const note = () => document.querySelectorAll("dialog progress").forEach((bar) => window.barNames.add(bar.ariaLabel));
@@ -206,6 +221,7 @@ test("an edit is canceled while it is written, or is seen at once, from its star
   await witness.until(() => ![undefined, id].includes(witness.state.playback?.recording), "the new one is shown");
   assert.equal(witness.state.playback.seconds, 0);
   await timeline.getByText(/^0\.0 of /).waitFor();
+  await timeline.getByRole("img", { name: /a command was left out: .* holds nothing\. The recording is complete without it/ }).waitFor();
   await heightIs("GreenBlock", 0, 0.6);
   await until(async () => (await seenByRobot(page)) === start, "the robot sees the start as well");
   assert.equal((await recordings()).length, 2, "what was canceled is not there");

@@ -53,6 +53,17 @@ export function endOfClip(segments: Segment[], number: number): number {
   return later.find(({ deed }) => deed !== null && ENDS.includes(deed.do))?.number ?? number;
 }
 
+/** The number of the segment in which the same hand leaves what it takes in this one, or takes what it leaves; null without one. */
+export function otherEndOfClip(segments: Segment[], number: number): number | null {
+  const deed = segments.find((one) => one.number === number)?.deed;
+  const isEnd = (one: Segment) => one.deed?.do === "take" || (one.deed !== null && ENDS.includes(one.deed.do));
+  const ends = segments.filter((one) => one.deed?.hand === deed?.hand && isEnd(one));
+  const at = ends.findIndex((one) => one.number === number);
+  const isTake = deed?.do === "take";
+  const other = at < 0 ? undefined : ends[isTake ? at + 1 : at - 1];
+  return other !== undefined && (other.deed?.do === "take") !== isTake ? other.number : null;
+}
+
 /** A clip after edits; what is held to the end still is. */
 export function editedClip(clip: Clip, edits: ClipEdit[]): Clip {
   let { begin, end } = clip;

@@ -17,6 +17,8 @@ export interface EditedSegment {
   seconds: number;
   /** The last segment that is shifted with it. */
   last: number;
+  /** The segment in which its hand leaves what it takes in this one, or takes what it leaves. */
+  otherEnd: { number: number; title: string } | null;
 }
 
 const TRIM_STEPS = 200;
@@ -61,12 +63,14 @@ export function EditDialog(props: {
   const to = useSignal(segment.seconds);
   const later = useSignal(0);
   const name = useSignal(words.nameOf(titleOf(recording)));
+  const withOtherEnd = useSignal(true);
+  const dropped = [segment.number, ...(withOtherEnd.value && segment.otherEnd ? [segment.otherEnd.number] : [])];
   const edits: Edits = {
-    drop: [{ do: "drop", first: segment.number, last: segment.number }],
+    drop: dropped.sort((a, b) => b - a).map((number) => ({ do: "drop", first: number, last: number })),
     trim: [{ do: "trim", segment: segment.number, from: from.value, to: to.value }],
     shift: [{ do: "shift", first: segment.number, last: segment.last, seconds: later.value }],
   }[kind];
-  const trial = useTrial(recording, edits, [from.value, to.value, later.value]);
+  const trial = useTrial(recording, edits, [from.value, to.value, later.value, dropped.length]);
   const { isSaving, save, cancel } = useSaving(props.onClose);
   const close = () => {
     cancel();
@@ -90,6 +94,17 @@ export function EditDialog(props: {
       }
     >
       <p class="hint">{words.original}</p>
+      {kind === "drop" && segment.otherEnd && (
+        <label class="switch">
+          <input
+            type="checkbox"
+            role="switch"
+            checked={withOtherEnd.value}
+            onChange={(event) => (withOtherEnd.value = event.currentTarget.checked)}
+          />
+          <span>{words.dropToo(segment.otherEnd.title)}</span>
+        </label>
+      )}
       {kind === "trim" && <Ends from={from} to={to} seconds={segment.seconds} />}
       {kind === "shift" && (
         <Slider

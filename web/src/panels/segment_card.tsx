@@ -13,7 +13,9 @@ export function SegmentCard(props: {
   segment: Segment;
   isNow: boolean;
   isChosen: boolean;
-  onChoose?: (() => void) | undefined;
+  /** Absent: it can be chosen. */
+  whyFixed?: string;
+  onChoose: () => void;
 }) {
   const { segment } = props;
   const title = wordsOf(segment);
@@ -23,9 +25,9 @@ export function SegmentCard(props: {
         type="button"
         aria-pressed={props.isChosen}
         aria-current={props.isNow ? "time" : undefined}
-        disabled={props.onChoose === undefined}
+        aria-disabled={props.whyFixed !== undefined}
         onClick={props.onChoose}
-        title={title}
+        title={props.whyFixed === undefined ? title : `${title}. ${props.whyFixed}`}
       >
         <Picture source={props.picture} alt="" />
         <span class="visually-hidden">{segment.number}: </span>

@@ -1,13 +1,13 @@
 import { useEffect, useRef } from "preact/hooks";
 import { signal, useSignal } from "@preact/signals";
 import type { Allowed, Timeline } from "../protocol";
-import { may, when } from "../allowed";
-import { ask, state } from "../studio";
+import { may, mayControlNow, when } from "../allowed";
+import { ask, notify, state } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { isSmall } from "../ui/media";
 import { Menu } from "../ui/menu";
-import { endOfClip } from "./clips";
+import { endOfClip, otherEndOfClip } from "./clips";
 import { EditDialog, type EditKind } from "./edit_dialog";
 import { isRecording, liveSegments, mayControl, recordingId } from "./derived_signals";
 import { isTimelineOpen, renamed, shared, sheet } from "./page";
@@ -31,6 +31,8 @@ function LiveTimeline({ id }: { id: string }) {
   const segments = liveSegments.value;
   useEffect(() => list.current?.scrollTo({ left: list.current.scrollWidth }), [segments.length]);
   if (segments.length === 0) return <p class="timeline-empty">{words.none}</p>;
+  const control = mayControlNow();
+  const whyFixed = control === true ? words.finishFirst : control;
   return (
     <ol class="segments" aria-label={words.segments} ref={list}>
       {segments.map((segment, k) => (
@@ -40,6 +42,8 @@ function LiveTimeline({ id }: { id: string }) {
           segment={segment}
           isNow={k === segments.length - 1}
           isChosen={false}
+          whyFixed={whyFixed}
+          onChoose={() => notify(whyFixed, true)}
         />
       ))}
     </ol>
@@ -194,8 +198,8 @@ function useMoment(id: string): void {
 function OpenedTimeline({ id, timeline }: { id: string; timeline: Timeline }) {
   useMoment(id);
   const now = moment.value;
-  const choose = (number: number, end: number) => {
-    chosenSegment.value = chosenSegment.value === number ? null : number;
+  const choose = (number: number | null, end: number) => {
+    chosenSegment.value = number;
     void show(id, end);
   };
   return (
@@ -207,7 +211,7 @@ function OpenedTimeline({ id, timeline }: { id: string; timeline: Timeline }) {
         disabled={may("show") !== true}
         onMoment={(seconds) => void show(id, seconds)}
       />
-      <Tracks id={id} timeline={timeline} />
+      <Tracks id={id} timeline={timeline} onChoose={({ number, end }) => choose(number, end)} />
       <ol class="segments" aria-label={words.segments}>
         {timeline.segments.map(({ number, deed, begin, end }) => (
           <SegmentCard
@@ -216,7 +220,7 @@ function OpenedTimeline({ id, timeline }: { id: string; timeline: Timeline }) {
             segment={{ number, deed, seconds: end - begin }}
             isNow={now > begin && now <= end}
             isChosen={chosenSegment.value === number}
-            onChoose={() => choose(number, end)}
+            onChoose={() => choose(chosenSegment.value === number ? null : number, end)}
           />
         ))}
       </ol>
@@ -228,6 +232,7 @@ function EditOf({ id, timeline }: { id: string; timeline: Timeline }) {
   const edit = edited.value;
   const segment = timeline.segments.find((one) => one.number === edit?.segment);
   if (edit === null || segment === undefined) return null;
+  const other = timeline.segments.find(({ number }) => number === otherEndOfClip(timeline.segments, segment.number));
   return (
     <EditDialog
       key={`${edit.kind} ${edit.segment}`}
@@ -238,6 +243,7 @@ function EditOf({ id, timeline }: { id: string; timeline: Timeline }) {
         title: wordsOf(segment),
         seconds: segment.end - segment.begin,
         last: endOfClip(timeline.segments, segment.number),
+        otherEnd: other === undefined ? null : { number: other.number, title: wordsOf(other) },
       }}
       onClose={() => (edited.value = null)}
     />

@@ -6,6 +6,8 @@ import { HANDS, type EventMessage, type Point } from "../protocol";
 export type Condition = (onDone: () => void) => () => void;
 
 const LIFT = 0.8; // [units]
+/** A drag that turns the view visibly [px]. */
+const VISIBLE_DRAG = 12;
 
 function heldNow(): { object: string; goal: Point; angles: Point } | null {
   for (const name of HANDS) {
@@ -95,15 +97,13 @@ export const finished: Condition = once(() => (state.value?.recording ?? null) =
 /** The view was turned or came nearer, by mouse, finger or wheel in the world, or a key anywhere. */
 export const lookedAround: Condition = (onDone) => {
   const world = document.querySelector(".world");
-  let moved = 0;
-  /** It was pressed in the world, and not beside it. */
-  let isPressed = false;
-  const onDown = () => (isPressed = true);
-  const onUp = () => (isPressed = false);
+  /** Where it was pressed in the world, and not beside it [px]. */
+  let pressed: { x: number; y: number } | null = null;
+  const onDown = (event: Event) => (pressed = event instanceof PointerEvent ? { x: event.clientX, y: event.clientY } : null);
+  const onUp = () => (pressed = null);
   const onMove = (event: Event) => {
-    if (!(event instanceof PointerEvent) || event.buttons === 0 || !isPressed) return;
-    moved += Math.abs(event.movementX) + Math.abs(event.movementY);
-    if (moved > 60) onDone();
+    if (!(event instanceof PointerEvent) || event.buttons === 0 || pressed === null) return;
+    if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) >= VISIBLE_DRAG) onDone();
   };
   const onWheel = () => onDone();
   const onKey = (event: KeyboardEvent) => {

@@ -74,18 +74,19 @@ export class Hands {
       if (picked && this.isOfGroup(picked)) return this.group.begin(at, picked.point, this.groupNormal);
       return picked?.object && !isFixed(picked.object) ? this.carryOnceMoved(at, () => this.grasp(picked.object, picked.point)) : null;
     }
-    if (picked?.object === held) return this.carry(at, Promise.resolve(true));
     const ring = this.ringUnder(at, picked);
     if (ring !== null) return this.turn(at, ring);
+    if (picked?.object === held) return this.carry(at, Promise.resolve(true));
     const other = this.otherHandWith(picked);
     return other && this.carryOnceMoved(at, () => this.become(other));
   }
 
-  /** Before the held object itself rings cannot be gripped. */
+  /** A ring is gripped by its letter first. Before the held object itself, only the letters can be gripped. */
   ringUnder(at: PointerAt, picked: Picked | null): { axis: Axis; point: Vector3 } | null {
     const held = heldObject.value;
-    if (!this.canAct || held === null || picked?.object === held) return null;
-    return this.rings.pick(this.picker.rayOf(at));
+    if (!this.canAct || held === null) return null;
+    const ray = this.picker.rayOf(at);
+    return this.rings.pickLetter(ray) ?? (picked?.object === held ? null : this.rings.pick(ray));
   }
 
   click(at: PointerAt, picked: Picked | null): void {

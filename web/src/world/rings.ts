@@ -27,6 +27,8 @@ const PATTERNS = [
   { pieces: 14, share: 0.68 },
   { pieces: 44, share: 0.42 },
 ] as const;
+/** Diameter of a letter's disc. */
+const LETTER_SIZE = 0.2;
 /** Where on the rings the letters are, as pointOn() has it: far from one another [degrees]. */
 const LETTER_PLACES = [50, 40, 230] as const;
 const DIM_ORDER = 30;
@@ -70,6 +72,17 @@ export class Rings {
     const hit = this.caster.intersectObjects(grips, false)[0];
     const axis = AXES.find((k) => this.rings[k]?.grip === hit?.object);
     return hit === undefined || axis === undefined ? null : { axis, point: hit.point };
+  }
+
+  /** The letter under the pointer: it is drawn before everything, so it is gripped before everything. */
+  pickLetter(ray: Ray): { axis: Axis; point: Vector3 } | null {
+    if (!this.root.visible) return null;
+    const letters = AXES.map((axis) => {
+      const point = this.pointOn(axis, LETTER_PLACES[axis]);
+      return { axis, point, distance: ray.distanceToPoint(point) };
+    });
+    const [nearest] = letters.sort((a, b) => a.distance - b.distance);
+    return nearest && nearest.distance < (LETTER_SIZE / 2) * this.root.scale.x ? nearest : null;
   }
 
   /** On a ring, turned from the axis that follows it in the order x y z x [degrees]. */
@@ -142,7 +155,7 @@ function ringShape({ pieces, share }: { pieces: number; share: number }) {
 
 function letter(axis: Axis): Sprite {
   const sprite = disc(nameOf(axis), axisColors[axis], LETTER_ORDER);
-  sprite.scale.setScalar(0.2);
+  sprite.scale.setScalar(LETTER_SIZE);
   sprite.position.copy(DIRECTIONS[((axis + 1) % 3) as Axis]);
   sprite.position.applyAxisAngle(DIRECTIONS[axis], (LETTER_PLACES[axis] * Math.PI) / 180);
   return sprite;

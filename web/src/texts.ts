@@ -95,6 +95,17 @@ export const texts = {
     byGripper: (turns: boolean) => say(t.toolHint.byGripper, { turns: yes(turns) }),
   },
 
+  placement: {
+    ...t.placement,
+    rests: (objects: string[]) => say(t.placement.rests, { objects: allOf(objects) }),
+    flush: (faces: string[]) => say(t.placement.flush, { faces: allOf(faces) }),
+    of: (parts: string[], object: string) => say(t.placement.of, { parts: allOf(parts), object }),
+    ends: (number: number) => say(t.placement.ends, { number }),
+    sides: (number: number) => say(t.placement.sides, { number }),
+    centered: (objects: string[]) => say(t.placement.centered, { objects: allOf(objects) }),
+    touches: (objects: string[]) => say(t.placement.touches, { objects: allOf(objects) }),
+  },
+
   objects: {
     ...t.objects,
     /** @param shape  that the scene names: of its own elements, or any word */

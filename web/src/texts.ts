@@ -290,6 +290,7 @@ export const texts = {
     distance: (name: string, units: number, millimeters: number, [x = 0, y = 0, z = 0]: number[]) =>
       say(t.measure.distance, { name, units, millimeters, x, y, z }),
     angle: (degrees: number) => say(t.measure.angle, { degrees }),
+    point: (name: string, kind: string, object: string) => say(t.measure.point, { name, kind, object }),
     addOriginOf: (object: string) => say(t.measure.addOriginOf, { object }),
   },
 

@@ -27,6 +27,8 @@ export class PlacementLabel {
   private object: string | null = null;
   /** Where the released object came to rest; null before. */
   private restPlace: Vector3 | null = null;
+  /** What the held object is aligned with. */
+  private alignments: string[] = [];
   private lines: string[] = [];
   private said = "";
 
@@ -55,16 +57,16 @@ export class PlacementLabel {
    * @param held  object of the current hand, if this page may move it
    * @param rest  what the held object would rest on, if that is known
    * @param at  where the text is placed: at the ghost, if it is shown
+   * @param isNew  whether anything has moved, or looks different, since the last time
    */
-  update(camera: PerspectiveCamera, held: string | null, rest: Rest | null, at: Vector3 | null): void {
+  update(camera: PerspectiveCamera, held: string | null, rest: Rest | null, at: Vector3 | null, isNew: boolean): void {
     if (!guides.value) this.object = null;
     else if (held !== null) {
+      if (isNew || held !== this.object || this.restPlace !== null) this.alignments = this.alignmentLines(held);
       this.restPlace = null;
       this.object = held;
-      const lines = this.alignmentLines(held);
       // While the program is finding out where it would rest, what was found last is shown.
-      if (rest?.object === held) lines.unshift(...restLines(rest.on));
-      this.lines = lines;
+      this.lines = [...(rest?.object === held ? restLines(rest.on) : []), ...this.alignments];
     } else if (this.object !== null) this.describeReleased(this.object);
     const ball = this.object === null ? null : Models.ballAbout(this.models.piecesOf(this.object));
     this.say(ball === null ? [] : this.lines);

@@ -298,7 +298,7 @@ class DrawnWorld implements World {
     this.measureLines.update(this.stage.camera);
     this.dragGuides.update(this.stage.camera, this.hasMoved);
     this.toolHint.update(this.stage.camera);
-    this.updatePlacementLabel();
+    this.updatePlacementLabel(hasMoved);
     this.hasMoved = false;
     if (hasMoved) this.stage.shadowsMoved();
     this.dropShadow.draw(this.stage);
@@ -306,11 +306,12 @@ class DrawnWorld implements World {
     if (isCameraMoving || this.models.isMoving) this.redraw();
   }
 
-  private updatePlacementLabel(): void {
+  private updatePlacementLabel(isNew: boolean): void {
     const { ghostRoot, rest } = this.dragGuides;
     const held = this.hands.canAct ? heldObject.value : null;
     if (!this.hands.canAct) this.placementLabel.forget();
-    this.placementLabel.update(this.stage.camera, held, rest, held !== null && ghostRoot.visible ? ghostRoot.position : null);
+    const at = held !== null && ghostRoot.visible ? ghostRoot.position : null;
+    this.placementLabel.update(this.stage.camera, held, rest, at, isNew);
   }
 
   /** How far a ring is turned. */

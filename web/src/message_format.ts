@@ -16,9 +16,10 @@ export function say(message: string, given: Arguments): string {
   return render(message, given, "");
 }
 
-/** The number with this many digits after the decimal separator, and a true minus. */
+/** The number with this many digits after the decimal separator, and a true minus, but none before a rounded zero. */
 export function decimal(value: number, digits: number): string {
-  return formatted(value, { minimumFractionDigits: digits, maximumFractionDigits: digits });
+  // -0 + 0 is 0.
+  return formatted(Number(value.toFixed(digits)) + 0, { minimumFractionDigits: digits, maximumFractionDigits: digits });
 }
 
 const SEPARATOR = decimal(0.1, 1).charAt(1);

@@ -97,6 +97,17 @@ export const texts = {
     byGripper: (turns: boolean) => say(t.toolHint.byGripper, { turns: yes(turns) }),
   },
 
+  placement: {
+    ...t.placement,
+    rests: (objects: string[]) => say(t.placement.rests, { objects: allOf(objects) }),
+    flush: (faces: string[]) => say(t.placement.flush, { faces: allOf(faces) }),
+    of: (parts: string[], object: string) => say(t.placement.of, { parts: allOf(parts), object }),
+    ends: (number: number) => say(t.placement.ends, { number }),
+    sides: (number: number) => say(t.placement.sides, { number }),
+    centered: (objects: string[]) => say(t.placement.centered, { objects: allOf(objects) }),
+    touches: (objects: string[]) => say(t.placement.touches, { objects: allOf(objects) }),
+  },
+
   objects: {
     ...t.objects,
     /** @param shape  that the scene names: of its own elements, or any word */
@@ -282,6 +293,7 @@ export const texts = {
     distance: (name: string, units: number, millimeters: number, [x = 0, y = 0, z = 0]: number[]) =>
       say(t.measure.distance, { name, units, millimeters, x, y, z }),
     angle: (degrees: number) => say(t.measure.angle, { degrees }),
+    point: (name: string, kind: string, object: string) => say(t.measure.point, { name, kind, object }),
     addOriginOf: (object: string) => say(t.measure.addOriginOf, { object }),
   },
 

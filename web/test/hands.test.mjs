@@ -337,17 +337,21 @@ test("relevant properties are marked; Undo returns a destroyed object to the han
 test("a drag ends flush with a face where faces are snapped to; Escape ends the drag", async (t) => {
   const { page, witness, person } = await browser.workplace(t, { studio: [sceneFile(t, "pair", SIDE_BY_SIDE), ...BARE] });
   const gap = () => witness.positionOf("Coming")[0] - witness.positionOf("Resting")[0] - 1;
+  const placement = page.getByRole("status", { name: "Placement of the object" });
   await person.grasp("Coming");
   await turnPlaneTo(0);
   await person.dragTo("Coming", [null, null, 0.85]);
   await person.dragTo("Coming", [-0.4, null, null]);
   await dragAwayAndBack();
   assert.ok(gap() > 0.04, `it is where the mouse let it: ${gap()}`);
+  await placement.getByText("rests on the table", { exact: true }).waitFor();
+  assert.equal(await placement.getByText("touches").count(), 0);
 
   await person.press("Faces");
   await witness.until(() => witness.state.snap.includes("faces"), "faces are snapped to");
   await dragAwayAndBack();
   assert.ok(Math.abs(gap()) < 0.02, `it is flush: ${gap()}`);
+  await placement.getByText("touches Resting", { exact: true }).waitFor();
 
   // The mouse releases what it drags; the hand does not.
   const { x, y } = await person.take("Coming");
@@ -360,6 +364,13 @@ test("a drag ends flush with a face where faces are snapped to; Escape ends the 
   await person.look();
   assert.deepEqual(await person.restOf("Coming"), place, "it stays where it was");
   assert.ok(witness.isHeld("Coming"));
+  await placement.getByText("touches").waitFor({ state: "detached" });
+
+  // The text stays after the release.
+  await person.release();
+  await witness.until(() => witness.state.still, "it is at rest");
+  await person.look();
+  assert.deepEqual(await placement.locator("span").allTextContents(), ["rests on the table"]);
 
   async function turnPlaneTo(degrees) {
     const field = page.getByRole("spinbutton", { name: "Plane angle" });

@@ -10,9 +10,9 @@ after(() => browser.close());
 
 test("clicked points and origins of objects are measured, and nothing is taken", async (t) => {
   const { page, witness, person } = await browser.workplace(t, { studio: ["--no-robot", "--no-pictures"] });
-  const click = async (point) => {
+  const click = async (point, [right, down] = [0, 0]) => {
     const { x, y } = await page.evaluate((place) => window.smileStudio.screenPlaceOf(place), point);
-    await page.mouse.click(x, y);
+    await page.mouse.click(x + right, y + down);
   };
   const panel = page.getByRole("region", { name: "Measure" });
   await page.keyboard.press("m");
@@ -26,6 +26,19 @@ test("clicked points and origins of objects are measured, and nothing is taken",
   await click([-8, -1, 0]);
   const angle = /^Angle at B: ([\d.]+)°$/;
   assert.ok(Math.abs(angle.exec(await panel.getByText(angle).textContent())[1] - 90) < 3);
+
+  // Near a corner, also beside the block, the corner is meant; near the middle of an edge, the edge.
+  await person.press("Begin again", panel);
+  const [x, y, z] = witness.positionOf("RedBlock").map((value, axis) => value + [0, -0.5, 0.5][axis]);
+  await click([x - 0.5, y, z], [-3, -4]);
+  await click([x + 0.5, y, z], [-4, 3]);
+  await panel.getByText("A: corner of RedBlock", { exact: true }).waitFor();
+  await panel.getByText("B: corner of RedBlock", { exact: true }).waitFor();
+  const ofEdge = await panel.getByText(length).textContent();
+  assert.match(ofEdge, /^AB: 1.00 units \(100 mm\); along x, y, z: 1.00, 0.00, 0.00$/);
+  await click([x, y, z], [0, 5]);
+  await panel.getByText("C: edge of RedBlock", { exact: true }).waitFor();
+  await panel.getByText("Angle at B: 0.0°").waitFor();
 
   // With the keyboard: the origins of objects, which one chooses in the list.
   await person.press("Begin again", panel);

@@ -1,18 +1,20 @@
 import { scene } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
-import { addMeasured, angleAt, measured, switchMeasuring, wayBetween } from "../world/measured";
-import type { Point } from "../protocol";
+import { addMeasured, angleAt, type MeasuredPoint, measured, switchMeasuring, wayBetween } from "../world/measured";
 import { chosenObject, world } from "./page";
 
 const { measure: words } = texts;
 
-/** The distances between the points in order, and the angle between three. */
-function linesOf(points: Point[], millimetersPerUnit: number): string[] {
-  const lines = points.slice(1).map((point, k) => {
+/** What the points are, the distances between them in order, and the angle between three. */
+function linesOf(measuredPoints: MeasuredPoint[], millimetersPerUnit: number): string[] {
+  const points = measuredPoints.map(({ place }) => place);
+  const named = measuredPoints.map(({ kind, object }, k) => words.point("ABC"[k]!, object === "" ? "other" : kind, object));
+  const distances = points.slice(1).map((point, k) => {
     const { along, length } = wayBetween(points[k]!, point);
     return words.distance(`${"ABC"[k]}${"ABC"[k + 1]}`, length, length * millimetersPerUnit, along);
   });
+  const lines = [...named, ...distances];
   if (points.length === 3) {
     const angle = angleAt([points[0]!, points[1]!, points[2]!]);
     lines.push(angle === null ? words.noAngle : words.angle(angle));
@@ -41,7 +43,7 @@ export function Measure() {
           disabled={place === null}
           onClick={() => {
             const now = object === null ? null : (world.value?.placeOf(object) ?? null);
-            if (now !== null) addMeasured(now);
+            if (object !== null && now !== null) addMeasured({ kind: "origin", object, place: now });
           }}
         />
         <Button label={words.clear} disabled={points.length === 0} onClick={() => (measured.value = [])} />

@@ -1,7 +1,7 @@
 import { CanvasTexture, Sprite, SpriteMaterial, SRGBColorSpace } from "three";
 
-/** A colored disc with a letter, before everything else. */
-export function disc(letter: string, color: string, order: number): Sprite {
+/** A colored disc, or a square, with a letter, before everything else. */
+export function disc(letter: string, color: string, order: number, isSquare = false): Sprite {
   const size = 64; // [px]
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = size;
@@ -9,7 +9,8 @@ export function disc(letter: string, color: string, order: number): Sprite {
   if (pen) {
     pen.fillStyle = color;
     pen.beginPath();
-    pen.arc(size / 2, size / 2, size / 2 - 2, 0, 2 * Math.PI);
+    if (isSquare) pen.rect(5, 5, size - 10, size - 10);
+    else pen.arc(size / 2, size / 2, size / 2 - 2, 0, 2 * Math.PI);
     pen.fill();
     pen.fillStyle = "#ffffff";
     pen.font = `600 ${0.62 * size}px system-ui, sans-serif`;

@@ -1,7 +1,7 @@
 import { Group, type Object3D, type PerspectiveCamera, Vector3 } from "three";
 import { heldObject } from "../studio";
 import { PlumbLine } from "./plumb_line";
-import { Ghost } from "./ghost";
+import { Ghost, type Rest } from "./ghost";
 import type { Hands } from "./hands";
 import { Models } from "./models";
 import type { DropShadow } from "./drop_shadow";
@@ -30,12 +30,17 @@ export class DragGuides {
     private readonly dropShadow: DropShadow,
     onChange: () => void,
   ) {
-    this.ghost = new Ghost((object) => models.piecesOf(object), onChange);
+    this.ghost = new Ghost((object) => models.piecesOf(object), picker, onChange);
     this.root.add(...this.dragPlane.parts, ...this.plumbLine.parts, this.ghost.root, rings.root);
   }
 
   get ghostRoot(): Object3D {
     return this.ghost.root;
+  }
+
+  /** What the held object would rest on, if that is known. */
+  get rest(): Rest | null {
+    return this.ghost.rest;
   }
 
   setScale(unitsPerMeter: number): void {
@@ -49,6 +54,7 @@ export class DragGuides {
   setSize(width: number, height: number): void {
     this.dragPlane.setSize(width, height);
     this.plumbLine.setSize(width, height);
+    this.ghost.setSize(width, height);
   }
 
   /** @param isNew whether what is there, and how it looks, may be another than the last time */

@@ -4,7 +4,10 @@ import type { Pose, Reply } from "../protocol";
 import { isOffered } from "../allowed";
 import { currentHand, heldObject, request } from "../studio";
 import type { Piece } from "./models";
+import { MARK, Outline } from "./outline";
+import type { Picker } from "./pick";
 import { guides } from "./signals";
+import { supportsOf } from "./supports";
 
 /** The program tries out how things fall: it is not asked more often [ms]. */
 const PAUSE_MS = 300;
@@ -12,6 +15,10 @@ const PAUSE_MS = 300;
 /** Nearer than this to where it is it need not be shown [m, rad]. */
 const NEAR = 0.008;
 const NEAR_ANGLE = 0.05;
+const OUTLINE_PIXELS = 2;
+
+/** What the held object would rest on: ids of objects, "" for the table; or it would fall off the table. */
+export type Rest = { object: string; on: string[] | "nothing" };
 
 /** Where the held object would come to rest if it were let go now. */
 export class Ghost {
@@ -24,6 +31,10 @@ export class Ghost {
   });
   /** Its faces behind one another are drawn once: the nearest. */
   private readonly nearest = new MeshBasicMaterial({ colorWrite: false, transparent: true });
+  /** Also seen through the held object and the robot. */
+  private readonly outline = new Outline(OUTLINE_PIXELS, guideColors.ghost, MARK + 1);
+  /** What was found last, also while the object is there already. */
+  rest: Rest | null = null;
   private object: string | null = null;
   private isWaiting = false;
   private isOutdated = false;
@@ -31,6 +42,7 @@ export class Ghost {
 
   constructor(
     private readonly piecesOf: (object: string) => Piece[],
+    private readonly picker: Picker,
     private readonly onChange: () => void,
   ) {
     this.root.visible = false;
@@ -40,15 +52,20 @@ export class Ghost {
     this.unitsPerMeter = unitsPerMeter;
   }
 
+  setSize(width: number, height: number): void {
+    this.outline.setSize(width, height);
+  }
+
   /** To be called when the held object, or what is below it, has moved. */
   update(): void {
     const object = guides.value && isOffered("resting_place") ? heldObject.value : null;
     if (object === null) {
       this.root.visible = false;
-      this.object = null;
+      this.object = this.rest = null;
     } else if (this.isWaiting) {
       this.isOutdated = true;
     } else {
+      if (this.rest?.object !== object) this.rest = null;
       void this.requestPlace(object);
     }
   }
@@ -57,7 +74,7 @@ export class Ghost {
     this.isWaiting = true;
     this.isOutdated = false;
     const reply = await request("resting_place", { hand: currentHand.value }).catch(() => null);
-    if (heldObject.value === object) this.show(object, poseOf(reply));
+    if (heldObject.value === object) this.show(object, reply);
     // What was found before all came to rest is shown, but not for long.
     if (reply?.["stale"] === true) this.isOutdated = true;
     await new Promise((resolve) => setTimeout(resolve, PAUSE_MS));
@@ -65,16 +82,25 @@ export class Ghost {
     if (this.isOutdated) this.update();
   }
 
-  private show(object: string, pose: Pose | null): void {
+  private show(object: string, reply: Reply | null): void {
+    const pose = poseOf(reply);
+    this.rest = reply === null ? null : { object, on: "nothing" };
     this.root.visible = pose !== null && guides.value;
     if (pose !== null) {
       const [x, y, z, qx, qy, qz, qw] = pose;
       if (this.object !== object) this.copy(object);
       this.root.position.set(x, y, z);
       this.root.quaternion.set(qx, qy, qz, qw);
+      this.root.updateMatrixWorld();
+      this.rest = { object, on: supportsOf(this.faces, object, this.picker, this.unitsPerMeter) };
       if (this.isThereAlready(object)) this.root.visible = false;
     }
     this.onChange();
+  }
+
+  /** One mesh for each piece. */
+  private get faces(): Mesh[] {
+    return this.root.children.filter((child): child is Mesh => child instanceof Mesh && child.material === this.material);
   }
 
   private isThereAlready(object: string): boolean {
@@ -96,6 +122,7 @@ export class Ghost {
         this.root.add(piece);
       }
     }
+    this.outline.show(this.faces);
   }
 }
 

@@ -1,29 +1,35 @@
-import { Group, type PerspectiveCamera, type Sprite, Vector3 } from "three";
+import { Group, type PerspectiveCamera } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import { guideColors } from "../colors";
-import type { Point } from "../protocol";
 import { disc } from "./disc";
+import type { MeasuredPoint } from "./measured";
 
 const ORDER = 34;
 /** Of a disc's height to the distance from the eye. */
 const SIZE = 0.022;
 
-/** The points that are measured, with their letters, and the lines between them; seen through everything. */
+/**
+ * The points that are measured, with their letters, and the lines between them; seen through everything. Points
+ * on corners and edges, which are exact, have square marks.
+ */
 export class MeasureLines {
   readonly root = new Group();
-  private readonly discs: Sprite[] = ["A", "B", "C"].map((letter) => disc(letter, guideColors.measure, ORDER));
+  private readonly marks = ["A", "B", "C"].map((letter) => ({
+    disc: disc(letter, guideColors.measure, ORDER),
+    square: disc(letter, guideColors.measure, ORDER, true),
+  }));
   private readonly lines = new LineSegments2(
     new LineSegmentsGeometry().setPositions([0, 0, 0, 0, 0, 1]),
     new LineMaterial({ color: guideColors.measure, linewidth: 2.5, depthTest: false, transparent: true }),
   );
-  private points: Point[] = [];
+  private points: MeasuredPoint[] = [];
 
   constructor() {
     this.lines.renderOrder = ORDER - 1;
     this.lines.frustumCulled = false;
-    this.root.add(this.lines, ...this.discs);
+    this.root.add(this.lines, ...this.marks.flatMap(({ disc, square }) => [disc, square]));
     this.show([]);
   }
 
@@ -31,20 +37,24 @@ export class MeasureLines {
     this.lines.material.resolution.set(width, height);
   }
 
-  show(points: Point[]): void {
+  show(points: MeasuredPoint[]): void {
     this.points = points;
-    const ways = points.slice(1).flatMap((point, k) => [...points[k]!, ...point]);
+    const ways = points.slice(1).flatMap(({ place }, k) => [...points[k]!.place, ...place]);
     this.lines.visible = ways.length > 0;
     if (this.lines.visible) this.lines.geometry = new LineSegmentsGeometry().setPositions(ways);
   }
 
   update(camera: PerspectiveCamera): void {
-    for (const [k, sprite] of this.discs.entries()) {
+    for (const [k, { disc: round, square }] of this.marks.entries()) {
       const point = this.points[k];
-      sprite.visible = point !== undefined;
+      const isExact = point?.kind === "corner" || point?.kind === "edge";
+      round.visible = point !== undefined && !isExact;
+      square.visible = isExact;
       if (point === undefined) continue;
-      sprite.position.set(...point);
-      sprite.scale.setScalar(SIZE * camera.position.distanceTo(new Vector3(...point)));
+      for (const sprite of [round, square]) {
+        sprite.position.set(...point.place);
+        sprite.scale.setScalar(SIZE * camera.position.distanceTo(sprite.position));
+      }
     }
   }
 }

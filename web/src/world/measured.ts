@@ -3,8 +3,15 @@
 import { signal } from "@preact/signals";
 import type { Point } from "../protocol";
 
+export interface MeasuredPoint {
+  kind: "corner" | "edge" | "surface" | "origin";
+  /** Id of the object; "" for table and robot. */
+  object: string;
+  place: Point;
+}
+
 /** Null unless the user measures. */
-export const measured = signal<Point[] | null>(null);
+export const measured = signal<MeasuredPoint[] | null>(null);
 const MAX_POINTS = 3;
 const DEGREES = 180 / Math.PI;
 
@@ -13,7 +20,7 @@ export function switchMeasuring(): void {
 }
 
 /** After three points it begins again. */
-export function addMeasured(point: Point): void {
+export function addMeasured(point: MeasuredPoint): void {
   const points = measured.value ?? [];
   measured.value = [...(points.length === MAX_POINTS ? [] : points), point];
 }

@@ -12,10 +12,9 @@ import {
   Vector2,
 } from "three";
 
-/** Of the stencil: outlined things are marked, so that only what sticks out of them is drawn. */
+/** Bit of the stencil: outlined things are marked, so that only what sticks out of them is drawn. */
 export const MARK = 1;
 const MARK_ORDER = 20;
-const RIM_ORDER = 21;
 
 const vertexShader = `
   attribute vec3 spread;
@@ -38,7 +37,6 @@ export class Outline {
     depthTest: false,
     transparent: true,
     stencilWrite: true,
-    stencilRef: MARK,
     stencilFunc: AlwaysStencilFunc,
     stencilZPass: ReplaceStencilOp,
   });
@@ -51,16 +49,20 @@ export class Outline {
     depthTest: false,
     transparent: true,
     stencilWrite: true,
-    stencilRef: MARK,
     stencilFunc: NotEqualStencilFunc,
   });
   private drawn: Mesh[] = [];
   private around: Mesh[] = [];
 
+  /** @param mark bit of the stencil; an outline is also drawn over what is marked with another bit */
   constructor(
     private readonly pixels: number,
     color: string,
+    private readonly mark = MARK,
   ) {
+    for (const material of [this.marking, this.rim]) {
+      material.stencilRef = material.stencilFuncMask = material.stencilWriteMask = mark;
+    }
     this.rim.uniforms["color"]!.value.set(color).convertLinearToSRGB();
   }
 
@@ -72,8 +74,8 @@ export class Outline {
     this.drawn = meshes.flatMap((mesh) => {
       const mark = new Mesh(mesh.geometry, this.marking);
       const rim = new Mesh(withSpread(mesh.geometry), this.rim);
-      mark.renderOrder = MARK_ORDER;
-      rim.renderOrder = RIM_ORDER;
+      mark.renderOrder = MARK_ORDER + 2 * (this.mark - MARK);
+      rim.renderOrder = mark.renderOrder + 1;
       rim.frustumCulled = false;
       mesh.add(mark, rim);
       return [mark, rim];

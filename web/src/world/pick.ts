@@ -17,6 +17,7 @@ export interface Picked {
   /** Of a switch, as commands name it. */
   button: string | null;
   point: Vector3;
+  piece: Piece;
 }
 
 /** Looks along the pointer. */
@@ -72,7 +73,7 @@ export class Picker {
     }
     if (best === null) return null;
     const { hit, piece } = best;
-    return { object: piece.object, part: piece.visual.part ?? null, button: piece.visual.button ?? null, point: hit.point };
+    return { object: piece.object, part: piece.visual.part ?? null, button: piece.visual.button ?? null, point: hit.point, piece };
   }
 }
 

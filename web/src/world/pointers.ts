@@ -1,4 +1,5 @@
 import type { Drag, Hands } from "./hands";
+import { measuredAt } from "./measure_pick";
 import { addMeasured, measured } from "./measured";
 import type { Picked, Picker, PointerAt } from "./pick";
 import { contextMenu } from "./signals";
@@ -144,9 +145,9 @@ export class Pointers {
 
   /** Who measures takes nothing. */
   private click(at: PointerAt): void {
-    const picked = this.pick(at);
-    if (measured.value === null) this.hands.click(at, picked);
-    else if (picked !== null) addMeasured(picked.point.toArray());
+    if (measured.value === null) return this.hands.click(at, this.pick(at));
+    const point = measuredAt(at, this.picker);
+    if (point !== null) addMeasured(point);
   }
 
   private cancel(event: PointerEvent): void {

@@ -117,6 +117,7 @@ class RingParts {
       toneMapped: false,
       stencilWrite: true,
       stencilRef: MARK,
+      stencilFuncMask: MARK,
       stencilFunc: NotEqualStencilFunc,
     });
     this.dim = new MeshBasicMaterial({

@@ -16,6 +16,7 @@ import { measured } from "./measured";
 import { Models } from "./models";
 import { DropShadow } from "./drop_shadow";
 import { Picker, type PointerAt } from "./pick";
+import { PlacementLabel } from "./placement_label";
 import { Pointers } from "./pointers";
 import { nameOf, Rings } from "./rings";
 import { areAidsFixed, canDraw, chosenView, contextMenu, guides, hovered, isLowDetail, type Preset } from "./signals";
@@ -75,6 +76,7 @@ class DrawnWorld implements World {
   private readonly hands: Hands;
   private readonly dragGuides: DragGuides;
   private readonly toolHint: ToolHint;
+  private readonly placementLabel: PlacementLabel;
   private readonly pointers: Pointers;
   private readonly detail = new DetailController(
     (isLow) => this.setDetail(isLow),
@@ -108,6 +110,7 @@ class DrawnWorld implements World {
     );
     this.dragGuides = new DragGuides(this.models, this.picker, this.rings, this.hands, this.dropShadow, () => this.redraw());
     this.toolHint = new ToolHint(host, this.models, this.picker);
+    this.placementLabel = new PlacementLabel(host, this.models, this.picker);
     this.pointers = new Pointers(host, this.picker, this.hands, this.camera, (at) => this.hover(at));
     const parts = [this.models, this.groupDrag, this.dragGuides, this.marks, this.markers, this.measureLines, this.toolHint];
     for (const { root } of parts) this.stage.scene.add(root);
@@ -175,6 +178,7 @@ class DrawnWorld implements World {
     this.pointers.dispose();
     this.tag.remove();
     this.toolHint.dispose();
+    this.placementLabel.dispose();
     this.stage.dispose();
   }
 
@@ -217,6 +221,7 @@ class DrawnWorld implements World {
     for (const part of [this.stage, this.dragGuides, this.hands, this.markers]) part.setScale(unitsPerMeter, center);
     this.camera.setTable(unitsPerMeter, message.table.size[1], message.robotFrame !== null, center);
     this.models.load(message);
+    this.placementLabel.forget();
     hovered.value = null;
     contextMenu.value = null;
     if (measured.peek() !== null) measured.value = [];
@@ -229,7 +234,7 @@ class DrawnWorld implements World {
     if (message === null) return;
     this.models.setGone(message.gone);
     this.models.setRobotShown(message.robot?.shown ?? true);
-    const seen = JSON.stringify([message.hands, message.uses, message.mode, message.markers]);
+    const seen = JSON.stringify([message.hands, message.uses, message.mode, message.markers, message.still]);
     if (seen === this.seenState) return;
     this.seenState = seen;
     this.markers.show(message.markers);
@@ -293,11 +298,20 @@ class DrawnWorld implements World {
     this.measureLines.update(this.stage.camera);
     this.dragGuides.update(this.stage.camera, this.hasMoved);
     this.toolHint.update(this.stage.camera);
+    this.updatePlacementLabel(hasMoved);
     this.hasMoved = false;
     if (hasMoved) this.stage.shadowsMoved();
     this.dropShadow.draw(this.stage);
     this.stage.draw();
     if (isCameraMoving || this.models.isMoving) this.redraw();
+  }
+
+  private updatePlacementLabel(isNew: boolean): void {
+    const { ghostRoot, rest } = this.dragGuides;
+    const held = this.hands.canAct ? heldObject.value : null;
+    if (!this.hands.canAct) this.placementLabel.forget();
+    const at = held !== null && ghostRoot.visible ? ghostRoot.position : null;
+    this.placementLabel.update(this.stage.camera, held, rest, at, isNew);
   }
 
   /** How far a ring is turned. */

@@ -1,0 +1,89 @@
+// How a cuboid stands to others: which of their faces lie in one plane. Lengths are in meters.
+
+import type { Point } from "../protocol";
+
+/** Cuboid around an object, along the axes of the object's frame. */
+export interface Cuboid {
+  /** Id of the object; "" for the table. */
+  object: string;
+  center: Point;
+  /** Directions of length 1 in the world. */
+  axes: [Point, Point, Point];
+  /** Half of its size along each axis. */
+  half: Point;
+}
+
+/** What a cuboid has in common with another one. */
+export interface Alignment {
+  object: string;
+  /** Their faces touch sideways. */
+  touches: boolean;
+  /** Number of upright faces that lie in one plane with the same faces of the other: short sides of a long cuboid are ends. */
+  ends: number;
+  sides: number;
+  isTopLevel: boolean;
+  isBottomLevel: boolean;
+  /** Their middles lie in one upright plane, but their sides do not. */
+  isCentered: boolean;
+}
+
+/** Faces no farther apart lie in one plane. */
+const SAME = 0.0005;
+/** Cuboids farther apart have nothing to do with each other: the largest change of a drag by snapping. */
+const NEAR = 0.015;
+/** Cosine of half a degree. */
+const PARALLEL = Math.cos(Math.PI / 360);
+/** A cuboid that is longer than wide by this factor has ends. */
+const LONG = 1.5;
+
+const dot = (a: Point, b: Point) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const minus = (a: Point, b: Point): Point => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const isSame = (a: number, b: number) => Math.abs(a - b) < SAME;
+
+/**
+ * Returns the others that a cuboid is aligned with. A level top or bottom counts only while the cuboid lies on none of
+ * them: what stands on one table has level bottoms.
+ */
+export function alignmentsOf(cuboid: Cuboid, others: readonly Cuboid[]): Alignment[] {
+  const pairs = others.flatMap((other) => pairOf(cuboid, other) ?? []);
+  const isLying = pairs.some(({ isLyingOn }) => isLyingOn);
+  return pairs.flatMap(({ alignment }) => {
+    if (isLying) alignment.isTopLevel = alignment.isBottomLevel = false;
+    const { touches, ends, sides, isTopLevel, isBottomLevel, isCentered } = alignment;
+    return touches || ends + sides > 0 || isTopLevel || isBottomLevel || isCentered ? [alignment] : [];
+  });
+}
+
+/** Null unless both are near each other and their axes are parallel, in any order. */
+function pairOf(cuboid: Cuboid, other: Cuboid): { alignment: Alignment; isLyingOn: boolean } | null {
+  const indices = other.axes.map((axis) => cuboid.axes.findIndex((own) => Math.abs(dot(own, axis)) > PARALLEL));
+  if (indices.includes(-1)) return null;
+  const half = indices.map((k) => cuboid.half[k]!);
+  const apart = other.axes.map((axis) => dot(axis, minus(cuboid.center, other.center)));
+  const gaps = apart.map((distance, k) => Math.abs(distance) - half[k]! - other.half[k]!);
+  if (gaps.some((gap) => gap > NEAR)) return null;
+
+  const alignment: Alignment = {
+    object: other.object, touches: false, ends: 0, sides: 0, isTopLevel: false, isBottomLevel: false, isCentered: false,
+  };
+  let isLyingOn = false;
+  for (const k of [0, 1, 2]) {
+    const isBeside = gaps.every((gap, other_axis) => other_axis === k || gap < -SAME);
+    const isTouching = isBeside && isSame(gaps[k]!, 0);
+    const isUpright = Math.abs(other.axes[k]![2]) > PARALLEL;
+    const [high, low] = [1, -1].map((side) => isSame(apart[k]! + side * half[k]!, side * other.half[k]!));
+    if (isUpright) {
+      const isUp = other.axes[k]![2] > 0;
+      isLyingOn ||= isTouching && apart[k]! > 0 === isUp;
+      alignment.isTopLevel = (isUp ? high : low)!;
+      alignment.isBottomLevel = (isUp ? low : high)!;
+    } else {
+      const level = [0, 1, 2].filter((m) => m !== k && Math.abs(other.axes[m]![2]) <= PARALLEL);
+      const isLong = level.length === 1 && other.half[k]! > LONG * other.half[level[0]!]!;
+      alignment[isLong ? "ends" : "sides"] += Number(high) + Number(low);
+      alignment.touches ||= isTouching;
+      alignment.isCentered ||= isSame(apart[k]!, 0) && !high;
+    }
+  }
+  return { alignment, isLyingOn };
+}

@@ -1,0 +1,38 @@
+import { Box3, Vector3 } from "three";
+import type { Point, SceneMessage } from "../protocol";
+import type { Cuboid } from "./alignment";
+import type { Models, Piece } from "./models";
+
+/** The cuboids around what is drawn of the objects, and the table top [m]. */
+export function cuboidsOf(models: Models, { table, metersPerUnit }: SceneMessage): Map<string, Cuboid> {
+  const pieces = new Map<string, Piece[]>();
+  for (const piece of models.pieces) {
+    if (piece.object === "" || !piece.mesh.visible) continue;
+    const ofObject = pieces.get(piece.object);
+    if (ofObject) ofObject.push(piece);
+    else pieces.set(piece.object, [piece]);
+  }
+  const [x, y] = table.size;
+  const half: Point = [(x * metersPerUnit) / 2, (y * metersPerUnit) / 2, 0];
+  const top: Cuboid = { object: "", center: [0, 0, 0], axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], half };
+  const cuboids = [...pieces].map(([object, its]) => [object, cuboidAround(object, its, metersPerUnit)] as const);
+  return new Map([...cuboids, ["", top] as const]);
+}
+
+function cuboidAround(object: string, pieces: Piece[], metersPerUnit: number): Cuboid {
+  const { position, quaternion } = pieces[0]!.mesh.parent!;
+  const box = new Box3();
+  for (const { mesh } of pieces) {
+    if (mesh.geometry.boundingBox === null) mesh.geometry.computeBoundingBox();
+    mesh.updateMatrix();
+    box.union(mesh.geometry.boundingBox!.clone().applyMatrix4(mesh.matrix));
+  }
+  const axis = (...along: Point) => new Vector3(...along).applyQuaternion(quaternion).toArray() as Point;
+  const center = box.getCenter(new Vector3()).applyQuaternion(quaternion).add(position);
+  return {
+    object,
+    center: center.multiplyScalar(metersPerUnit).toArray() as Point,
+    axes: [axis(1, 0, 0), axis(0, 1, 0), axis(0, 0, 1)],
+    half: box.getSize(new Vector3()).multiplyScalar(metersPerUnit / 2).toArray() as Point,
+  };
+}

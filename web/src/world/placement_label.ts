@@ -1,0 +1,156 @@
+import { type PerspectiveCamera, Vector3 } from "three";
+import { guideColors } from "../colors";
+import { scene, state } from "../studio";
+import { texts } from "../texts";
+import { type Alignment, alignmentsOf } from "./alignment";
+import { cuboidsOf } from "./cuboids";
+import type { Rest } from "./ghost";
+import { Models } from "./models";
+import type { Picker } from "./pick";
+import { guides } from "./signals";
+import { supportsOf } from "./supports";
+
+const { placement: words } = texts;
+/** From the middle of the object to the text, in radii of the object; the rings are between both. */
+const AWAY = 1.5;
+/** From the text to the edge of the picture [px]. */
+const MARGIN = 8;
+/** A released object that has moved this far since it came to rest is no longer described [m]. */
+const FAR = 0.002;
+
+/**
+ * Placement label: says beside the held object what it would rest on and what it is aligned with, and after the
+ * release what it does rest on, until it is moved.
+ */
+export class PlacementLabel {
+  private readonly output = document.createElement("output");
+  private object: string | null = null;
+  /** Where the released object came to rest; null before. */
+  private restPlace: Vector3 | null = null;
+  /** What the held object is aligned with. */
+  private alignments: string[] = [];
+  private lines: string[] = [];
+  private said = "";
+
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly models: Models,
+    private readonly picker: Picker,
+  ) {
+    this.output.className = "placement-label";
+    this.output.ariaLabel = words.name;
+    this.output.style.borderColor = guideColors.ghost;
+    host.append(this.output);
+  }
+
+  dispose(): void {
+    this.output.remove();
+  }
+
+  /** Forgets what was released. */
+  forget(): void {
+    this.object = null;
+  }
+
+  /**
+   * Call once a picture, when the poses of all objects are known.
+   * @param held  object of the current hand, if this page may move it
+   * @param rest  what the held object would rest on, if that is known
+   * @param at  where the text is placed: at the ghost, if it is shown
+   * @param isNew  whether anything has moved, or looks different, since the last time
+   */
+  update(camera: PerspectiveCamera, held: string | null, rest: Rest | null, at: Vector3 | null, isNew: boolean): void {
+    if (!guides.value) this.object = null;
+    else if (held !== null) {
+      if (isNew || held !== this.object || this.restPlace !== null) this.alignments = this.alignmentLines(held);
+      this.restPlace = null;
+      this.object = held;
+      // While the program is finding out where it would rest, what was found last is shown.
+      this.lines = [...(rest?.object === held ? restLines(rest.on) : []), ...this.alignments];
+    } else if (this.object !== null) this.describeReleased(this.object);
+    const ball = this.object === null ? null : Models.ballAbout(this.models.piecesOf(this.object));
+    this.say(ball === null ? [] : this.lines);
+    if (ball !== null) this.place(camera, at ?? ball.center, ball.radius);
+  }
+
+  private describeReleased(object: string): void {
+    const group = this.models.groupOf(object);
+    const { metersPerUnit } = scene.value ?? {};
+    if (group === null || metersPerUnit === undefined) return this.forget();
+    if (this.restPlace !== null && this.restPlace.distanceTo(group.position) * metersPerUnit > FAR) return this.forget();
+    if (this.models.moved.size > 0 || state.value?.still !== true || this.restPlace !== null) return;
+    this.restPlace = group.position.clone();
+    const meshes = this.models.piecesOf(object).map(({ mesh }) => mesh);
+    const on = supportsOf(meshes, object, this.picker, 1 / metersPerUnit);
+    this.lines = [...(on.length > 0 ? restLines(on) : []), ...this.alignmentLines(object)];
+  }
+
+  private alignmentLines(object: string): string[] {
+    if (scene.value === null) return [];
+    const cuboids = cuboidsOf(this.models, scene.value);
+    const own = cuboids.get(object);
+    cuboids.delete(object);
+    return own ? linesOf(alignmentsOf(own, [...cuboids.values()])) : [];
+  }
+
+  /** The element stays while it is empty, and changes only with its words: screen readers then announce them once. */
+  private say(lines: string[]): void {
+    const text = lines.join("\n");
+    if (text === this.said) return;
+    this.said = text;
+    this.output.replaceChildren(
+      ...lines.map((line) => Object.assign(document.createElement("span"), { textContent: line })),
+    );
+  }
+
+  private place(camera: PerspectiveCamera, center: Vector3, radius: number): void {
+    const box = this.host.getBoundingClientRect();
+    const right = new Vector3().setFromMatrixColumn(camera.matrixWorld, 0);
+    const { x, y } = this.picker.toPage(center);
+    const away = this.picker.toPage(center.clone().addScaledVector(right, AWAY * radius)).x - x;
+    const { offsetWidth, offsetHeight, style } = this.output;
+    // To the right; where there is no room, to the left or above.
+    const sides = [x - box.left + away, x - box.left - away - offsetWidth];
+    const room = box.width - offsetWidth - MARGIN;
+    const beside = sides.find((side) => side >= MARGIN && side <= room);
+    const up = beside === undefined ? away + offsetHeight : offsetHeight / 2;
+    style.left = `${beside ?? within(x - box.left - offsetWidth / 2, box.width - offsetWidth)}px`;
+    style.top = `${within(y - box.top - up, box.height - offsetHeight)}px`;
+  }
+}
+
+const nameOf = (object: string) => (object === "" ? words.table : object);
+
+function restLines(on: Rest["on"]): string[] {
+  if (on === "nothing") return [words.falls];
+  return on.length > 0 ? [words.rests(on.map(nameOf))] : [];
+}
+
+function linesOf(alignments: Alignment[]): string[] {
+  const flush = alignments.flatMap((alignment) => {
+    const parts = partsOf(alignment);
+    return parts.length > 0 ? [words.of(parts, nameOf(alignment.object))] : [];
+  });
+  const those = (isIt: (alignment: Alignment) => boolean) => alignments.filter(isIt).map(({ object }) => nameOf(object));
+  const centered = those(({ isCentered }) => isCentered);
+  const touched = those(({ touches }) => touches);
+  return [
+    ...(flush.length > 0 ? [words.flush(flush)] : []),
+    ...(centered.length > 0 ? [words.centered(centered)] : []),
+    ...(touched.length > 0 ? [words.touches(touched)] : []),
+  ];
+}
+
+function partsOf({ ends, sides, isTopLevel, isBottomLevel }: Alignment): string[] {
+  return [
+    ...(ends > 0 ? [words.ends(ends)] : []),
+    ...(sides > 0 ? [words.sides(sides)] : []),
+    ...(isTopLevel ? [words.top] : []),
+    ...(isBottomLevel ? [words.bottom] : []),
+  ];
+}
+
+/** Between the margins of the picture [px]. */
+function within(at: number, room: number): number {
+  return Math.max(MARGIN, Math.min(at, room - MARGIN));
+}

@@ -162,13 +162,13 @@ std::vector<RuleBreak> RuleBreaksOf(const Structure& structure, const Episode& o
 }
 
 texts::UserMessage WordsOf(const RuleBreak& rule_break) {
-  std::vector<texts::MessageArgument> arguments{
-      {"object", rule_break.object},
-      {"other", rule_break.other},
-      {"seconds", std::round(10 * rule_break.seconds) / 10}};
+  const texts::UserMessage object(rule_break.object), other(rule_break.other);
+  const double seconds = std::round(10 * rule_break.seconds) / 10;
   return rule_break.rule == RuleBreak::Rule::kOrder
-             ? texts::Say("failures.wrongOrder", std::move(arguments))
-             : texts::Say("failures.smallerSupport", std::move(arguments));
+             ? texts::Say("failures.wrongOrder",
+                          {{"object", object}, {"other", other}, {"seconds", seconds}})
+             : texts::Say("failures.smallerSupport",
+                          {{"object", object}, {"other", other}, {"seconds", seconds}});
 }
 
 }  // namespace smile::task

@@ -16,6 +16,9 @@ const tables: Record<Language, () => Promise<{ default: Table }>> = {
 };
 const { default: t } = await tables[language]();
 
+/** What a tool would do that is not loosening. */
+const workOf = (use: ToolUse | undefined) => use?.do.find((one) => one !== "loosen") ?? "none";
+
 /** Texts for x, y and z. */
 type Axes = readonly [string, string, string];
 
@@ -83,7 +86,7 @@ export const texts = {
     ...t.menu,
     /** @param use  what it would do now, if anything */
     use: (tool: string, use: ToolUse | undefined) =>
-      say(t.menu.use, { tool, what: use?.do.find((one) => one !== "loosen") ?? "none" }),
+      say(t.menu.use, { tool, what: workOf(use) }),
     useLoosening: (tool: string) => say(t.menu.useLoosening, { tool }),
     title: (object: string) => say(t.menu.title, { object }),
   },

@@ -85,18 +85,30 @@ test("a recording continues from any moment, also of an abandoned branch", async
   }
 });
 
-test("the effect of an edit is reported before it is written, and comes true", async (t) => {
-  const { studio, page, witness, person } = await browser.workplace(t, PLAIN);
-  const { timeline } = person;
-  const dialog = page.getByRole("dialog");
-  const id = await person.record(async () => {
+async function recordTwoCarries(person) {
+  return person.record(async () => {
     for (const [block, x] of [["RedBlock", -5], ["GreenBlock", 2]]) {
       await person.grasp(block);
       await person.dragTo(block, [x, null, 2]);
       await person.release();
     }
   });
-  const original = filesIn(studio, id);
+}
+
+/** The dialog reports as many effects as the program does, and how far off the block ends. */
+async function reports(dialog, report, block) {
+  const centimeters = (report.displaced.find((one) => one.id === block).distance_mm / 10).toFixed(0);
+  await dialog.getByRole("status").getByText(`${block} ends ${centimeters} cm from its previous place`).waitFor();
+  const effects = ["left_out", "gone", "there_again", "displaced", "controls", "host_points", "joints"];
+  const number = effects.reduce((sum, kind) => sum + report[kind].length, 0);
+  assert.equal(await dialog.getByRole("listitem").count(), number, JSON.stringify(report));
+}
+
+test("a take is deleted with its release, unless that is not wanted", async (t) => {
+  const { studio, page, witness, person } = await browser.workplace(t, PLAIN);
+  const { timeline } = person;
+  const dialog = page.getByRole("dialog");
+  const id = await recordTwoCarries(person);
   await person.showPanel("Library");
   await page.locator(".recording").waitFor();
   const listed = await witness.request("library");
@@ -108,30 +120,42 @@ test("the effect of an edit is reported before it is written, and comes true", a
   const pair = dialog.getByRole("switch", { name: "Also delete “any hand drops GreenBlock on the table”" });
   const both = programSays(["edit", join(studio.recordings, id), "--drop", "3-4", "--dry-run"]);
   assert.deepEqual(both.left_out, []);
-  await reports(both, "GreenBlock");
+  await reports(dialog, both, "GreenBlock");
   await pair.uncheck();
   const dropped = programSays(["edit", join(studio.recordings, id), "--drop", "3", "--dry-run"]);
   assert.equal(dropped.left_out.length, 1, JSON.stringify(dropped));
-  await reports(dropped, "GreenBlock");
+  await reports(dialog, dropped, "GreenBlock");
   await dialog.getByText("can no longer be carried out, and is left out").waitFor();
   await person.press("Cancel", dialog);
   await dialog.waitFor({ state: "detached" });
   assert.deepEqual((await witness.request("library")).recordings, listed.recordings, "nothing was done");
   assert.deepEqual(recordingsOf(studio), [id]);
 
-  await choose(4, "Delete");
+  await person.segments.nth(4).click();
+  await person.press("Delete", timeline);
   await dialog.getByRole("switch", { name: "Also delete “any hand takes GreenBlock”", checked: true }).waitFor();
-  await reports(both, "GreenBlock");
+  await reports(dialog, both, "GreenBlock");
   await person.press("Cancel", dialog);
   await dialog.waitFor({ state: "detached" });
+});
+
+test("the effect of an edit is reported before it is written, and comes true", async (t) => {
+  const { studio, page, witness, person } = await browser.workplace(t, PLAIN);
+  const { timeline } = person;
+  const dialog = page.getByRole("dialog");
+  const id = await recordTwoCarries(person);
+  const original = filesIn(studio, id);
+  await person.showPanel("Library");
+  await page.locator(".recording").waitFor();
 
   // The red block is taken and not carried: reported, and done.
-  await choose(1, "Trim");
+  await person.segments.nth(1).click();
+  await person.press("Trim", timeline);
   const to = dialog.getByRole("slider", { name: "To (s)" });
   await person.slideTo(to, 0.1);
   const trim = `1:0-${await to.inputValue()}`;
   const trimmed = programSays(["edit", join(studio.recordings, id), "--trim", trim, "--dry-run"]);
-  await reports(trimmed, "RedBlock");
+  await reports(dialog, trimmed, "RedBlock");
   await person.press("Save as a new recording", dialog);
   await dialog.waitFor({ state: "detached" });
   const made = recordingsOf(studio).filter((name) => name !== id);
@@ -143,20 +167,6 @@ test("the effect of an edit is reported before it is written, and comes true", a
   const distance = MILLIMETERS_PER_UNIT * Math.hypot(...ends[0].map((value, k) => value - ends[1][k]));
   const reported = trimmed.displaced.find((one) => one.id === "RedBlock").distance_mm;
   assert.ok(Math.abs(distance - reported) < 1, `${distance} mm away, ${reported} mm were reported`);
-
-  async function choose(segment, edit) {
-    await person.segments.nth(segment).click();
-    await person.press(edit, timeline);
-  }
-
-  /** The dialog reports as many effects as the program does, and how far off the block ends. */
-  async function reports(report, block) {
-    const centimeters = (report.displaced.find((one) => one.id === block).distance_mm / 10).toFixed(0);
-    await dialog.getByRole("status").getByText(`${block} ends ${centimeters} cm from its previous place`).waitFor();
-    const effects = ["left_out", "gone", "there_again", "displaced", "controls", "host_points", "joints"];
-    const number = effects.reduce((sum, kind) => sum + report[kind].length, 0);
-    assert.equal(await dialog.getByRole("listitem").count(), number, JSON.stringify(report));
-  }
 
   /** Where an object is in the last moment of a recording. */
   async function endOf(block, recording) {

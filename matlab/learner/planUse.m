@@ -10,9 +10,6 @@ function [actions, state, problem] = planUse(use, alignment, surface, state, arm
   % Should it fail, the tool is no longer where it was.
   others = state.known([1:k - 1, k + 1:end]);
   state.known = [others, state.known(k)];
-  inScene = @(at) [rotated(at(1:2) - alignment.place, -alignment.angle), at(3)];
-  way = {inScene(use.begin), inScene(use.pose(1:3))};
-  turn = use.pose(4) - alignment.angle - tool.yaw;
   is_tool = belongsTo(tool, surface.points);
   looks = surface.points(is_tool, :);
   around = surface.points(~is_tool, :);
@@ -25,8 +22,9 @@ function [actions, state, problem] = planUse(use, alignment, surface, state, arm
   whole = wholeOf(looks, tool.position(3));
   loads = cell(size(holds));
   taken = loads;
-  for it = waysPast(avoided(1))
-    begin = way{2} + it.part * (way{1} - way{2});
+  for it = waysFromSides(use, avoided(1))
+    [begin, last, yaw] = seenFrom(use, it.side, alignment);
+    begin = last + it.part * (begin - last);
     for k = 1:numel(holds)
       hold = holds(k);
       % It is planned once how the tool is taken, when that comes first.
@@ -35,13 +33,34 @@ function [actions, state, problem] = planUse(use, alignment, surface, state, arm
         taken{k} = planToTake(hold, sensor.arms(hold.arm.index).joints(:)', boxAround(loads{k}));
       end
       if isempty(taken{k}), continue; end
-      actions = planHeldUse(hold, taken{k}, loads{k}, tool, {begin, way{2}}, turn, avoided, it.ways);
+      actions = planHeldUse(hold, taken{k}, loads{k}, tool, {begin, last}, yaw - tool.yaw, avoided, it.ways);
       if isempty(actions), continue; end
       state.grasp = hold.grasp;
       problem = '';
       return
     end
   end
+end
+
+function found = waysFromSides(use, around)
+% Returns waysPast for each side from which what a use works on looks the same [rad], one way after the other, a 1xN struct array.
+  sides = 0;
+  if ~isempty(use.at), sides = constants().uses.sides_rad'; end
+  found = struct('part', {}, 'ways', {}, 'side', {});
+  for it = waysPast(around)
+    for side = sides, found(end + 1) = struct('part', it.part, 'ways', {it.ways}, 'side', side); end
+  end
+end
+
+function [begin, last, yaw] = seenFrom(use, side, alignment)
+% Returns the begin and the end of the straight way of a use in the scene, x y z each, and its yaw [rad], turned about what it
+% works on by some angle [rad].
+  turned = @(at) at(1:2);
+  if ~isempty(use.at), turned = @(at) use.at + rotated(at(1:2) - use.at, side); end
+  placed = @(at) [rotated(turned(at) - alignment.place, -alignment.angle), at(3)];
+  begin = placed(use.begin);
+  last = placed(use.pose(1:3));
+  yaw = use.pose(4) + side - alignment.angle;
 end
 
 function found = waysPast(around)

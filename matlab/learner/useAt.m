@@ -18,6 +18,21 @@ function use = useAt(demo, event, after, appearances)
   rows = demo.moves(demo.moves(:, 2) == n & demo.moves(:, 1) <= event.frame, 3:8);
   use.pose = [rows(end, 1:3), use.tool.yaw + (rows(end, 6) - demo.final(n, 6)) * pi / 180];
   use.begin = straight(rows(:, 1:3));
+  use.at = placeInChain(demo, event.frame, target);
+end
+
+function at = placeInChain(demo, frame, target)
+% Returns where a chain was cut, 1x2: between the links that a target such as 'String between link 4 and 5' names; [] if it is
+% something else.
+  at = [];
+  parts = strsplit(target, ' between ');
+  if numel(parts) < 2, return; end
+  for number = regexp(parts{2}, '\d+', 'match')
+    n = find(strcmp(demo.ids, [parts{1}, '-link', number{1}]));
+    rows = demo.moves(demo.moves(:, 2) == n & demo.moves(:, 1) <= frame, 3:4);
+    at(end + 1, :) = rows(end, :);
+  end
+  at = mean(at, 1);
 end
 
 function begin = straight(places)

@@ -1,6 +1,8 @@
 """Tools that a demonstration used: where they were when they cut, and what that changed in its pictures."""
 
+import re
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 
@@ -18,6 +20,7 @@ class Use(Press):
     tool: Step = None  # where it began and ended
     pose: np.ndarray = None  # x y z of its center when it was used [units], and its yaw then [rad]
     begin: np.ndarray = None  # x y z of its center where its straight way to there began [units]
+    at: Optional[np.ndarray] = None  # x y of what it worked on, if that looks the same from all sides [units]
 
     def __str__(self):
         return f"use of {self.tool.name} on {self.control}"
@@ -37,7 +40,17 @@ def use_at(demo, frame, fields, after):
     rows = demo.moves[n][demo.moves[n][:, 0] <= frame]
     tool = step_of(demo, n, demo.appearances[n], {})
     pose = np.append(rows[-1, 1:4], tool.yaw + np.radians(rows[-1, 6] - demo.moves[n][-1, 6]))
-    return Use(target, after, *changes(demo, taken, taken_next, target), tool=tool, pose=pose, begin=straight(rows))
+    return Use(target, after, *changes(demo, taken, taken_next, target), tool=tool, pose=pose, begin=straight(rows),
+               at=place_in_chain(demo, frame, target))
+
+
+def place_in_chain(demo, frame, target):
+    """Returns where a chain was cut, x y: between the links that a target such as `String between link 4 and 5` names;
+    None if it is something else."""
+    chain, _, sides = target.partition(" between ")
+    links = [demo.ids.index(f"{chain}-link{it}") for it in re.findall(r"\d+", sides)]
+    places = [demo.moves[n][demo.moves[n][:, 0] <= frame][-1, 1:3] for n in links]
+    return np.mean(places, axis=0) if places else None
 
 
 def straight(rows):

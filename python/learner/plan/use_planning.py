@@ -1,6 +1,6 @@
 """Plans uses of tools: take one, bring it to where it works, close the gripper again, and put it back."""
 
-from itertools import tee
+from itertools import product, tee
 
 import numpy as np
 
@@ -26,9 +26,6 @@ def plan_use(use, alignment, surface, state, arms, sensor):
     state.known.remove(block)
     others = list(state.known)
     state.known.append(block)
-    begin, end = (np.append(rotated(it[:2] - alignment.place, -alignment.angle), it[2])
-                  for it in (use.begin, use.pose[:3]))
-    turn = use.pose[3] - alignment.angle - tool.yaw
     is_tool = belongs_to(tool, surface.points)
     looks, around = surface.points[is_tool], surface.points[~is_tool]
     # On the straight way to its work, the tool passes as in the demonstration, and may touch what it changes.
@@ -36,14 +33,24 @@ def plan_use(use, alignment, surface, state, arms, sensor):
     avoided = surroundings_of(around), surroundings_of(fixed)
     able = nearest_first([it for it in arms if can_hold(it, tool.size[1])], tool.position[0])
     candidates = holds(able, tool, looks, others, state.failures, sensor)
-    for part, ways in ways_past(avoided[0]):
+    for (part, ways), side in product(ways_past(avoided[0]), [0] if use.at is None else C.sides_rad):
+        begin, end, yaw = seen_from(use, side, alignment)
         # Each is planned once, when its turn comes first.
         candidates, these = tee(candidates)
         for hold in these:
-            actions = plan_held_use(hold, tool, (end + part * (begin - end), end), turn, avoided, ways)
+            actions = plan_held_use(hold, tool, (end + part * (begin - end), end), yaw - tool.yaw, avoided, ways)
             if actions:
                 return actions, hold.grasp, None
     return [], None, "no arm brings it there and back"
+
+
+def seen_from(use, side, alignment):
+    """Returns the begin and the end of the straight way of a Use in the scene, x y z each, and its yaw [rad], turned about
+    what it works on by some angle [rad]."""
+    def placed(place):
+        turned = place[:2] if use.at is None else use.at + rotated(place[:2] - use.at, side)
+        return np.append(rotated(turned - alignment.place, -alignment.angle), place[2])
+    return placed(use.begin), placed(use.pose[:3]), use.pose[3] + side - alignment.angle
 
 
 def ways_past(around):

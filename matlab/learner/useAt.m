@@ -24,15 +24,14 @@ end
 function at = placeInChain(demo, frame, target)
 % Returns where a chain was cut, 1x2: between the links that a target such as 'String between link 4 and 5' names; [] if it is
 % something else.
-  at = [];
-  parts = strsplit(target, ' between ');
-  if numel(parts) < 2, return; end
-  for number = regexp(parts{2}, '\d+', 'match')
-    n = find(strcmp(demo.ids, [parts{1}, '-link', number{1}]));
-    rows = demo.moves(demo.moves(:, 2) == n & demo.moves(:, 1) <= frame, 3:4);
-    at(end + 1, :) = rows(end, :);
+  at = zeros(0, 2);
+  parts = strsplit([target, ' between '], ' between ');
+  links = strcat([parts{1}, '-link'], regexp(parts{2}, '\d+', 'match'));
+  for n = find(ismember(demo.ids, links))
+    places = demo.moves(demo.moves(:, 2) == n & demo.moves(:, 1) <= frame, 3:4);
+    at(end + 1, :) = places(end, :);
   end
-  at = mean(at, 1);
+  if ~isempty(at), at = mean(at, 1); end
 end
 
 function begin = straight(places)

@@ -19,6 +19,8 @@ function check_uses()
   check(max(abs(use.begin - [-1, -2, 1])) < 1e-9, 'on a straight way');
   [~, goal] = explain(demo, appearances, container);
   check(any(strcmp(goal, 'cut String Knife')), 'to cut is the goal');
+  check(isempty(use.at), 'no link says where');
+  checkSides(folder);
 
   known = block(red, [1.8, 0.5, 0.8], 1, -3, 0, 0.5);
   for yaw = 0.5 + [0, pi]
@@ -27,6 +29,24 @@ function check_uses()
     check(k == 1 && abs(sin((tool.yaw - yaw) / 2)) < 1e-9, 'a tool is turned as its surroundings look');
   end
   checkCarrying(eye);
+end
+
+function checkSides(folder)
+% A use between links is turned about their middle.
+  file = fopen(fullfile(folder, '0.txt'), 'a');
+  for link = [1, 2, 3; -2.2, -1.8, 5]
+    fprintf(file, '0,create,String-link%d,shape,chain-link\n0,move,String-link%d,0.6,%g,1.0,0.0,0.0,0.0\n', link(1), link);
+  end
+  fclose(file);
+  demo = readDemonstration(folder);
+  [steps, ~, appearances] = inferTask(demo, []);
+  use = inferDevices(demo, steps, appearances);
+  check(max(abs(use.at - [0.6, -2])) < 1e-9, 'between two links');
+  alignment = struct('angle', 0, 'place', [5, 0]);
+  [begin, last, yaw] = seenFrom(use, 0, alignment);
+  check(max(abs([begin, last, yaw] - [-6, -2, 1, -5.4, -2, 1, 0])) < 1e-9, 'as demonstrated');
+  [begin, last, yaw] = seenFrom(use, pi / 2, alignment);
+  check(max(abs([begin, last, yaw] - [-4.4, -3.6, 1, -4.4, -3, 1, pi / 2])) < 1e-9, 'from another side');
 end
 
 function checkCarrying(eye)

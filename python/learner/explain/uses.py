@@ -48,8 +48,8 @@ def place_in_chain(demo, frame, target):
     """Returns where a chain was cut, x y: between the links that a target such as `String between link 4 and 5` names;
     None if it is something else."""
     chain, _, sides = target.partition(" between ")
-    links = [demo.ids.index(f"{chain}-link{it}") for it in re.findall(r"\d+", sides)]
-    places = [demo.moves[n][demo.moves[n][:, 0] <= frame][-1, 1:3] for n in links]
+    links = {f"{chain}-link{it}" for it in re.findall(r"\d+", sides)}
+    places = [moves[moves[:, 0] <= frame][-1, 1:3] for name, moves in zip(demo.ids, demo.moves) if name in links]
     return np.mean(places, axis=0) if places else None
 
 

@@ -11,9 +11,11 @@ from explain.demonstration import read_demonstration
 from explain.devices import infer_devices
 from explain.explanation import explain
 from explain.task_model import infer_task
+from match.alignment import Alignment
 from match.tools import find_tool
 from plan.carrying import surroundings_of
 from plan.loads import belongs_to, load_of, whole_of
+from plan.use_planning import seen_from
 from plan.ways import Way, plan_there_and_back, plan_to_take
 from recordings import RecordingTest
 from scenes import BLUE, BROWN, EYE, GREEN, RED, block, picture_of, view_of
@@ -49,6 +51,20 @@ class UseTest(RecordingTest):
         np.testing.assert_allclose(use.pose, [-0.4, -2, 1, 0], atol=1e-9)
         np.testing.assert_allclose(use.begin, [-1, -2, 1])
         self.assertIn("cut String Knife", explain(self.demo, None).goal)
+        self.assertIsNone(use.at)
+
+    def test_a_use_between_links_is_turned_about_their_middle(self):
+        with open(Path(self.folder) / "0.txt", "a") as file:
+            for n, y in ((1, -2.2), (2, -1.8), (3, 5)):
+                file.write(f"0,create,String-link{n},shape,chain-link\n0,move,String-link{n},0.6,{y},1.0,0.0,0.0,0.0\n")
+        demo = read_demonstration(self.folder)
+        [use] = infer_devices(demo, infer_task(demo, {})[0])
+        np.testing.assert_allclose(use.at, [0.6, -2])
+        alignment = Alignment(0.0, np.array([5.0, 0]))
+        for side, begin, end in ((0, [-6, -2, 1], [-5.4, -2, 1]), (math.pi / 2, [-4.4, -3.6, 1], [-4.4, -3, 1])):
+            placed = seen_from(use, side, alignment)
+            np.testing.assert_allclose(np.concatenate(placed[:2]), [*begin, *end], atol=1e-9)
+            self.assertAlmostEqual(placed[2], side)
 
     def test_a_tool_is_turned_as_its_surroundings_look(self):
         [use] = infer_devices(self.demo, self.steps)

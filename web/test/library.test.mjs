@@ -48,6 +48,7 @@ test("a recording is shown, played, edited, renamed, binned and taken back", asy
   await segments.last().click();
   await person.press("Delete", timeline);
   const dialog = page.getByRole("dialog");
+  await dialog.getByRole("switch", { name: "Also delete" }).uncheck();
   await dialog.getByRole("status").getByText(/GreenBlock|ends/).first().waitFor();
   assert.deepEqual(readdirSync(studio.recordings).filter((name) => !name.startsWith(".")), [id], "only reported so far");
   await dialog.getByRole("textbox").fill("Shorter");

@@ -3,6 +3,8 @@ function moves = roomMoves(state, k, moves, free, arms, eye, sensor)
 % see newMove, for the first of those blocks for which some make it. As few as possible are put aside.
 %   k     number of the step that comes next
 %   free  numbers of the known blocks that are in no step's place
+  % An empty list may lack the fields of moves.
+  if isempty(moves), moves = noMoves(); return; end
   container = asBlocks(state.container);
   sites = {[asBlocks(state.steps), container], [asBlocks(state.steps([find(state.done), k])), container]};
   proposed = moves(cellfun(@isempty, {moves.turns}));

@@ -11,6 +11,7 @@ function points = unexplainedPoints(known, heights, eye)
   [x, y] = ontoPlane(1 + step * (row - 1), 1 + step * (column - 1), eye, z);
   % One point for all that are close together.
   points = unique(round([x, y] / c.unexplained_spacing), 'rows') * c.unexplained_spacing;
+  if isempty(points), return; end
   points = points(~isWithin(points, known, c.unexplained_margin), :);
   if isempty(points), return; end
   hidden = hiddenGround(heights, eye);

@@ -44,6 +44,7 @@ function check_forms()
                       block(red, cube, 2, -2, 0, 0)], 0);
   check(isequal(isUnexplained(places, points), logical([1; 1; 0])), 'nothing is put where something unexplained is');
   check(isempty(unexplainedPoints([tower, plate], heights, eye)), 'known blocks are explained');
+  check(isempty(unexplainedPoints(noBlocks(), 0 * heights, eye)), 'an empty table is explained');
 end
 
 function [picture, heights] = withBall(picture, heights, color, center, radius)

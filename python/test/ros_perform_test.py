@@ -3,6 +3,7 @@
 Usage: ros_perform_test.py PROJECT_FOLDER [TEST...], with the program in SMILE. Skipped without ROS.
 """
 
+import itertools
 import json
 import math
 import os
@@ -16,6 +17,7 @@ import unittest
 import urllib.error
 import urllib.request
 from pathlib import Path
+from unittest import mock
 
 # First: it finds ROS, or ends the test.
 from ros_graph import Graph, Program, wait_until
@@ -127,6 +129,15 @@ class PerformanceTest(unittest.TestCase):
     def after(self, ticks, change):
         """A damage that begins after some ticks."""
         return lambda tick, reading: change(reading) if tick > self.start + ticks else reading
+
+    def test_a_trajectory_is_canceled_if_not_even_its_begin_can_be_watched(self):
+        def old_once_sent(tick, reading):
+            return reading._replace(age=1.0) if self.link._trajectories else reading
+
+        self.displace()
+        with mock.patch("smile.ros.performing.monotonic", side_effect=itertools.count(step=0.1).__next__):
+            self.stops("the joint states are 1.00 s old", old_once_sent, by_trajectory=True)
+        self.assertIsNone(self.link.robot.limbs["right"].path)
 
     def test_the_block_ends_where_it_did_in_the_recording(self):
         outcome = self.perform()

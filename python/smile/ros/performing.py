@@ -140,14 +140,13 @@ class WatchedRobot:
     def read(self, *, at_rest: bool = False) -> Reading:
         """Returns the next reading; raises Stopped if it is not as it should be.
 
-        at_rest  the arms rest, and this computer was busy: time may have jumped, and what waits may be old
+        at_rest  the arms rest, or only begin to move, and this computer was busy: time may have jumped, and what waits may
+                 be old
         """
-        if at_rest:
-            self._last = None
         deadline = monotonic() + self._watch.silence
         while True:
             reading = self._next()
-            fault = self._time_fault(reading)
+            fault = self._age_fault(reading) or (None if at_rest else self._jump_fault(reading))
             if fault is None:
                 break
             if not at_rest or monotonic() > deadline:
@@ -178,11 +177,14 @@ class WatchedRobot:
                 return f"{name} is {reading.positions[name]}, expected a finite number"
         return None
 
-    def _time_fault(self, reading: Reading) -> str | None:
+    def _age_fault(self, reading: Reading) -> str | None:
         if reading.age > self._watch.age:
             return f"the joint states are {reading.age:.2f} s old, expected less than {self._watch.age:g} s"
         if reading.age < -self._watch.age:
             return f"the joint states are {-reading.age:.2f} s in the future: the clocks of robot and computer differ"
+        return None
+
+    def _jump_fault(self, reading: Reading) -> str | None:
         if self._last is not None:
             passed = reading.time - self._last.time
             if passed <= 0:

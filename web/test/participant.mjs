@@ -76,6 +76,13 @@ export class Participant {
     await this.press("I am done");
   }
 
+  /** Does what ends a step of the study, and waits until the step has left the page: the next one may look the same. */
+  async leaveStep(deed) {
+    const step = await this.page.locator(".study-step > *").elementHandle();
+    await deed();
+    await step.waitForElementState("hidden");
+  }
+
   /** Answers all questions, each as `choose` says: a share of the way from the first answer to the last. */
   async answer(choose) {
     for (const slider of await this.page.getByRole("slider").all()) await slider.fill(`${5 * Math.round(20 * choose())}`);
@@ -83,6 +90,6 @@ export class Participant {
       const choices = await question.getByRole("radio").all();
       await choices[Math.min(choices.length - 1, Math.floor(choices.length * choose()))].check();
     }
-    await this.press("Continue");
+    await this.leaveStep(() => this.press("Continue"));
   }
 }

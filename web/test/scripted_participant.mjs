@@ -46,11 +46,9 @@ export class ScriptedParticipant extends Participant {
     for (;;) {
       await code.or(agree).or(begin).or(next).first().waitFor({ timeout: STEP_MS });
       if (await code.isVisible()) return code.textContent();
-      const step = await this.page.locator(".study-step > *").elementHandle();
-      if (await agree.isVisible()) await agree.click();
-      else if (await begin.isVisible()) await this.doTrial(begin);
+      if (await agree.isVisible()) await this.leaveStep(() => agree.click());
+      else if (await begin.isVisible()) await this.leaveStep(() => this.doTrial(begin));
       else await this.answer(choose);
-      await step.waitForElementState("hidden");
     }
   }
 

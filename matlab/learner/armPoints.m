@@ -5,12 +5,10 @@ function points = armPoints(arm, q)
   pose = smileForward(arm.robot, arm.name, q);
   tool = pose(1:3, 4)';
   points = tool;
-  for column = fliplr(smileJacobian(arm.robot, arm.name, q))
-    v = column(1:3)';
-    w = column(4:6)';
-    if any(w)
-      on_axis = tool - cross(v, w);
-      points(end + 1, :) = on_axis + w * ((points(end, :) - on_axis) * w');
-    end
+  columns = fliplr(smileJacobian(arm.robot, arm.name, q))';
+  axes = columns(:, 4:6);
+  on_axes = tool - cross(columns(:, 1:3), axes, 2);
+  for k = find(any(axes, 2))'
+    points(end + 1, :) = on_axes(k, :) + axes(k, :) * ((points(end, :) - on_axes(k, :)) * axes(k, :)');
   end
 end

@@ -4,10 +4,8 @@ function yes = avoids(surroundings, arm, path, load)
   yes = true;
   for q = samplesOf(path)'
     tool = smileForward(arm.robot, arm.name, q');
-    yes = isSkylineBelow(surroundings.ofArm, handAndForearm(arm, q', tool));
-    if yes && nargin > 3
-      yes = isSkylineBelow(surroundings.ofLoad, load * tool(1:3, 1:3)' + tool(1:3, 4)');
-    end
+    if nargin > 3, yes = isSkylineBelow(surroundings.ofLoad, load * tool(1:3, 1:3)' + tool(1:3, 4)'); end
+    yes = yes && isSkylineBelow(surroundings.ofArm, handAndForearm(arm, q', tool));
     if ~yes, return; end
   end
 end

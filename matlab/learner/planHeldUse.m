@@ -25,10 +25,11 @@ function actions = planHeldUse(hold, taken, load, tool, way, turn, avoided, ways
 end
 
 function yes = isUseClear(arm, path, load, avoided)
-% Returns true if nothing is in the way of the empty arm, the arm with its load, and the arm at work, in the paths of a use.
+% Returns true if nothing is in the way of the empty arm, the arm with its load, and the arm at work, in the first paths of a use.
   there = avoided(1);
   at_work = avoided(2);
-  yes = all(cellfun(@(it) avoids(there, arm, it, load), path([4, 7]))) && ...
-        all(cellfun(@(it) avoids(at_work, arm, it), path(5:6))) && ...
-        all(cellfun(@(it) avoids(there, arm, it), path([1, 10])));
+  some = @(numbers) path(numbers(numbers <= numel(path)));
+  yes = all(cellfun(@(it) avoids(there, arm, it, load), some([4, 7]))) && ...
+        all(cellfun(@(it) avoids(at_work, arm, it), some(5:6))) && ...
+        all(cellfun(@(it) avoids(there, arm, it), some([1, 10])));
 end

@@ -8,22 +8,28 @@ function path = planThereAndBack(arm, taken, work, put, ways, held, isClear)
 %   ways     1xN, in the order in which they are tried: a straight line (is_line), or any way, which passes over both poses at a
 %            height of the tool (height [units]); 0 for no such height
 %   held     box around what it holds: see isPathValid
-%   isClear  function of these paths: whether nothing is in the way
+%   isClear  function of the first of these paths, at least up to the work: whether nothing is in the way
   for way = ways
-    path = thereAndBack(arm, taken, work, put, way);
+    [there, via] = thereOn(arm, taken, work, way);
+    if isempty(there), continue; end
+    % Most ways are excluded by where the work begins or on the way there: this is looked at before the rest is planned.
+    last = moveJoints(arm, there{end}.positions(end, :));
+    if ~arePathsValid(arm, {last, there{end}}, held) || ~isClear(there), continue; end
+    path = backAfter(arm, moveLines(arm, there, work(2:end)), put, via);
     if isempty(path), continue; end
     path{end + 1} = moveJoints(arm, [path{end}.positions(end, :); arm.parked]);
-    carried = path(numel(taken) + 1:end - 2);
+    carried = path(numel(there) + 1:end - 2);
     if arePathsValid(arm, carried, held) && arePathsValid(arm, path(end - 1:end)) && isClear(path), return; end
   end
   path = {};
 end
 
-function path = thereAndBack(arm, taken, work, put, way)
-% Returns some paths, and those that follow on a way to the first pose of some work, through the others, and back; {} if there
-% are none.
+function [path, via] = thereOn(arm, taken, work, way)
+% Returns some paths and the one that follows on a way to the first pose of some work, {} if there is none; and the joint angles
+% between which it leads, [] for a straight line.
+  via = [];
   if way.is_line
-    path = moveLines(arm, taken, [work, put]);
+    path = moveLines(arm, taken, work(1));
     return
   end
   path = {};
@@ -35,8 +41,15 @@ function path = thereAndBack(arm, taken, work, put, way)
   end
   first = solvePoseSequence(arm, work, via(end, :));
   if isempty(first), return; end
-  path = moveLines(arm, [taken, {moveJoints(arm, [via; first])}], work(2:end));
-  if isempty(path), return; end
-  back = moveJoints(arm, [path{end}.positions(end, :); flipud(via)]);
-  path = moveLines(arm, [path, {back}], put(2:end));
+  path = [taken, {moveJoints(arm, [via; first])}];
+end
+
+function path = backAfter(arm, path, put, via)
+% Returns some paths, and those that follow back between joint angles via, see thereOn, and through the poses where the arm puts
+% what it holds; {} if there are none.
+  if ~isempty(path) && ~isempty(via)
+    path{end + 1} = moveJoints(arm, [path{end}.positions(end, :); flipud(via)]);
+    put = put(2:end);
+  end
+  path = moveLines(arm, path, put);
 end

@@ -43,12 +43,15 @@ function [actions, state, problem] = planUse(use, alignment, surface, state, arm
 end
 
 function found = waysFromSides(use, around)
-% Returns waysPast for each side from which what a use works on looks the same [rad], one way after the other, a 1xN struct array.
-  sides = 0;
-  if ~isempty(use.at), sides = constants().uses.sides_rad'; end
+% Returns waysPast for each side from which what a use works on looks the same [rad], one way after the other, a 1xN struct array:
+% all from the nearer sides before any from the others.
+  sides = {0};
+  if ~isempty(use.at), sides = constants().uses.sides_rad; end
   found = struct('part', {}, 'ways', {}, 'side', {});
-  for it = waysPast(around)
-    for side = sides, found(end + 1) = struct('part', it.part, 'ways', {it.ways}, 'side', side); end
+  for some = sides(:)'
+    for it = waysPast(around)
+      for side = some{1}(:)', found(end + 1) = struct('part', it.part, 'ways', {it.ways}, 'side', side); end
+    end
   end
 end
 

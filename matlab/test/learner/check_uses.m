@@ -90,7 +90,7 @@ function checkWayOver(eye, arm)
   over = poseAt([-3, -3, 2]);
   high = max(around.ofArm.heights(:)) + arm.reach + 0.1;
   ways = struct('is_line', {true, false, false}, 'height', {0, 0, high});
-  isClear = @(path) all(cellfun(@(it) avoids(around, arm, it), path(4:5)));
+  isClear = @(path) all(cellfun(@(it) avoids(around, arm, it), path(4:min(end, 5))));
   hold = struct('arm', arm, 'poses', {{over, poseAt([-3, -3, 1]), over}}, 'first', parked);
   taken = planToTake(hold, parked, []);
   plan = @(ways) planThereAndBack(arm, taken, {poseAt([3, -3, 2])}, {over, over}, ways, [], isClear);

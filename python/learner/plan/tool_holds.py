@@ -13,7 +13,7 @@ from check.failures import has_failed
 from constants import USES as C
 from plan.heights import grip_depth
 from plan.loads import Load, load_of, whole_of
-from plan.ways import plan_to_take
+from plan.there_and_back import plan_to_take
 from things.areas import rotated
 
 

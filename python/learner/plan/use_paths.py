@@ -4,7 +4,7 @@ from act.actions import Action
 from act.segments import at_height
 from constants import MOTION_PLANNING
 from plan.tool_holds import tool_pose
-from plan.ways import plan_there_and_back
+from plan.there_and_back import plan_there_and_back
 
 
 def plan_held_use(hold, tool, way, turn, avoided, ways):
@@ -23,9 +23,9 @@ def plan_held_use(hold, tool, way, turn, avoided, ways):
 
     def is_clear(path):
         there, at_work = avoided
-        return (all(there.avoids(arm, it, hold.load) for it in (path[3], path[6]))
+        return (all(there.avoids(arm, it, hold.load) for it in path[3:7:3])
                 and all(at_work.avoids(arm, it) for it in path[4:6])
-                and all(there.avoids(arm, it) for it in (path[0], path[9])))
+                and all(there.avoids(arm, it) for it in path[0:10:9]))
 
     path = plan_there_and_back(arm, hold.taken, work, [above, put, above], ways, hold.load.box(), is_clear)
     if not path:

@@ -33,7 +33,7 @@ def plan_use(use, alignment, surface, state, arms, sensor):
     avoided = surroundings_of(around), surroundings_of(fixed)
     able = nearest_first([it for it in arms if can_hold(it, tool.size[1])], tool.position[0])
     candidates = holds(able, tool, looks, others, state.failures, sensor)
-    for (part, ways), side in product(ways_past(avoided[0]), [0] if use.at is None else C.sides_rad):
+    for part, ways, side in ways_from([[0]] if use.at is None else C.sides_rad, ways_past(avoided[0])):
         begin, end, yaw = seen_from(use, side, alignment)
         # Each is planned once, when its turn comes first.
         candidates, these = tee(candidates)
@@ -51,6 +51,11 @@ def seen_from(use, side, alignment):
         turned = place[:2] if use.at is None else use.at + rotated(place[:2] - use.at, side)
         return np.append(rotated(turned - alignment.place, -alignment.angle), place[2])
     return placed(use.begin), placed(use.pose[:3]), use.pose[3] + side - alignment.angle
+
+
+def ways_from(sides, ways):
+    """Returns all ways_past from sides [rad], of which lists are given: all from those of a list before any from the next."""
+    return ((part, these, side) for some in sides for (part, these), side in product(ways, some))
 
 
 def ways_past(around):

@@ -16,7 +16,8 @@ from match.tools import find_tool
 from plan.carrying import surroundings_of
 from plan.loads import belongs_to, load_of, whole_of
 from plan.use_planning import seen_from
-from plan.ways import Way, plan_there_and_back, plan_to_take
+from plan.there_and_back import plan_there_and_back, plan_to_take
+from plan.ways import Way
 from recordings import RecordingTest
 from scenes import BLUE, BROWN, EYE, GREEN, RED, block, picture_of, view_of
 from see.surfaces import surface_of

@@ -1,0 +1,54 @@
+"""Paths of an arm that takes something, works with it elsewhere, and puts it back, with a choice of ways between."""
+
+from act.reach import solve_pose_sequence
+from act.segments import is_path_valid, move_joints
+from plan.ways import back_after, lines, there_on
+
+
+def plan_to_take(arm, poses, first, q, held):
+    """Plans the paths of an arm to the first of some tool poses, and along straight lines through the others: a list; []
+    if there are none.
+
+    poses: 4x4 [units]; it takes something at the second one
+    first: joint angles from which those at the first pose are searched [rad]
+    q:     its joint angles [rad]
+    held:  box around what it takes, see is_path_valid
+    """
+    above = solve_pose_sequence(arm, poses, first)
+    path = above is not None and lines(arm, [move_joints(arm, [q, above])], poses[1:])
+    return path if path and are_valid(arm, path[:2]) and are_valid(arm, path[2:], held) else []
+
+
+def plan_there_and_back(arm, taken, work, put, ways, held, is_clear):
+    """Plans the paths of an arm that took something through the tool poses of its work, on the first possible Way there and
+    back, and to its parking pose: a list, which begins with the paths on which it took that; [] if there is none.
+
+    taken:     paths, see plan_to_take
+    work, put: lists of tool poses, 4x4 [units]; it leaves what it holds at the second of put, which begins where the
+               paths ended
+    ways:      Ways, in the order in which they are tried
+    held:      box around what it holds, see is_path_valid
+    is_clear:  function of the first of those paths, at least up to the work: whether nothing is in the way
+    """
+    for way in ways:
+        there, via = there_on(arm, taken, work, way)
+        # Most Ways are excluded by where the work begins or on the way there: this is looked at before the rest is planned.
+        if not there or not are_valid(arm, [end_of(arm, there), there[-1]], held) or not is_clear(there):
+            continue
+        path = back_after(arm, lines(arm, there, work[1:]), put, via)
+        if not path:
+            continue
+        path.append(move_joints(arm, [path[-1].positions[-1], arm.parked]))
+        if are_valid(arm, path[len(there):-2], held) and are_valid(arm, path[-2:]) and is_clear(path):
+            return path
+    return []
+
+
+def are_valid(arm, path, held=None):
+    """Returns true if an arm can follow paths while it holds something, see is_path_valid."""
+    return all(is_path_valid(arm, it, held) for it in path)
+
+
+def end_of(arm, path):
+    """Returns the path of an arm that stays where some paths end."""
+    return move_joints(arm, [path[-1].positions[-1]])

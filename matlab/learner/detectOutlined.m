@@ -21,6 +21,7 @@ function found = detectOutlined(picture, eye, color, kinds, heights)
       found(end + 1) = newBlock(color, kind.size, [center, top - kind.size(3) / 2], yaws(k));
       found(end).outline = kind.outline;
       found(end).knob = kind.knob;
+      found(end).otherKnobs = kind.otherKnobs;
     end
   end
 end

@@ -16,7 +16,9 @@ function block = measureOutlined(demo, n, frames, pictures)
       block = newBlock(top.color, [sides, height], demo.start(n, 1:3), demo.start(n, 6) * pi / 180);
       block.outline = outline;
       block.outline.inside = pointsInside(top.x, top.y);
-      block.knob = gripOf(top.x, top.y, pixel, top.color, height);
+      grips = gripsOf(top.x, top.y, pixel, top.color, height);
+      block.knob = grips(1:min(1, end));
+      block.otherKnobs = grips(2:end);
       return
     end
   end

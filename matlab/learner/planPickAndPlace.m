@@ -5,8 +5,18 @@ function [actions, reason] = planPickAndPlace(arms, block, goal, others, sensor,
 %   others  obstacles, as blocks
 %   failures  grasps that failed and are not to be repeated, see newGrasp; [] for none
 %   way     in which it is preferably held and carried, see wayOf; optional
-  actions = {};
   if nargin < 7, way = wayOf(choicesOf(struct()), 0); end
+  reason = '';
+  for it = heldAnyhow(block)
+    [actions, why] = planHeld(arms, it, goal, others, sensor, failures, way);
+    if ~isempty(actions), return; end
+    if isempty(reason), reason = why; end
+  end
+end
+
+function [actions, reason] = planHeld(arms, block, goal, others, sensor, failures, way)
+% Plans how a block that is held in one way is brought to a goal, see planPickAndPlace.
+  actions = {};
   goal.knob = block.knob;
   held = heldPart(block);
   target = heldPart(goal);

@@ -11,6 +11,11 @@ function check_outlines()
   check(max(abs(kind.size - [2.4, 1.6, 0.6])) < 0.06, 'it fills a rectangle around its center');
   check(abs(kind.knob.size(2) - 0.6) < 0.05 && ~hasEqualSides(kind.knob), 'it is held where it is narrow');
 
+  kind.position = [0, 0, 0.3];
+  held = arrayfun(@(it) heldPart(it), heldAnyhow(kind));
+  legs = vertcat(held(arrayfun(@(it) it.size(2) < 0.65, held)).position);
+  check(numel(held) > 3 && any(legs(:, 1) < 0) && any(legs(:, 1) > 0), 'or by its other leg, where the first one is out of reach');
+
   for yaw = [-1.2, 0.3, 0.3 + pi]
     [picture, heights] = pictureOf(anAngle(-2, -3, yaw, 0, 1));
     found = detectBlocks(picture, eye, kind, [], heights);
@@ -37,7 +42,7 @@ function check_outlines()
     points = rotated(points, turn);
     check(sameOutline(kind.outline, outlineOf(points(:, 1), points(:, 2), area)), 'and is then the same');
   end
-  grip = gripOf(points(:, 1), points(:, 2), 0.02, red, 0.5);
+  grip = gripsOf(points(:, 1), points(:, 2), 0.02, red, 0.5)(1);
   check(abs(grip.size(2) - 1.8) < 0.05 && norm(grip.position) < 0.05, 'a ring is held around its middle');
 end
 

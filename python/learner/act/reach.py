@@ -4,7 +4,7 @@ import numpy as np
 
 from act.finger_room import grasp_yaws
 from constants import MOTION_PLANNING as C
-from things.held_parts import held_part
+from things.held_parts import held_anyhow, held_part
 
 
 def solve_pose_sequence(arm, poses, q):
@@ -21,15 +21,13 @@ def solve_pose_sequence(arm, poses, q):
 
 def is_reachable(arm, place):
     """Returns true if an arm can bring its tool to a block's place, and 2 units above it."""
-    held = held_part(place)
-    x, y, z = held.position
-
-    def poses(across):
+    def poses(held, across):
+        x, y, z = held.position
         return [arm.tool_pose([x, y, z + height], across, held.size[1])
                 for height in C.reach_heights]
 
-    return any(solve_pose_sequence(arm, poses(across), arm.parked) is not None
-               for across in grasp_yaws(place, []))
+    return any(solve_pose_sequence(arm, poses(held_part(it), across), arm.parked) is not None
+               for it in held_anyhow(place) for across in grasp_yaws(it, []))
 
 
 def avoids_torso(arm, q):

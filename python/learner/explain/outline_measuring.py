@@ -11,7 +11,7 @@ from see.eye import onto_plane, pixel_at
 from see.regions import label_regions
 from things.areas import rotated
 from things.blocks import Block
-from things.grips import grip_of
+from things.grips import grips_of
 from things.kinds import same_color
 from things.outlines import outline_of, points_inside, same_outline
 
@@ -28,8 +28,9 @@ def measure_outlined(demo, n, frames, pictures):
                 continue
             pixel = math.sqrt(np.median(area))
             size = np.array([2 * abs(x).max() + pixel, 2 * abs(y).max() + pixel, height])
+            grips = grips_of(x, y, pixel, color, height) or [None]
             return Block(color, size, demo.moves[n][0, 1:4], math.radians(demo.moves[n][0, 6]),
-                         outline=replace(outline, inside=points_inside(x, y)), knob=grip_of(x, y, pixel, color, height))
+                         outline=replace(outline, inside=points_inside(x, y)), knob=grips[0], other_knobs=grips[1:])
     return None
 
 

@@ -26,7 +26,7 @@ def step_of(demo, n, appearance, attention):
     return Step(color, size, there.position, yaw, demo.ids[n], [],
                 start_size=None if same_size(began, size) else began, start=demo.moves[n][0, 1:4],
                 form=appearance.form, has_knob=appearance.has_knob, parts=parts,
-                outline=appearance.outline, knob=appearance.knob,
+                outline=appearance.outline, knob=appearance.knob, other_knobs=appearance.other_knobs,
                 begins_there=is_same_pose(demo.moves[n][0, 1:], demo.moves[n][-1, 1:]))
 
 

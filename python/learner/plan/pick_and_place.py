@@ -14,7 +14,7 @@ from constants import MOTION_PLANNING as C
 from plan.heights import has_low_way, transfer_height
 from plan.transfers import plan_arm_pick_and_place
 from things.blocks import yaw_difference
-from things.held_parts import held_part
+from things.held_parts import held_anyhow, held_part
 from things.steps import is_dragged
 
 
@@ -27,6 +27,17 @@ def plan_pick_and_place(arms, block, goal, others, sensor, failures=(), way=Way(
     way:      in which it is preferably held and carried
     Returns actions and None, or [] and the reason if no arm can do it.
     """
+    reason = None
+    for it in held_anyhow(block):
+        actions, why = plan_held_pick_and_place(arms, it, goal, others, sensor, failures, way)
+        if actions:
+            return actions, None
+        reason = reason or why
+    return [], reason
+
+
+def plan_held_pick_and_place(arms, block, goal, others, sensor, failures, way):
+    """Plans how a block that is held in one way is brought to a goal, see plan_pick_and_place."""
     goal = replace(goal, knob=block.knob)
     held, target = held_part(block), held_part(goal)
     at_start = grasp_yaws(block, others)

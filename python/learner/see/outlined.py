@@ -28,5 +28,5 @@ def detect_outlined(picture, eye, color, kinds, heights):
             if misfit < OUTLINES.misfit and misfit == min(it for _, it in fits) and is_above_table:
                 center = outline.center - rotated(kind.outline.center, yaw)
                 found.append(Block(color, kind.size, np.append(center, top - kind.size[2] / 2), yaw,
-                                   outline=kind.outline, knob=kind.knob))
+                                   outline=kind.outline, knob=kind.knob, other_knobs=kind.other_knobs))
     return found

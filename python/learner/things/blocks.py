@@ -20,6 +20,7 @@ class Block:
     form: str = field(default="block", kw_only=True)  # or "disc", "ball": its sides are its diameter
     has_knob: bool = field(default=False, kw_only=True)  # whether it is held by a part on its top,
     knob: Optional["Block"] = field(default=None, kw_only=True)  # this one: see knobs
+    other_knobs: list = field(default_factory=list, kw_only=True)  # or one of these, where that is out of reach
     parts: list = field(default_factory=list, kw_only=True)  # of a thing of several colors: see parts
     outline: Optional[object] = field(default=None, kw_only=True)  # of a top of another shape: see outlines
     depth: float = field(default=math.inf, kw_only=True)  # how far below its top the fingers may reach [units]

@@ -1,5 +1,7 @@
 """The parts by which blocks are held: their knobs, or themselves."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from things.areas import rotated
@@ -18,3 +20,8 @@ def held_part(block):
 def with_held_parts(blocks):
     """Returns blocks and their knobs, a list of Blocks."""
     return blocks + [held_part(it) for it in blocks if it.knob]
+
+
+def held_anyhow(block):
+    """Returns a block, and that block held by each other part by which it can be held: a list of Blocks, the best first."""
+    return [block, *(replace(block, knob=it, other_knobs=[]) for it in block.other_knobs)]

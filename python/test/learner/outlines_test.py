@@ -3,9 +3,12 @@
 import math
 import unittest
 from dataclasses import replace
+from itertools import combinations
+from types import SimpleNamespace
 
 import numpy as np
 
+from act.reach import is_reachable
 from explain.appearances import measure_objects
 from explain.demonstration import read_demonstration
 from recordings import RecordingTest
@@ -16,8 +19,8 @@ from see.sight import top_points
 from see.unknown_objects import detect_unknown_objects
 from things.areas import rotated
 from things.blocks import yaw_difference
-from things.grips import grip_of
-from things.held_parts import held_part
+from things.grips import grips_of
+from things.held_parts import held_anyhow, held_part
 from things.kinds import is_same_kind
 from things.outlines import outline_of, same_outline
 
@@ -94,9 +97,23 @@ class OutlinesTest(RecordingTest):
         self.assertAlmostEqual(held.size[1], 0.6, delta=0.05)
         self.assertGreater(held.size[0], 1.1 * held.size[1])
         for points, width in (CROSS, 0.6), (RING, 1.8):
-            grip = grip_of(*points[:2], 0.02, RED, 0.5)
+            grip, *_ = grips_of(*points[:2], 0.02, RED, 0.5)
             self.assertAlmostEqual(grip.size[1], width, delta=0.05)
         np.testing.assert_allclose(grip.position, 0, atol=0.05)
+
+    def test_where_a_part_is_out_of_reach_a_piece_is_held_by_another(self):
+        place = replace(self.kind, position=np.array([0, 0, 0.3]))
+        ways = [held_part(it) for it in held_anyhow(place)]
+        self.assertGreaterEqual(len(ways), 4)
+        for one, other in combinations(ways, 2):
+            turn = abs(math.remainder(one.yaw - other.yaw, math.pi))
+            self.assertTrue(np.hypot(*(one.position - other.position)[:2]) > 0.4 or turn > 0.7)
+        # Both legs are among them, and the hand of this arm reaches only what is on the left.
+        self.assertTrue({True, False} <= {it.position[0] < 0 for it in ways if it.size[1] < 0.65})
+        arm = SimpleNamespace(parked=None, has_torso=False, tool_pose=lambda point, across, opening: point,
+                              inverse=lambda point, q, max_iterations: point if point[0] < limit else None)
+        for limit in sorted(it.position[0] for it in ways):
+            self.assertEqual(is_reachable(arm, place), any(it.position[0] < limit for it in ways), limit)
 
 
 def pixels_of_top(block):

@@ -38,6 +38,9 @@ struct StudioCommand {
   PathOptions path;
 };
 
+/// Pose in which a robot begins that has it: its eye sees the table, and not its arms over it.
+constexpr const char* kStartPose = "parked";
+
 /// Returns the folder of the built page.
 /// @throws std::runtime_error if it has not been built.
 std::filesystem::path PageFolder() {
@@ -72,7 +75,7 @@ int RunStudio(const StudioCommand& options) {
   plan.session = {.scene = options.scene.empty() ? DataFile("scenes/tower.xml")
                                                  : std::filesystem::path(options.scene),
                   .reader = options.path.reader(),
-                  .robot = PlaceRobot(options.robot, options.path),
+                  .robot = PlaceRobot(options.robot, options.path, kStartPose),
                   .recordings = options.recordings,
                   .recording = {.frames_per_second = options.rate},
                   .eye = options.no_pictures ? nullptr : &eye,

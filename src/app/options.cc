@@ -85,8 +85,8 @@ CLI::Option* AddBrainOptions(CLI::App* command, BrainOptions* options) {
   return brain;
 }
 
-std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
-                                              const PathOptions& path) {
+std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options, const PathOptions& path,
+                                              const std::string& start_pose) {
   if (options.no_robot) {
     // With `--no-robot`, any other option of the robot would have no effect, and is an error.
     if (options == RobotOptions{.no_robot = true}) return std::nullopt;
@@ -97,6 +97,7 @@ std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
                           {.side_file = options.side_file,
                            .package_roots = {path.roots.begin(), path.roots.end()},
                            .gripper = options.gripper,
+                           .start_pose = start_pose,
                            .body = options.body});
   // A URDF file alone describes links and joints, but not which of them are arms or grippers.
   if (!placed.has_side_file) {

@@ -11,6 +11,7 @@ PlacedRobot PlaceRobot(const std::string& name_or_path, const PlacingOptions& op
   const RobotSource source = FindRobot(name_or_path);
   robot::RobotReading reading = robot::LoadRobot(
       source.urdf, {.side_file = options.side_file.empty() ? source.side_file : options.side_file,
+                    .start_pose = options.start_pose,
                     .package_roots = options.package_roots,
                     .gripper = options.gripper});
   PlacedRobot placed{.placement = {.model = std::move(reading.model),

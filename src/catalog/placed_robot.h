@@ -13,6 +13,7 @@ struct PlacingOptions {
   std::filesystem::path side_file;                   ///< empty: the robot's own, or the known one
   std::vector<std::filesystem::path> package_roots;  ///< folders with the packages of its meshes
   std::string gripper;                               ///< empty: the default one
+  std::string start_pose;                            ///< see robot::RobotReaderOptions
   model::RobotBodyOptions body;
 };
 

@@ -6,6 +6,7 @@
 
 #include "base/diagnostic.h"
 #include "base/files.h"
+#include "base/json.h"
 #include "base/wording.h"
 #include "robot/internal_robot_file_set.h"
 
@@ -100,12 +101,30 @@ class ReadFiles {
   std::map<fs::path, std::shared_ptr<const std::string>> files_;
 };
 
+/// Returns a side file with another `start`; the same one if it does not contain that pose. Faults
+/// are found when it is read.
+FoundFile WithStart(FoundFile side_file, const std::string& pose) {
+  Json root;
+  try {
+    root = ParseJson(*side_file.bytes);
+  } catch (const std::invalid_argument&) {
+    return side_file;
+  }
+  if (!root.is_object() || !root.contains("poses") || !root["poses"].contains(pose)) {
+    return side_file;
+  }
+  root["start"] = pose;
+  side_file.bytes = std::make_shared<const std::string>(ToText(root, 2) + "\n");
+  return side_file;
+}
+
 class OriginalFinder : public FileFinder {
  public:
   OriginalFinder(const fs::path& urdf_path, const RobotReaderOptions& options)
       : kept_(FolderOf(urdf_path)),
         side_file_(options.side_file),
         side_file_text_(options.side_file_text),
+        start_pose_(options.start_pose),
         roots_(options.package_roots) {
     allowed_ = roots_;
     allowed_.push_back(kept_);
@@ -135,6 +154,13 @@ class OriginalFinder : public FileFinder {
 
   std::optional<FoundFile> FindSideFile(const FoundFile& urdf,
                                         std::size_t max_bytes) const override {
+    std::optional<FoundFile> found = FindWrittenSideFile(urdf, max_bytes);
+    if (found && !start_pose_.empty()) found = WithStart(*std::move(found), start_pose_);
+    return found;
+  }
+
+ private:
+  std::optional<FoundFile> FindWrittenSideFile(const FoundFile& urdf, std::size_t max_bytes) const {
     // Its kept name is beside the URDF, wherever it lies.
     const std::string name = fs::path(urdf.name).replace_extension(".robot.json").string();
     fs::path path = side_file_;
@@ -157,8 +183,6 @@ class OriginalFinder : public FileFinder {
     }
     return FoundFile{name, path, std::make_shared<const std::string>(ReadFile(path, max_bytes))};
   }
-
- private:
   bool IsAllowed(const fs::path& canonical) const {
     return std::ranges::any_of(allowed_,
                                [&](const fs::path& folder) { return IsWithin(canonical, folder); });
@@ -194,6 +218,7 @@ class OriginalFinder : public FileFinder {
   fs::path kept_;  ///< the folder of the URDF
   fs::path side_file_;
   std::optional<std::string> side_file_text_;
+  std::string start_pose_;
   std::vector<fs::path> roots_, allowed_;
   ReadFiles read_;  // by canonical path
 };

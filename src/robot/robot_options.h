@@ -17,6 +17,9 @@ struct RobotReaderOptions {
   std::filesystem::path side_file;
   /// Contents of a side file that is used instead of any file; it is kept as one beside the URDF.
   std::optional<std::string> side_file_text;
+  /// Pose in which the robot begins if its side file contains it, instead of the one named there;
+  /// the kept side file says so.
+  std::string start_pose;
   /// Folders with packages: `package://PKG/…` is searched in the folder `PKG` of each, and in those
   /// of that name.
   std::vector<std::filesystem::path> package_roots;

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "robot/test/robot_files.h"
 
 namespace smile::robot {
@@ -42,6 +45,26 @@ TEST_F(SideFile, NamesArmsGrippersPosesAndTheStart) {
   EXPECT_EQ(model.head->joints, std::vector<int>{3});
   EXPECT_EQ(model.never_collide, (std::vector<std::pair<int, int>>{{-1, 1}, {1, 2}}));
   EXPECT_EQ(model.q_start, (std::vector<double>{1.5, 0.05, 0.05, 0}));
+}
+
+TEST_F(SideFile, MayBeReadWithAnotherStartWhichIsKept) {
+  const std::string text = WithArm(R"(, "poses": {"up": {"only": [1.5], "opening": 0.1},
+"low": {"only": [0.5], "opening": 0}}, "start": "up")");
+  WriteFile(folder_ / "r.urdf", Urdf());
+  const auto start_of = [&](const std::string& side_file, const std::string& pose) {
+    const RobotReading read = LoadRobot(
+        folder_ / "r.urdf", {.side_file_text = side_file, .start_pose = pose, .has_shapes = false});
+    // The kept files are the robot as it begins.
+    const RobotReading kept = LoadKeptRobot("r.urdf", "", [&](const auto& name, std::size_t) {
+      const auto file = std::ranges::find(read.files, name, &RobotFile::name);
+      return file == read.files.end() ? std::nullopt : std::optional(*file->bytes);
+    });
+    EXPECT_EQ(kept.model.q_start, read.model.q_start) << pose;
+    return read.model.q_start[0];
+  };
+  EXPECT_EQ(start_of(text, "low"), 0.5);
+  EXPECT_EQ(start_of(text, "absent"), 1.5);
+  EXPECT_EQ(start_of(text, ""), 1.5);
 }
 
 TEST_F(SideFile, NamesPlacesTheUrdfHasNoNameFor) {

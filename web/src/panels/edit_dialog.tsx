@@ -3,6 +3,7 @@ import { texts } from "../texts";
 import { Button } from "../ui/buttons";
 import { Dialog } from "../ui/dialog";
 import { Slider } from "../ui/slider";
+import { Switch } from "../ui/switch";
 import { Effect, useTrial } from "./effect";
 import { titleOf } from "./recordings";
 import { type Edits, useSaving, Waiting } from "./simulated";
@@ -95,15 +96,11 @@ export function EditDialog(props: {
     >
       <p class="hint">{words.original}</p>
       {kind === "drop" && segment.otherEnd && (
-        <label class="switch">
-          <input
-            type="checkbox"
-            role="switch"
-            checked={withOtherEnd.value}
-            onChange={(event) => (withOtherEnd.value = event.currentTarget.checked)}
-          />
-          <span>{words.dropToo(segment.otherEnd.title)}</span>
-        </label>
+        <Switch
+          label={words.dropToo(segment.otherEnd.title)}
+          isOn={withOtherEnd.value}
+          onChange={(isOn) => (withOtherEnd.value = isOn)}
+        />
       )}
       {kind === "trim" && <Ends from={from} to={to} seconds={segment.seconds} />}
       {kind === "shift" && (

@@ -1,9 +1,10 @@
 import { useEffect } from "preact/hooks";
-import { useSignal, type Signal } from "@preact/signals";
+import { useSignal } from "@preact/signals";
 import { may } from "../allowed";
 import { request } from "../studio";
 import { texts } from "../texts";
 import { Chips } from "../ui/buttons";
+import { Switch } from "../ui/switch";
 import { choices, freeName, isOpen, refreshJobs } from "./datasets";
 import { Choice, JobDialog, NameField } from "./job_dialog";
 import { exported } from "./page";
@@ -48,20 +49,6 @@ function wantedOf(source: Source, form: Form) {
   };
 }
 
-function Switch({ label, isOn }: { label: string; isOn: Signal<boolean> }) {
-  return (
-    <label class="switch">
-      <input
-        type="checkbox"
-        role="switch"
-        checked={isOn.value}
-        onChange={(event) => (isOn.value = event.currentTarget.checked)}
-      />
-      <span>{label}</span>
-    </label>
-  );
-}
-
 function Fields({ form, isSet }: { form: Form; isSet: boolean }) {
   const { cameras } = form;
   const same = (value: string) => ({ value, label: value });
@@ -90,8 +77,18 @@ function Fields({ form, isSet }: { form: Form; isSet: boolean }) {
         <Choice label={words.size} chosen={form.size} of={SIZES.map((size) => ({ value: size, label: size.replace("x", " × ") }))} />
         <Choice label={words.rate} chosen={form.rate} of={(choices.value?.rates ?? []).map((rate) => same(`${rate}`))} />
       </div>
-      {isSet && <Switch label={words.withFailures} isOn={form.withFailures} />}
-      <Switch label={words.withoutConstant} isOn={form.withoutConstant} />
+      {isSet && (
+        <Switch
+          label={words.withFailures}
+          isOn={form.withFailures.value}
+          onChange={(isOn) => (form.withFailures.value = isOn)}
+        />
+      )}
+      <Switch
+        label={words.withoutConstant}
+        isOn={form.withoutConstant.value}
+        onChange={(isOn) => (form.withoutConstant.value = isOn)}
+      />
     </>
   );
 }

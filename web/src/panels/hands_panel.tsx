@@ -9,6 +9,7 @@ import { Card } from "../ui/card";
 import { layoutSwitch } from "../ui/preference";
 import { NumberField } from "../ui/number_field";
 import { Slider } from "../ui/slider";
+import { Switch } from "../ui/switch";
 import { DIRECTIONS, type Direction, stepAlong, STEPS, stepSize } from "./directions";
 import { turnFromTo } from "./fixed_axes";
 import { keyFor, keyHint } from "./key_names";
@@ -349,15 +350,12 @@ function Snapping() {
     <>
       <Chips label={words.snap} choices={choices} chosen={snaps.value} disabled={!mayAct.value} onToggle={toggle} />
       {snaps.value.length > 0 && <p class="hint">{words.snapHint}</p>}
-      <label class="switch" {...keyHint("guides")}>
-        <input
-          type="checkbox"
-          role="switch"
-          checked={guides.value}
-          onChange={(event) => (guides.value = event.currentTarget.checked)}
-        />
-        <span>{words.guides}</span>
-      </label>
+      <Switch
+        label={words.guides}
+        isOn={guides.value}
+        onChange={(isOn) => (guides.value = isOn)}
+        more={keyHint("guides")}
+      />
     </>
   );
 }

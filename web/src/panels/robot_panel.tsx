@@ -7,6 +7,7 @@ import { texts } from "../texts";
 import { Button, HoldButton } from "../ui/buttons";
 import { Card, Empty } from "../ui/card";
 import { Slider } from "../ui/slider";
+import { Switch } from "../ui/switch";
 import { layoutSwitch } from "../ui/preference";
 import { isBrainAtWork, isPlayback, mayAct } from "./derived_signals";
 
@@ -140,16 +141,12 @@ function General({ robot }: { robot: RobotDescription }) {
   const now = state.value?.robot;
   return (
     <>
-      <label class="switch">
-        <input
-          type="checkbox"
-          role="switch"
-          checked={now?.shown ?? true}
-          disabled={!mayAct.value}
-          onChange={(event) => void command({ do: "robot", shown: event.currentTarget.checked })}
-        />
-        <span>{words.show}</span>
-      </label>
+      <Switch
+        label={words.show}
+        isOn={now?.shown ?? true}
+        disabled={!mayAct.value}
+        onChange={(shown) => void command({ do: "robot", shown })}
+      />
       {robot.poses.length > 0 && (
         <div class="row">
           <label class="grow inline-field">

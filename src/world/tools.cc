@@ -22,9 +22,9 @@ using scene::ToolAction;
 /// degree.
 constexpr double kAlmost = DegreesToRadians(2.0);
 
-/// Returns the distance of two segments. Source: C. Ericson, Real-Time Collision Detection (2005),
-/// 5.1.9.
-double SegmentDistance(const Vector3& p1, const Vector3& q1, const Vector3& p2, const Vector3& q2) {
+/// Returns the shortest way from one segment to another one. Source: C. Ericson, Real-Time
+/// Collision Detection (2005), 5.1.9.
+Vector3 SegmentGap(const Vector3& p1, const Vector3& q1, const Vector3& p2, const Vector3& q2) {
   const Vector3 d1 = q1 - p1, d2 = q2 - p2, r = p1 - p2;
   const double a = d1.squaredNorm(), e = d2.squaredNorm(), f = d2.dot(r);
   const auto fraction = [](double over, double under) {
@@ -38,12 +38,12 @@ double SegmentDistance(const Vector3& p1, const Vector3& q1, const Vector3& p2, 
     t = std::clamp(t, 0.0, 1.0);
     s = fraction(t * b - c, a);
   }
-  return (p1 + s * d1 - p2 - t * d2).norm();
+  return p2 + t * d2 - p1 - s * d1;
 }
 
-/// Returns the distance of a segment from a solid, whose pose is in the world, to within 2 mm; at
-/// most 0.1 m.
-double DistanceOf(const Vector3& p_WT, const Vector3& p_WTip, const scene::Solid& solid) {
+/// Returns the way from a segment to a solid, whose pose is in the world: its length is right to
+/// within 2 mm, at most 0.1 m, and it leads toward the middle of the solid.
+Vector3 GapTo(const Vector3& p_WT, const Vector3& p_WTip, const scene::Solid& solid) {
   constexpr double kFar = 0.1, kStep = 0.004;  // [m]
   constexpr int kMaxSteps = 200;
   // A ball around a point of the segment overlaps the solid by what it is larger than the distance.
@@ -52,11 +52,23 @@ double DistanceOf(const Vector3& p_WT, const Vector3& p_WTip, const scene::Solid
   const double length = (p_WTip - p_WT).norm();
   const int count = std::clamp(static_cast<int>(length / kStep), 1, kMaxSteps);
   double distance = kFar;
+  Vector3 nearest = p_WT;
   for (int i = 0; i <= count; ++i) {
-    probe.SetPose(0, RigidTransform(p_WT + (p_WTip - p_WT) * i / count));
-    distance = std::min(distance, std::max(0.0, kFar - probe.Depth(0, 1)));
+    const Vector3 p = p_WT + (p_WTip - p_WT) * i / count;
+    probe.SetPose(0, RigidTransform(p));
+    const double here = std::max(0.0, kFar - probe.Depth(0, 1));
+    if (here >= distance) continue;
+    distance = here;
+    nearest = p;
   }
-  return distance;
+  return distance * (solid.X_BS.translation() - nearest).normalized();
+}
+
+/// Returns where a tool is as seen from what it does not reach: a person cannot see that in the
+/// picture.
+std::string SideOf(const Vector3& gap) {
+  if (std::abs(gap.z()) < gap.head<2>().norm()) return "beside";
+  return gap.z() > 0 ? "below" : "above";
 }
 
 /// Returns a direction perpendicular to a unit vector; a function of it alone.
@@ -115,16 +127,18 @@ std::optional<ToolUse> Tools::CutTarget(model::ToolIndex tool, Refusal* refusal)
     return one.use.object == which.object;
   });
   // The first one in the order of the scene wins a tie.
-  const auto nearest = std::ranges::min_element(candidates, {}, &Candidate::distance);
+  const auto nearest =
+      std::ranges::min_element(candidates, {}, [](const Candidate& one) { return one.gap.norm(); });
   if (nearest == candidates.end()) {
     *refusal = Say("tools.nothingToCut", {{"tool", NameOf(which.object)}});
     return std::nullopt;
   }
-  if (nearest->distance > spec.reach) {
+  if (nearest->gap.norm() > spec.reach) {
     const double unit = model_->scene().meters_per_unit;
     *refusal = Say("tools.bladesAreFar", {{"tool", NameOf(which.object)},
-                                          {"distance", UnitsRoundedUp(nearest->distance, unit)},
+                                          {"distance", UnitsRoundedUp(nearest->gap.norm(), unit)},
                                           {"target", nearest->use.target},
+                                          {"side", SideOf(nearest->gap)},
                                           {"reach", RoundedUnits(spec.reach, unit)}});
     return std::nullopt;
   }
@@ -152,12 +166,11 @@ void Tools::AppendChainCuts(const Vector3& p_WT, const Vector3& p_WTip,
       // Blades on half of either link part it at the joint between them.
       const auto& ball = std::get<physics::BallJointSpec>(joint->second->spec);
       const Vector3 p_WJ = PoseOf(a) * ball.p_AQ;
-      const double distance =
-          std::min(SegmentDistance(p_WT, p_WTip, p_WJ, PoseOf(a).translation()),
-                   SegmentDistance(p_WT, p_WTip, p_WJ, PoseOf(b).translation()));
+      const Vector3 to_a = SegmentGap(p_WT, p_WTip, p_WJ, PoseOf(a).translation());
+      const Vector3 to_b = SegmentGap(p_WT, p_WTip, p_WJ, PoseOf(b).translation());
       const std::string before = i == 0 ? "start" : "link " + std::to_string(i - 1);
       const std::string after = i == count ? "end" : (i == 0 ? "link " : "") + std::to_string(i);
-      candidates->push_back({distance,
+      candidates->push_back({to_b.norm() < to_a.norm() ? to_b : to_a,
                              {.verb = "cut",
                               .object = i == 0 ? b : a,
                               .target = chain.id + " between " + before + " and " + after,
@@ -174,7 +187,7 @@ void Tools::AppendBondCuts(const Vector3& p_WT, const Vector3& p_WTip,
     if (!plug.point->can_be_cut || !host || !IsInPlay(plug.object)) continue;
     const Vector3 p_WG = PoseOf(plug.object) * plug.X_BG.translation();
     candidates->push_back(
-        {SegmentDistance(p_WT, p_WTip, p_WG, p_WG),
+        {SegmentGap(p_WT, p_WTip, p_WG, p_WG),
          {.verb = "cut",
           .object = plug.object,
           .target = NameOf(plug.object) + " from " + NameOf(model_->host(*host).object),
@@ -195,7 +208,7 @@ void Tools::AppendPartCuts(const Vector3& p_WT, const Vector3& p_WTip,
       const model::ControlIndex control(*controls.begin() +
                                         static_cast<std::size_t>(solid.control));
       candidates->push_back(
-          {DistanceOf(p_WT, p_WTip, solid),
+          {GapTo(p_WT, p_WTip, solid),
            {.verb = "cut",
             .object = object,
             .target = solid.part_id.empty() ? model_->control(control).id() : solid.part_id,
@@ -212,14 +225,16 @@ std::optional<ToolUse> Tools::BondTarget(model::ToolIndex tool, Refusal* refusal
   const Vector3 p_WT = X_WB * spec.p_BT, axis = X_WB.rotation() * spec.axis.normalized();
   const double unit = model_->scene().meters_per_unit;
   std::optional<ToolUse> nearest;
-  double nearest_distance = 0, nearest_angle = 0;
+  Vector3 nearest_gap = Vector3::Zero();
+  double nearest_angle = 0;
   Refusal other_type;
   for (const GuestIndex guest : model_->guests()) {
     const model::Guest& plug = model_->guest(guest);
     if (!IsInPlay(plug.object) || plug.object == which.object) continue;
     const RigidTransform X_WG = PoseOf(plug.object) * plug.X_BG;
     for (const scene::ToolPlace& place : plug.point->accepts) {
-      const double distance = (X_WG * place.p_GS - p_WT).norm();
+      const Vector3 gap = X_WG * place.p_GS - p_WT;
+      const double distance = gap.norm();
       if (place.type != spec.type) {
         // Only for the message: the tool is where another one belongs.
         if (distance <= spec.reach) {
@@ -230,23 +245,24 @@ std::optional<ToolUse> Tools::BondTarget(model::ToolIndex tool, Refusal* refusal
         }
         continue;
       }
-      if (nearest && distance >= nearest_distance) continue;
+      if (nearest && distance >= nearest_gap.norm()) continue;
       nearest = ToolUse{
           .tool = tool, .object = plug.object, .target = NameOf(plug.object), .guest = guest};
-      nearest_distance = distance;
+      nearest_gap = gap;
       const double cosine = -axis.dot(X_WG.rotation() * place.axis.normalized());
       nearest_angle = std::acos(std::clamp(cosine, -1.0, 1.0));
     }
   }
-  if (nearest && nearest_distance <= spec.reach && nearest_angle <= spec.angle) return nearest;
+  if (nearest && nearest_gap.norm() <= spec.reach && nearest_angle <= spec.angle) return nearest;
   if (!other_type.empty()) {
     *refusal = other_type;
   } else if (!nearest) {
     *refusal = Say("tools.nothingOfType", {{"type", spec.type}});
-  } else if (nearest_distance > spec.reach) {
+  } else if (nearest_gap.norm() > spec.reach) {
     *refusal = Say("tools.tipIsFar", {{"tool", NameOf(which.object)},
-                                      {"distance", UnitsRoundedUp(nearest_distance, unit)},
+                                      {"distance", UnitsRoundedUp(nearest_gap.norm(), unit)},
                                       {"object", nearest->target},
+                                      {"side", SideOf(nearest_gap)},
                                       {"reach", RoundedUnits(spec.reach, unit)}});
   } else {
     *refusal =

@@ -87,7 +87,7 @@ class Tools {
 
  private:
   struct Candidate {
-    double distance = 0;
+    Vector3 gap;  ///< from the tool to it, in the world [m]
     ToolUse use;
   };
   RigidTransform PoseOf(ObjectIndex object) const {

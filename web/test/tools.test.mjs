@@ -27,7 +27,7 @@ test("a mark and a text show what scissors can cut, while the string is between 
   await witness.until(() => witness.positionOf("Scissors")[0] < -0.1, "the scissors are in front of the string");
   await isWithoutHint();
   await person.press("Use Scissors");
-  await page.getByRole("alert").getByText(/the blades of 'Scissors' are [\d.]+ units from String/).waitFor();
+  await page.getByRole("alert").getByText(/the blades of 'Scissors' are [\d.]+ units beside String/).waitFor();
 
   await person.carryAbove("Scissors", IN_PLACE);
   await hint.getByText(/^Scissors can cut String between link \d+ and \d+$/).waitFor();

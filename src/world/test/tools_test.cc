@@ -106,7 +106,7 @@ TEST_F(ToolsTest, ScissorsRefuseWhatIsTooFarAndWhatCannotBeCut) {
   scene.objects.push_back(Scissors({0.09, -0.3, 1}));
   Start(scene);
   EXPECT_EQ(Use("Scissors"),
-            "the blades of 'Scissors' are 1.8 units from Rope between link 4 and 5, expected at "
+            "the blades of 'Scissors' are 1.8 units beside Rope between link 4 and 5, expected at "
             "most 0.2 units");
   scene.chains[0].can_be_cut = false;
   Start(scene);
@@ -187,7 +187,7 @@ TEST_F(ToolsTest, ReportsPlaceAxisAndTypeThatDoNotFit) {
   start("phillips");
   PutDriver(0, 0, 0.05);
   EXPECT_EQ(Use("Driver"),
-            "the tip of 'Driver' is 0.5 units from its place on 'Screw', expected at most 0.2 "
+            "the tip of 'Driver' is 0.5 units above its place on 'Screw', expected at most 0.2 "
             "units");
   PutDriver(0, 40);
   EXPECT_EQ(Use("Driver"), "'Driver' is tilted by 40 degrees against 'Screw', expected at most 15");

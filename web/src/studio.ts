@@ -89,6 +89,8 @@ function onUpdate(update: Update): void {
       for (const listener of eventListeners) listener(update);
       // What contact and tools do without a command would otherwise go unnoticed.
       if (update.words !== undefined) notify(update.words);
+      // A thin string that parts is hardly seen.
+      else if (update.kind === "used" && update.state === "cut") notify(texts.toolHint.hasCut(update.by ?? "", update.part ?? ""));
       break;
     case "console":
       consoleLines.value = [...(update.all ? [] : consoleLines.value), ...update.lines].slice(-MAX_CONSOLE_LINES);

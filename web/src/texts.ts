@@ -97,6 +97,7 @@ export const texts = {
       say(t.toolHint.can, { tool, verbs: anyOf(verbs), target }),
     byHand: (entry: string, turns: boolean, isTouch: boolean) =>
       capital(say(t.toolHint.byHand, { turns: yes(turns), touch: yes(isTouch), entry })),
+    hasCut: (tool: string, target: string) => say(t.toolHint.hasCut, { tool, target }),
     byGripper: (turns: boolean) => say(t.toolHint.byGripper, { turns: yes(turns) }),
   },
 
@@ -109,6 +110,8 @@ export const texts = {
     sides: (number: number) => say(t.placement.sides, { number }),
     centered: (objects: string[]) => say(t.placement.centered, { objects: allOf(objects) }),
     touches: (objects: string[]) => say(t.placement.touches, { objects: allOf(objects) }),
+    missing: (millimeters: number, to: "flush" | "touching", object: string) =>
+      say(t.placement.missing, { millimeters, to, object }),
   },
 
   objects: {

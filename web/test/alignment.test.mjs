@@ -16,17 +16,29 @@ function cuboid(object, center, size, degrees = 0) {
 
 const PLANK = cuboid("Plank", [0, 0, 0.05], [0.5, 0.1, 0.1]);
 const cube = (x, y, z, degrees) => cuboid("Cube", [x, y, z], [0.1, 0.1, 0.1], degrees);
-const NOTHING = { touches: false, ends: 0, sides: 0, isTopLevel: false, isBottomLevel: false, isCentered: false };
+const NOTHING = { touches: false, ends: 0, sides: 0, isTopLevel: false, isBottomLevel: false, isCentered: false, missing: [] };
 const aligned = (one, other, what) => assert.deepEqual(alignmentsOf(one, [other]), [{ ...NOTHING, object: other.object, ...what }]);
 
 test("faces within half a millimeter are flush, and those of a plank's short sides are its ends", () => {
   aligned(cube(-0.2, 0, 0.15), PLANK, { ends: 1, sides: 2 });
   aligned(cube(-0.2004, 0, 0.15), PLANK, { ends: 1, sides: 2 });
-  aligned(cube(-0.2006, 0, 0.15), PLANK, { sides: 2 });
   aligned(cube(-0.2, 0.03, 0.15), PLANK, { ends: 1 });
   aligned(cube(-0.2, 0, 0.16), PLANK, { ends: 1, sides: 2 });
   aligned(cube(-0.2, 0, 0.15, 90), PLANK, { ends: 1, sides: 2 });
-  aligned(cube(0, 0.02, 0.15), PLANK, { isCentered: true });
+  aligned(cube(0, 0.04, 0.15), PLANK, { isCentered: true });
+});
+
+test("what is missing to faces that are flush or touch is told up to 3 cm, for each axis", () => {
+  const missing = (one, other) => {
+    const [found] = alignmentsOf(one, [other]);
+    return found?.missing.map(({ distance, to }) => `${Math.round(1000 * distance)} ${to}`).join();
+  };
+  assert.deepEqual(missing(cube(-0.188, 0, 0.15), PLANK), "12 flush");
+  assert.deepEqual(missing(cube(-0.188, 0.008, 0.15), PLANK), "12 flush,8 flush");
+  assert.deepEqual(missing(cube(-0.165, 0, 0.15), PLANK), "");
+  assert.deepEqual(missing(cube(-0.321, 0, 0.05), PLANK), "21 touching");
+  // Where it is flush already, what is missing to the other face does not matter.
+  assert.deepEqual(missing(cube(0.2, 0, 0.15), cuboid("Short", [0.205, 0, 0.05], [0.11, 0.1, 0.1])), "");
 });
 
 test("what stands beside touches; a level top counts only for what lies on nothing", () => {

@@ -141,6 +141,10 @@ test("clips are shifted and stretched with mouse and keys, and show where hands 
   await page.locator(".conflict-reason").filter({ hasText: reason }).waitFor({ state: "visible" });
   await person.press("Save as a new recording", effect);
   await page.locator(".timeline-name", { hasText: "edited" }).waitFor();
+  await person.showPanel("Brain");
+  const toImitate = page.getByRole("combobox", { name: "Demonstration" }).locator("option:checked");
+  assert.match(await toImitate.textContent(), /edited$/, "what was made last is to be imitated");
+  await person.showPanel("Hands");
   await tracks.getByRole("img", { name: /holds it now\. The recording is complete; this is only a note\.$/ }).waitFor();
   const { recording } = witness.state.playback;
   assert.equal(replay(join(studio.recordings, recording)).identical, true);
@@ -244,15 +248,18 @@ test("a right click triggers and points; an impossible action is gray and shows 
   const [raised, lamp, wall] = [[-4.87, -0.65, 1.1], [-4.9, 0, 0.98], [-5.9, 4, 2.9]];
   const switches = () => [1, 2, 3, 4].map((number) => witness.state.controls[`DockSwitch${number}`]);
   await person.press("Top");
-  await isRefused("Trigger", lamp, "follows other controls and cannot be triggered");
-  await isRefused("Trigger", wall, "It is not part of a control");
+  await isRefused("Press or switch", lamp, "follows other controls and cannot be triggered");
+  await isRefused("Press or switch", wall, "It is not part of a control");
 
-  await choose("Trigger", raised);
+  await choose("Press or switch", raised);
   await witness.until(() => switches()[2] === "1", "the third switch is over");
   assert.deepEqual(switches(), ["0", "0", "1", "0"], "and no other");
   assert.equal(witness.state.controls.DockLight3, "off");
-  // The button that is down now stands for the other one, too.
-  await choose("Trigger", raised);
+  // The button that is down now stands for the other one, too. A plain click on it opens the menu as well.
+  await person.click(await person.placeOnPage(raised));
+  const menu = await person.openMenu();
+  assert.deepEqual(await menu.getByRole("menuitem").allTextContents().then((all) => all.slice(0, 2)), ["Press or switch", "Take it"]);
+  await person.entry("Press or switch", menu).click();
   await witness.until(() => switches()[2] === "0", "the third switch is back");
   await choose("Point to", raised);
   await witness.until(() => witness.events.some(({ kind, part }) => kind === "pointed" && part === "DockPanel3"), "it is pointed at");
@@ -346,6 +353,7 @@ test("a drag ends flush with a face where faces are snapped to; Escape ends the 
   assert.ok(gap() > 0.04, `it is where the mouse let it: ${gap()}`);
   await placement.getByText("rests on the table", { exact: true }).waitFor();
   assert.equal(await placement.getByText("touches").count(), 0);
+  await placement.getByText(/^\d+ mm from touching Resting$/).waitFor();
 
   await person.press("Faces");
   await witness.until(() => witness.state.snap.includes("faces"), "faces are snapped to");

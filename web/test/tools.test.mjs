@@ -26,6 +26,7 @@ test("a mark and a text show what scissors can cut, while the string is between 
   await person.typePlace({ x: -0.2, y: -0.6, z: HEIGHT });
   await witness.until(() => witness.positionOf("Scissors")[0] < -0.1, "the scissors are in front of the string");
   await isWithoutHint();
+  await isMarked("before they are in place");
   await person.press("Use Scissors");
   await page.getByRole("alert").getByText(/the blades of 'Scissors' are [\d.]+ units beside String/).waitFor();
 
@@ -34,9 +35,7 @@ test("a mark and a text show what scissors can cut, while the string is between 
   await hint.getByText("Right-click it: Cut with Scissors").waitFor();
   await witness.settled(() => witness.positionOf("Scissors"), "the scissors hang there", 300);
   await person.look();
-  const [[x, y, z], shown] = [witness.positionOf("Scissors"), await mark()];
-  const error = Math.hypot(...[x, y + TO_BLADES, z].map((value, axis) => value - shown[axis]));
-  assert.ok(error < 0.1, `the mark is ${error} units from the blades`);
+  await isMarked("in place");
 
   await person.carryAbove("Scissors", [-0.2, -0.6, HEIGHT]);
   await isWithoutHint();
@@ -47,11 +46,17 @@ test("a mark and a text show what scissors can cut, while the string is between 
   await page.keyboard.press("Escape");
   await person.press("Cut with Scissors");
   await witness.until(() => witness.events.some(({ kind, state }) => kind === "used" && state === "cut"), "the string is cut");
+  await page.getByText(/^Cut with Scissors: String between link/).waitFor();
 
   async function isWithoutHint() {
     await hint.getByText("can").waitFor({ state: "detached" });
     assert.equal(await hint.textContent(), "");
-    assert.equal(await mark(), null);
+  }
+
+  async function isMarked(when) {
+    const [[x, y, z], shown] = [witness.positionOf("Scissors"), await mark()];
+    const error = Math.hypot(...[x, y + TO_BLADES, z].map((value, axis) => value - shown[axis]));
+    assert.ok(error < 0.1, `${when}, the mark is ${error} units from the blades`);
   }
 });
 

@@ -56,7 +56,7 @@ test("the switch and the drawer of the tutorial's scene work by mouse", async (t
     studio: [sceneFile(t, "cabinet", xml), "--no-robot", "--no-pictures"],
   });
   const menu = await person.menuAt([-3.7, 0, 0.75]);
-  await person.entry("Trigger", menu).click();
+  await person.entry("Press or switch", menu).click();
   await witness.until(() => witness.state.controls.Lamp === "on", "the lamp is on");
 
   const knob = await person.placeOnPage([2.4, 0, 0.75]);

@@ -60,7 +60,12 @@ function StartProgram() {
   };
   return (
     <>
-      <ProgramChoice label={words.choose} programs={brains.value ?? []} chosen={chosenBrain} />
+      <ProgramChoice
+        label={words.choose}
+        programs={brains.value ?? []}
+        chosen={chosenBrain}
+        running={isBrainAtWork.value ? now?.name ?? null : null}
+      />
       <div class="row">
         {isBrainAtWork.value ? (
           <Button

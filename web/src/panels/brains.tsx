@@ -29,12 +29,14 @@ export function useBrains(): void {
   }, [isConnected.value]);
 }
 
-/** A list of programs to choose from. */
-export function ProgramChoice(props: { label: string; programs: Program[]; chosen: Signal<string> }) {
+/** A list of programs to choose from; while one is running, which one. */
+export function ProgramChoice(props: { label: string; programs: Program[]; chosen: Signal<string>; running?: string | null }) {
+  const running = props.programs.find(({ name }) => name === props.running)?.name;
   return (
     <select
       aria-label={props.label}
-      value={props.chosen.value}
+      value={running ?? props.chosen.value}
+      disabled={running !== undefined}
       onChange={(event) => (props.chosen.value = event.currentTarget.value)}
     >
       {props.programs.map(({ name, kind }) => (

@@ -4,6 +4,7 @@ import { command, currentHand, heldObject, scene, state } from "../studio";
 import type { SceneObject } from "../protocol";
 import { texts } from "../texts";
 import { Menu, type MenuEntry } from "../ui/menu";
+import { isFixed } from "../world/hands";
 import { contextMenu } from "../world/signals";
 import { useAllowed } from "./use_allowed";
 
@@ -68,10 +69,13 @@ function choicesAt({ object, part, button, point }: Place): Choice[] {
           { label: menu.use(held, state.value?.uses[held]), wanted: { do: "use", hand } },
           ...(tool?.turns ? [{ label: menu.useLoosening(held), wanted: { do: "use", hand, loosen: true } } as const] : []),
         ];
+  const take: Choice[] =
+    held === null && !isFixed(object.id) ? [{ label: menu.take, wanted: { do: "grasp", hand, object: object.id, point } }] : [];
   return [
     ...uses,
     // One button of a rocker is always down: the other one is meant.
     { label: menu.trigger, wanted: trigger, otherwise: control && triggered ? { do: "trigger", hand, control: control.id } : undefined },
+    ...take,
     { label: menu.point, wanted: { do: "point", hand, part: pointed } },
     { label: menu.fasten, wanted: { do: "fasten", hand, object: object.id, point } },
     { label: menu.loosen, wanted: { do: "loosen", hand, object: object.id, point } },

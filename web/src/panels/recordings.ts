@@ -4,7 +4,7 @@ import { language } from "../language";
 import type { LibraryEntry, Timeline } from "../protocol";
 import { ask, notify, request, state } from "../studio";
 import { texts } from "../texts";
-import { holders, isBrainAtWork, shownRecording } from "./derived_signals";
+import { brain, holders, shownRecording } from "./derived_signals";
 import { toImitate } from "./page";
 
 const { record: words } = texts;
@@ -72,6 +72,8 @@ export async function openRecording(id: string): Promise<Timeline | null> {
   const timeline = reply.timeline;
   opened.value = { id, timeline };
   chosenSegment.value = null;
+  // What was shown last is to be imitated, unless it is the run of a robot, in which no hand did anything.
+  if (timeline.segments.length > 1) toImitate.value = id;
   return timeline;
 }
 
@@ -95,11 +97,7 @@ export async function finishRecording(): Promise<void> {
     () => null,
     (error: Error) => error.message,
   );
-  if (refusal === null) {
-    // What a person just recorded, and not the run of a robot, is to be imitated.
-    if (!isBrainAtWork.value) toImitate.value = recording ?? null;
-    return;
-  }
+  if (refusal === null) return;
   await new Promise((resolve) => setTimeout(resolve, FAILURE_MS));
   if (state.value?.failure?.recording !== recording) notify(refusal, true);
 }
@@ -121,7 +119,9 @@ export async function onRecordingFinished(id: string): Promise<void> {
   await openRecording(id);
   const held = Object.keys(holders.value)[0];
   const title = titleOf(id);
-  if (recordingOf(id)?.segments === 1) notify(words.keptEmpty(title));
+  // What a robot did is no action of a hand.
+  const isRun = (brain.value?.name ?? "") !== "";
+  if (recordingOf(id)?.segments === 1 && !isRun) notify(words.keptEmpty(title));
   else notify(held === undefined ? words.kept(title) : words.keptHeld(title, held));
 }
 

@@ -25,12 +25,21 @@ export interface Alignment {
   isBottomLevel: boolean;
   /** Their middles lie in one upright plane, but their sides do not. */
   isCentered: boolean;
+  /** What is missing to one more of these along each level axis, if it is little: a person cannot see it in the picture. */
+  missing: Missing[];
+}
+
+export interface Missing {
+  distance: number;
+  to: "flush" | "touching";
 }
 
 /** Faces no farther apart lie in one plane. */
 const SAME = 0.0005;
 /** Cuboids farther apart have nothing to do with each other: the largest change of a drag by snapping. */
 const NEAR = 0.015;
+/** What is missing to being flush or touching is not mentioned from here on. */
+const FAR = 0.03;
 /** Cosine of half a degree. */
 const PARALLEL = Math.cos(Math.PI / 360);
 /** A cuboid that is longer than wide by this factor has ends. */
@@ -49,8 +58,8 @@ export function alignmentsOf(cuboid: Cuboid, others: readonly Cuboid[]): Alignme
   const isLying = pairs.some(({ isLyingOn }) => isLyingOn);
   return pairs.flatMap(({ alignment }) => {
     if (isLying) alignment.isTopLevel = alignment.isBottomLevel = false;
-    const { touches, ends, sides, isTopLevel, isBottomLevel, isCentered } = alignment;
-    return touches || ends + sides > 0 || isTopLevel || isBottomLevel || isCentered ? [alignment] : [];
+    const { touches, ends, sides, isTopLevel, isBottomLevel, isCentered, missing } = alignment;
+    return touches || ends + sides > 0 || isTopLevel || isBottomLevel || isCentered || missing.length > 0 ? [alignment] : [];
   });
 }
 
@@ -61,13 +70,15 @@ function pairOf(cuboid: Cuboid, other: Cuboid): { alignment: Alignment; isLyingO
   const half = indices.map((k) => cuboid.half[k]!);
   const apart = other.axes.map((axis) => dot(axis, minus(cuboid.center, other.center)));
   const gaps = apart.map((distance, k) => Math.abs(distance) - half[k]! - other.half[k]!);
-  if (gaps.some((gap) => gap > NEAR)) return null;
+  if (gaps.some((gap) => gap > FAR)) return null;
 
   const alignment: Alignment = {
     object: other.object, touches: false, ends: 0, sides: 0, isTopLevel: false, isBottomLevel: false, isCentered: false,
+    missing: [],
   };
+  const isNear = gaps.every((gap) => gap <= NEAR);
   let isLyingOn = false;
-  for (const k of [0, 1, 2]) {
+  for (const k of isNear ? [0, 1, 2] : []) {
     const isBeside = gaps.every((gap, other_axis) => other_axis === k || gap < -SAME);
     const isTouching = isBeside && isSame(gaps[k]!, 0);
     const isUpright = Math.abs(other.axes[k]![2]) > PARALLEL;
@@ -85,5 +96,22 @@ function pairOf(cuboid: Cuboid, other: Cuboid): { alignment: Alignment; isLyingO
       alignment.isCentered ||= isSame(apart[k]!, 0) && !high;
     }
   }
+  alignment.missing = missingTo(other, half, apart, gaps);
   return { alignment, isLyingOn };
+}
+
+/** What is missing along the axes in which no faces are flush or touch; the table's edges do not count. */
+function missingTo(other: Cuboid, half: number[], apart: number[], gaps: number[]): Missing[] {
+  if (other.object === "") return [];
+  return [0, 1, 2].flatMap((k) => {
+    if (Math.abs(other.axes[k]![2]) > PARALLEL) return [];
+    const isBeside = gaps.every((gap, axis) => axis === k || gap < -SAME);
+    const flush = [1, -1].map((side) => Math.abs(apart[k]! + side * half[k]! - side * other.half[k]!));
+    const steps = [
+      ...flush.map((distance) => ({ distance, to: "flush" as const })),
+      ...(isBeside ? [{ distance: Math.abs(gaps[k]!), to: "touching" as const }] : []),
+    ];
+    const least = steps.reduce((one, another) => (another.distance < one.distance ? another : one));
+    return least.distance < SAME || least.distance >= FAR ? [] : [least];
+  });
 }

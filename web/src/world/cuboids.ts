@@ -1,10 +1,22 @@
-import { Box3, Vector3 } from "three";
+import { Box3, type Quaternion, Vector3 } from "three";
 import type { Point, SceneMessage } from "../protocol";
 import type { Cuboid } from "./alignment";
 import type { Models, Piece } from "./models";
 
-/** The cuboids around what is drawn of the objects, and the table top [m]. */
-export function cuboidsOf(models: Models, { table, metersPerUnit }: SceneMessage): Map<string, Cuboid> {
+interface Place {
+  position: Vector3;
+  quaternion: Quaternion;
+}
+
+/**
+ * The cuboids around what is drawn of the objects, and the table top [m].
+ * @param elsewhere  objects that are taken to be somewhere else
+ */
+export function cuboidsOf(
+  models: Models,
+  { table, metersPerUnit }: SceneMessage,
+  elsewhere: ReadonlyMap<string, Place>,
+): Map<string, Cuboid> {
   const pieces = new Map<string, Piece[]>();
   for (const piece of models.pieces) {
     if (piece.object === "" || !piece.mesh.visible) continue;
@@ -15,12 +27,11 @@ export function cuboidsOf(models: Models, { table, metersPerUnit }: SceneMessage
   const [x, y] = table.size;
   const half: Point = [(x * metersPerUnit) / 2, (y * metersPerUnit) / 2, 0];
   const top: Cuboid = { object: "", center: [0, 0, 0], axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], half };
-  const cuboids = [...pieces].map(([object, its]) => [object, cuboidAround(object, its, metersPerUnit)] as const);
+  const cuboids = [...pieces].map(([object, its]) => [object, cuboidAround(object, its, elsewhere.get(object) ?? its[0]!.mesh.parent!, metersPerUnit)] as const);
   return new Map([...cuboids, ["", top] as const]);
 }
 
-function cuboidAround(object: string, pieces: Piece[], metersPerUnit: number): Cuboid {
-  const { position, quaternion } = pieces[0]!.mesh.parent!;
+function cuboidAround(object: string, pieces: Piece[], { position, quaternion }: Place, metersPerUnit: number): Cuboid {
   const box = new Box3();
   for (const { mesh } of pieces) {
     if (mesh.geometry.boundingBox === null) mesh.geometry.computeBoundingBox();

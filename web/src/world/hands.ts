@@ -94,6 +94,7 @@ export class Hands {
     const held = heldObject.value;
     const maySelect = !areAidsFixed.value && isCommandOffered("displace");
     if (held === null && at.isShift && picked?.object && maySelect) toggleSelected(picked.object);
+    else if (held === null && picked && isControl(picked)) this.menu(at, picked);
     else if (held === null && picked?.object && !isFixed(picked.object)) void this.grasp(picked.object, picked.point);
     else if (held !== null && picked?.object !== held && this.ringUnder(at, picked) === null) this.changeOrRelease(picked);
   }
@@ -340,6 +341,13 @@ export class Hands {
 }
 
 /** Whether no hand can take the object. */
+/** Whether a press of this is meant: a switch or a button, but not an object that is one as a whole. */
+function isControl({ object, part, button }: Picked): boolean {
+  if (part === null || part === object || !isCommandOffered("trigger")) return false;
+  const controls = scene.value?.objects.find(({ id }) => id === object)?.controls ?? [];
+  return controls.some(({ id, kind, parts }) => kind !== "indicatorLights" && [part, button].some((one) => one !== null && (one === id || parts.includes(one))));
+}
+
 export function isFixed(object: string): boolean {
   return scene.value?.objects.find(({ id }) => id === object)?.fixed ?? false;
 }

@@ -1,4 +1,4 @@
-import { type PerspectiveCamera, Vector3 } from "three";
+import { type Object3D, type PerspectiveCamera, Vector3 } from "three";
 import { guideColors } from "../colors";
 import { scene, state } from "../studio";
 import { texts } from "../texts";
@@ -27,6 +27,7 @@ export class PlacementLabel {
   private object: string | null = null;
   /** Where the released object came to rest; null before. */
   private restPlace: Vector3 | null = null;
+  private ghostPlace = "";
   /** What the held object is aligned with. */
   private alignments: string[] = [];
   private lines: string[] = [];
@@ -56,13 +57,18 @@ export class PlacementLabel {
    * Call once a picture, when the poses of all objects are known.
    * @param held  object of the current hand, if this page may move it
    * @param rest  what the held object would rest on, if that is known
-   * @param at  where the text is placed: at the ghost, if it is shown
+   * @param ghost  where it would rest, if that is shown: there the text is placed, and what it says is about that place
    * @param isNew  whether anything has moved, or looks different, since the last time
    */
-  update(camera: PerspectiveCamera, held: string | null, rest: Rest | null, at: Vector3 | null, isNew: boolean): void {
+  update(camera: PerspectiveCamera, held: string | null, rest: Rest | null, ghost: Object3D | null, isNew: boolean): void {
     if (!guides.value) this.object = null;
     else if (held !== null) {
-      if (isNew || held !== this.object || this.restPlace !== null) this.alignments = this.alignmentLines(held);
+      // The ghost follows the object a little later.
+      const place = ghost === null ? "" : [...ghost.position, ...ghost.quaternion].join();
+      if (isNew || place !== this.ghostPlace || held !== this.object || this.restPlace !== null) {
+        this.alignments = this.alignmentLines(held, ghost);
+      }
+      this.ghostPlace = place;
       this.restPlace = null;
       this.object = held;
       // While the program is finding out where it would rest, what was found last is shown.
@@ -70,7 +76,7 @@ export class PlacementLabel {
     } else if (this.object !== null) this.describeReleased(this.object);
     const ball = this.object === null ? null : Models.ballAbout(this.models.piecesOf(this.object));
     this.say(ball === null ? [] : this.lines);
-    if (ball !== null) this.place(camera, at ?? ball.center, ball.radius);
+    if (ball !== null) this.place(camera, ghost?.position ?? ball.center, ball.radius);
   }
 
   private describeReleased(object: string): void {
@@ -82,12 +88,12 @@ export class PlacementLabel {
     this.restPlace = group.position.clone();
     const meshes = this.models.piecesOf(object).map(({ mesh }) => mesh);
     const on = supportsOf(meshes, object, this.picker, 1 / metersPerUnit);
-    this.lines = [...(on.length > 0 ? restLines(on) : []), ...this.alignmentLines(object)];
+    this.lines = [...(on.length > 0 ? restLines(on) : []), ...this.alignmentLines(object, null)];
   }
 
-  private alignmentLines(object: string): string[] {
+  private alignmentLines(object: string, ghost: Object3D | null): string[] {
     if (scene.value === null) return [];
-    const cuboids = cuboidsOf(this.models, scene.value);
+    const cuboids = cuboidsOf(this.models, scene.value, new Map(ghost === null ? [] : [[object, ghost]]));
     const own = cuboids.get(object);
     cuboids.delete(object);
     return own ? linesOf(alignmentsOf(own, [...cuboids.values()])) : [];
@@ -134,10 +140,13 @@ function linesOf(alignments: Alignment[]): string[] {
   const those = (isIt: (alignment: Alignment) => boolean) => alignments.filter(isIt).map(({ object }) => nameOf(object));
   const centered = those(({ isCentered }) => isCentered);
   const touched = those(({ touches }) => touches);
+  const least = ({ missing }: Alignment) => Math.min(...missing.map(({ distance }) => distance));
+  const nearest = [...alignments].sort((one, other) => least(one) - least(other))[0];
   return [
     ...(flush.length > 0 ? [words.flush(flush)] : []),
     ...(centered.length > 0 ? [words.centered(centered)] : []),
     ...(touched.length > 0 ? [words.touches(touched)] : []),
+    ...(nearest?.missing ?? []).map(({ distance, to }) => words.missing(Math.ceil(distance * 1000), to, nearest!.object)),
   ];
 }
 

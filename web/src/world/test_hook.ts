@@ -19,7 +19,7 @@ export interface TestHook {
   placeOf(objectId: string): number[] | null;
   /** Where the ghost of the held object is drawn: x, y, z [units]; null where none is. */
   ghostPlace(): number[] | null;
-  /** Where the mark of a tool in place is drawn: x, y, z [units]; null where none is. */
+  /** Where the mark of a held tool is drawn: x, y, z [units]; null where none is. */
   toolMarkPlace(): number[] | null;
   /** Whether the program has answered everything that the page asked and commanded so far. */
   isAnswered(): boolean;

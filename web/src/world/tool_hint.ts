@@ -12,6 +12,8 @@ const { toolHint: words } = texts;
 const MARK_ORDER = 34;
 /** Diameter of the mark, relative to the distance from the eye. */
 const MARK_SIZE = 0.034;
+/** Opacity of the mark until the tool is in place. */
+const FAINT = 0.55;
 /** From the mark to the text, and from the text to the edge of the picture [px]. */
 const GAP = 20;
 const MARGIN = 8;
@@ -24,7 +26,7 @@ interface ToolInPlace {
   turns: boolean;
 }
 
-/** Tool hint: a mark at the working point of a held tool that is in place, and a text that says what it can do there. */
+/** Tool hint: a mark at the working point of a held tool, and, once it is in place, a text that says what it can do there. */
 export class ToolHint {
   readonly root = ringSprite();
   private readonly output = document.createElement("output");
@@ -49,12 +51,14 @@ export class ToolHint {
   /** Call once a picture, when the poses of all objects are known. */
   update(camera: PerspectiveCamera): void {
     const shown = toolInPlace();
-    const group = shown && this.models.groupOf(shown.tool);
+    const marked = shown ?? heldTool();
+    const group = marked && this.models.groupOf(marked.tool);
     this.say(shown && group ? [words.can(shown.tool, shown.use.do, shown.use.target), howToUse(shown)] : []);
-    this.root.visible = shown !== null && group !== null;
-    if (shown === null || group === null) return;
-    const place = group.localToWorld(shown.point);
+    this.root.visible = marked !== null && group !== null;
+    if (marked === null || group === null) return;
+    const place = group.localToWorld(marked.point.clone());
     this.root.position.copy(place);
+    this.root.material.opacity = shown === null ? FAINT : 1;
     this.root.scale.setScalar(MARK_SIZE * camera.position.distanceTo(place));
     this.placeText(place);
   }
@@ -75,6 +79,14 @@ export class ToolHint {
     style.left = `${within(x - box.left + GAP, box.width - offsetWidth)}px`;
     style.top = `${within(y - box.top + GAP, box.height - offsetHeight)}px`;
   }
+}
+
+/** The tool of the current hand, wherever it is. */
+function heldTool(): Omit<ToolInPlace, "use"> | null {
+  const tool = heldObject.value;
+  const described = scene.value?.objects.find(({ id }) => id === tool)?.tool;
+  if (!tool || !described) return null;
+  return { tool, point: new Vector3(...described.point), turns: described.turns };
 }
 
 /** The tool of the current hand, or else one of another hand or a gripper, if it is in place. */

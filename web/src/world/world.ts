@@ -310,8 +310,8 @@ class DrawnWorld implements World {
     const { ghostRoot, rest } = this.dragGuides;
     const held = this.hands.canAct ? heldObject.value : null;
     if (!this.hands.canAct) this.placementLabel.forget();
-    const at = held !== null && ghostRoot.visible ? ghostRoot.position : null;
-    this.placementLabel.update(this.stage.camera, held, rest, at, isNew);
+    const ghost = held !== null && ghostRoot.visible ? ghostRoot : null;
+    this.placementLabel.update(this.stage.camera, held, rest, ghost, isNew);
   }
 
   /** How far a ring is turned. */

@@ -38,9 +38,6 @@ struct StudioCommand {
   PathOptions path;
 };
 
-/// Pose in which a robot begins that has it: its eye sees the table, and not its arms over it.
-constexpr const char* kStartPose = "parked";
-
 /// Returns the folder of the built page.
 /// @throws std::runtime_error if it has not been built.
 std::filesystem::path PageFolder() {
@@ -58,9 +55,8 @@ void OpenInBrowser(const std::string& link) {
   std::string shell = "sh", option = "-c", line = "xdg-open \"$0\" >/dev/null 2>&1 &", page = link;
   char* const arguments[] = {shell.data(), option.data(), line.data(), page.data(), nullptr};
   pid_t child = 0;
-  if (posix_spawnp(&child, "sh", nullptr, nullptr, arguments, environ) == 0) {
+  if (posix_spawnp(&child, "sh", nullptr, nullptr, arguments, environ) == 0)
     waitpid(child, nullptr, 0);
-  }
 }
 
 /// Returns how the page generates and exports: by this program, with the same robot.
@@ -75,7 +71,7 @@ int RunStudio(const StudioCommand& options) {
   plan.session = {.scene = options.scene.empty() ? DataFile("scenes/tower.xml")
                                                  : std::filesystem::path(options.scene),
                   .reader = options.path.reader(),
-                  .robot = PlaceRobot(options.robot, options.path, kStartPose),
+                  .robot = PlaceRobot(options.robot, options.path, "parked"),  // clears its view
                   .recordings = options.recordings,
                   .recording = {.frames_per_second = options.rate},
                   .eye = options.no_pictures ? nullptr : &eye,

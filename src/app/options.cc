@@ -101,10 +101,9 @@ std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options, const
                            .body = options.body});
   // A URDF file alone describes links and joints, but not which of them are arms or grippers.
   if (!placed.has_side_file) {
-    std::fprintf(
-        stderr,
-        "%s: the robot has no side file and cannot be moved; `smile robots add` makes one\n",
-        placed.urdf.c_str());
+    std::fprintf(stderr,
+                 "%s: the robot has no side file and cannot move; `smile robots add` makes one\n",
+                 placed.urdf.c_str());
   }
   if (options.classic) placed.placement.gap = kClassicGap;
   return std::move(placed.placement);

@@ -47,8 +47,7 @@ void AddRobotOptions(CLI::App* command, bool may_be_absent, RobotOptions* option
 
 /// Returns the robot with its placement; nullopt with `--no-robot`. Reports on stderr if it cannot
 /// move.
-/// @param path        folders with the packages of its meshes.
-/// @param start_pose  see catalog::PlacingOptions.
+/// @param path  folders with the packages of its meshes; start_pose: see catalog::PlacingOptions.
 std::optional<sim::RobotPlacement> PlaceRobot(const RobotOptions& options,
                                               const PathOptions& path = {},
                                               const std::string& start_pose = "");

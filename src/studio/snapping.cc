@@ -16,6 +16,8 @@ namespace {
 
 /// Largest distance of a neighbor whose axes a rotated object may align with [units].
 constexpr double kNearUnits = 2;
+/// Cosine of 2.6 degrees, from the vertical.
+constexpr double kUpright = 0.999;
 
 /// Combines wishes for displacements within a plane: the nearest one along one direction, and one
 /// along a direction at right angles to it. Together they place a corner.
@@ -30,7 +32,7 @@ class Shift {
     // Cosines: the face's normal must be within 2.6 degrees of vertical or 2.3 degrees of
     // horizontal, and within 60 degrees of the plane, or the displacement would be more than twice
     // the distance.
-    constexpr double kUpright = 0.999, kLevel = 0.04, kAcross = 0.5;
+    constexpr double kLevel = 0.04, kAcross = 0.5;
     const double height = std::abs(normal.z());
     if (height > kLevel && height < kUpright) return;
     // Projected onto the plane.
@@ -96,9 +98,14 @@ void ConsiderNeighbour(const SnapTo& snap, const Carried& carried, const Neighbo
   const auto is_beside = [&](int axis) {
     return std::abs(apart[axis]) < half[axis] + half_N[axis] + limit;
   };
+  // What is held over a neighbor, at any height, will be let down on it or beside it.
+  const auto will_be_beside = [&](int axis) {
+    const double up = neighbour.X_WB.rotation()(2, axis);
+    return is_beside(axis) || (std::abs(up) > kUpright && up * apart[axis] < 0);
+  };
   for (int axis = 0; axis < 3; ++axis) {
     // Faces can touch only if the boxes overlap, or nearly do, in the other two directions.
-    if (!is_beside((axis + 1) % 3) || !is_beside((axis + 2) % 3)) continue;
+    if (!will_be_beside((axis + 1) % 3) || !will_be_beside((axis + 2) % 3)) continue;
     const Vector3 normal = neighbour.X_WB.rotation().col(axis);
     const double touching = half[axis] + half_N[axis], flush = half_N[axis] - half[axis];
     if (snap.faces) {

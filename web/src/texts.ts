@@ -2,6 +2,7 @@
 // function for each message with arguments. Messages of the program are in `program`, by their ids there.
 
 import { numberOfObjects, partsOf, placeInChain } from "./action_parts";
+import type { Missing } from "./world/alignment";
 import type { ActionSummary, HandName, Job, ToolUse } from "./protocol";
 import { language, type Language } from "./language";
 import { allOf, anyOf, decimal, mapped, named, say, type Arguments } from "./message_format";
@@ -96,7 +97,7 @@ export const texts = {
     can: (tool: string, verbs: readonly string[], target: string) =>
       say(t.toolHint.can, { tool, verbs: anyOf(verbs), target }),
     byHand: (entry: string, turns: boolean, isTouch: boolean) =>
-      capital(say(t.toolHint.byHand, { turns: yes(turns), touch: yes(isTouch), entry })),
+      say(t.toolHint.byHand, { turns: yes(turns), touch: yes(isTouch), entry }),
     hasCut: (tool: string, target: string) => say(t.toolHint.hasCut, { tool, target }),
     byGripper: (turns: boolean) => say(t.toolHint.byGripper, { turns: yes(turns) }),
   },
@@ -110,7 +111,7 @@ export const texts = {
     sides: (number: number) => say(t.placement.sides, { number }),
     centered: (objects: string[]) => say(t.placement.centered, { objects: allOf(objects) }),
     touches: (objects: string[]) => say(t.placement.touches, { objects: allOf(objects) }),
-    missing: (millimeters: number, to: "flush" | "touching", object: string) =>
+    missing: (millimeters: number, to: Missing["to"], object: string) =>
       say(t.placement.missing, { millimeters, to, object }),
   },
 

@@ -32,7 +32,7 @@ test("a mark and a text show what scissors can cut, while the string is between 
 
   await person.carryAbove("Scissors", IN_PLACE);
   await hint.getByText(/^Scissors can cut String between link \d+ and \d+$/).waitFor();
-  await hint.getByText("Right-click it: Cut with Scissors").waitFor();
+  await hint.getByText("Press Cut with Scissors, or right-click the tool").waitFor();
   await witness.settled(() => witness.positionOf("Scissors"), "the scissors hang there", 300);
   await person.look();
   await isMarked("in place");

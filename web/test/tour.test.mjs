@@ -25,9 +25,9 @@ test("the tour leads from nothing to a demonstration that a robot can use", asyn
   await page.mouse.up();
   assert.equal(await page.evaluate(() => getSelection().toString()), "");
   await staysAt(page, "Look around");
-  await page.mouse.move(sky.x + 40, sky.y + 90);
+  await page.mouse.move(sky.x + sky.width - 70, sky.y + 90);
   await page.mouse.down();
-  await page.mouse.move(sky.x + 70, sky.y + 95, { steps: 6 });
+  await page.mouse.move(sky.x + sky.width - 40, sky.y + 95, { steps: 6 });
   await page.mouse.up();
   await says("Record");
   await person.press("Record");

@@ -76,6 +76,23 @@ TEST_F(SnappingTest, LevelDragsSnapToTwoSidesAndKeepTheirHeight) {
   EXPECT_EQ(goal[2], 0.5);
 }
 
+TEST_F(SnappingTest, HighOverANeighborItsSidesCountButNotItsTop) {
+  Begin();
+  Do(R"({"do":"snap","to":["faces","edges"]})");
+  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,0.5]})");
+  const auto goal_of_drag = [this](const std::string& x, const std::string& z) {
+    Command(R"({"do":"drag","hand":"left","origin":[)" + x + ",-20," + z +
+            R"(],"direction":[0,1,0]})");
+    const Json goal = State()["hands"]["left"]["goal"];
+    return std::pair(goal[0].get<double>(), goal[2].get<double>());
+  };
+  const auto [flush_x, flush_z] = goal_of_drag("3.1", "4.1");
+  EXPECT_NEAR(flush_x, 3, 1e-4);
+  EXPECT_NEAR(flush_z, 4.1, 1e-4);
+  // Let down there, it would touch b's side.
+  EXPECT_NEAR(goal_of_drag("1.9", "4.1").first, 2, 1e-4);
+}
+
 TEST_F(SnappingTest, TurnsStickToARightAngleUntilTheyLeadAway) {
   Begin();
   Do(R"({"do":"snap","to":["angles"]})");

@@ -27,7 +27,10 @@ export function cuboidsOf(
   const [x, y] = table.size;
   const half: Point = [(x * metersPerUnit) / 2, (y * metersPerUnit) / 2, 0];
   const top: Cuboid = { object: "", center: [0, 0, 0], axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], half };
-  const cuboids = [...pieces].map(([object, its]) => [object, cuboidAround(object, its, elsewhere.get(object) ?? its[0]!.mesh.parent!, metersPerUnit)] as const);
+  const cuboids = [...pieces].map(([object, its]) => {
+    const place = elsewhere.get(object) ?? its[0]!.mesh.parent!;
+    return [object, cuboidAround(object, its, place, metersPerUnit)] as const;
+  });
   return new Map([...cuboids, ["", top] as const]);
 }
 

@@ -345,7 +345,8 @@ export class Hands {
 function isControl({ object, part, button }: Picked): boolean {
   if (part === null || part === object || !isCommandOffered("trigger")) return false;
   const controls = scene.value?.objects.find(({ id }) => id === object)?.controls ?? [];
-  return controls.some(({ id, kind, parts }) => kind !== "indicatorLights" && [part, button].some((one) => one !== null && (one === id || parts.includes(one))));
+  const isMeant = (id: string, parts: string[]) => parts.includes(part) || part === id || parts.includes(button ?? "");
+  return controls.some(({ id, kind, parts }) => kind !== "indicatorLights" && isMeant(id, parts));
 }
 
 export function isFixed(object: string): boolean {

@@ -39,6 +39,12 @@ test("the tour leads from nothing to a demonstration that a robot can use", asyn
   await says("Turn it");
   await page.getByRole("slider", { name: "Turn about z (°)" }).fill("90");
   await says("Put it on another");
+  for (const view of ["Top", "Front"]) {
+    await person.press(view);
+    // The camera is on its way for a moment.
+    for (let k = 0; k < 60 && (await coversBlocks()); ++k) await person.look();
+    assert.equal(await coversBlocks(), false, `the card is beside all blocks in the view ${view}`);
+  }
   const [x, y] = witness.positionOf("GreenBlock");
   await person.carryAbove("RedBlock", [x, y, 2.3]);
   await person.dragTo("RedBlock", [null, null, 1.5]);
@@ -61,6 +67,12 @@ test("the tour leads from nothing to a demonstration that a robot can use", asyn
   await page.reload();
   await page.waitForFunction(() => window.smileStudio?.stats().isShown);
   assert.equal(await page.locator(".tour").count(), 0, "who knows it is left in peace");
+
+  async function coversBlocks() {
+    const card = await page.locator(".tour").boundingBox();
+    const points = await Promise.all(["RedBlock", "GreenBlock", "BlueBlock"].map((id) => person.pointOf(id)));
+    return points.some(({ x, y }) => x > card.x && x < card.x + card.width && y > card.y && y < card.y + card.height);
+  }
 });
 
 test("the tour takes no stack that was there before for the person's own", async (t) => {

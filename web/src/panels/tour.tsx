@@ -4,6 +4,7 @@ import { isOffered } from "../allowed";
 import { isController, scene } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
+import { cameraKind } from "../world/signals";
 import { isTourKnown, showPanel } from "./page";
 import * as conditions from "./tour_conditions";
 
@@ -127,8 +128,10 @@ export function Tour() {
   if (now === null) return null;
   const [title, sentence] = words.steps[now.name]!;
   const number = at.value!;
+  // Over the robot; seen from the top, over the near end of the table: not over the blocks.
+  const place = cameraKind.value === "top" ? "low" : "high";
   return (
-    <section class="tour" role="region" aria-label={words.title}>
+    <section class={`tour ${place}`} role="region" aria-label={words.title}>
       <div class="tour-words" role="status">
         <small>{words.step(number + 1, STEPS.length)}</small>
         <h2>{isPraised.value ? words.well : title}</h2>

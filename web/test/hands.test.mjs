@@ -26,6 +26,10 @@ test("each hand holds its own, and takes what the other holds", async (t) => {
   await witness.until(() => held("left") === "RedBlock" && held("right") === "GreenBlock", "both hands hold");
   await page.getByRole("radio", { name: /Left.*RedBlock/ }).waitFor();
   await page.getByRole("radio", { name: /Right.*GreenBlock/, checked: true }).waitFor();
+  // There is no free hand any more, which the page says before one tries.
+  await page.getByRole("radio", { name: /^Any/ }).check();
+  await page.getByText("Both hands are full.").waitFor();
+  await page.getByRole("radio", { name: /^Right/ }).check();
 
   // A full hand takes nothing more: a click on what the other one holds changes to that hand.
   await person.click(await person.pointOf("RedBlock"));

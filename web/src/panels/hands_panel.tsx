@@ -362,7 +362,10 @@ function Snapping() {
 
 function whyNothingIsHeld(): string {
   const allowed = may("command");
-  return allowed === true ? words.nothingHeld : words.notNow(allowed);
+  if (allowed !== true) return words.notNow(allowed);
+  const hands = state.value?.hands;
+  const isEither = currentHand.value === "any" || currentHand.value === "both";
+  return isEither && hands?.left.object && hands.right.object ? words.bothFull : words.nothingHeld;
 }
 
 export function HandsPanel() {

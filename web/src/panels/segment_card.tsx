@@ -11,6 +11,8 @@ export function wordsOf({ deed }: { deed: ActionSummary | null }): string {
 export function SegmentCard(props: {
   picture: string;
   segment: Segment;
+  /** Absent: what began it. */
+  title?: string;
   isNow: boolean;
   isChosen: boolean;
   /** Absent: it can be chosen. */
@@ -18,7 +20,7 @@ export function SegmentCard(props: {
   onChoose: () => void;
 }) {
   const { segment } = props;
-  const title = wordsOf(segment);
+  const title = props.title ?? wordsOf(segment);
   return (
     <li class={`segment ${props.isNow ? "now" : ""}`} style={{ flexGrow: Math.max(0.5, segment.seconds) }}>
       <button

@@ -218,6 +218,7 @@ function OpenedTimeline({ id, timeline }: { id: string; timeline: Timeline }) {
             key={number}
             picture={pictureOfSegment(id, number)}
             segment={{ number, deed, seconds: end - begin }}
+            {...(timeline.segments.length === 1 ? { title: words.whole } : {})}
             isNow={now > begin && now <= end}
             isChosen={chosenSegment.value === number}
             onChoose={() => choose(chosenSegment.value === number ? null : number, end)}

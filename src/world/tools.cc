@@ -22,9 +22,10 @@ using scene::ToolAction;
 /// degree.
 constexpr double kAlmost = DegreesToRadians(2.0);
 
-/// Returns the shortest way from one segment to another one. Source: C. Ericson, Real-Time
+/// Returns the distance of two segments, seen from the second one. Source: C. Ericson, Real-Time
 /// Collision Detection (2005), 5.1.9.
-Vector3 SegmentGap(const Vector3& p1, const Vector3& q1, const Vector3& p2, const Vector3& q2) {
+Tools::Offset SegmentOffset(const Vector3& p1, const Vector3& q1, const Vector3& p2,
+                            const Vector3& q2) {
   const Vector3 d1 = q1 - p1, d2 = q2 - p2, r = p1 - p2;
   const double a = d1.squaredNorm(), e = d2.squaredNorm(), f = d2.dot(r);
   const auto fraction = [](double over, double under) {
@@ -38,12 +39,13 @@ Vector3 SegmentGap(const Vector3& p1, const Vector3& q1, const Vector3& p2, cons
     t = std::clamp(t, 0.0, 1.0);
     s = fraction(t * b - c, a);
   }
-  return p2 + t * d2 - p1 - s * d1;
+  const Vector3 offset = p1 + s * d1 - p2 - t * d2;
+  return {.distance = offset.norm(), .direction = offset};
 }
 
-/// Returns the way from a segment to a solid, whose pose is in the world: its length is right to
-/// within 2 mm, at most 0.1 m, and it leads toward the middle of the solid.
-Vector3 GapTo(const Vector3& p_WT, const Vector3& p_WTip, const scene::Solid& solid) {
+/// Returns the distance of a segment from a solid, whose pose is in the world, to within 2 mm; at
+/// most 0.1 m. It is seen from the middle of the solid.
+Tools::Offset OffsetFrom(const Vector3& p_WT, const Vector3& p_WTip, const scene::Solid& solid) {
   constexpr double kFar = 0.1, kStep = 0.004;  // [m]
   constexpr int kMaxSteps = 200;
   // A ball around a point of the segment overlaps the solid by what it is larger than the distance.
@@ -61,14 +63,14 @@ Vector3 GapTo(const Vector3& p_WT, const Vector3& p_WTip, const scene::Solid& so
     distance = here;
     nearest = p;
   }
-  return distance * (solid.X_BS.translation() - nearest).normalized();
+  return {.distance = distance, .direction = nearest - solid.X_BS.translation()};
 }
 
-/// Returns where a tool is as seen from what it does not reach: a person cannot see that in the
-/// picture.
-std::string SideOf(const Vector3& gap) {
-  if (std::abs(gap.z()) < gap.head<2>().norm()) return "beside";
-  return gap.z() > 0 ? "below" : "above";
+/// Returns in which direction a tool is from what it does not reach: a person cannot see that in
+/// the picture.
+std::string SideOf(const Vector3& direction) {
+  if (std::abs(direction.z()) < direction.head<2>().norm()) return "beside";
+  return direction.z() > 0 ? "above" : "below";
 }
 
 /// Returns a direction perpendicular to a unit vector; a function of it alone.
@@ -127,19 +129,20 @@ std::optional<ToolUse> Tools::CutTarget(model::ToolIndex tool, Refusal* refusal)
     return one.use.object == which.object;
   });
   // The first one in the order of the scene wins a tie.
-  const auto nearest =
-      std::ranges::min_element(candidates, {}, [](const Candidate& one) { return one.gap.norm(); });
+  const auto nearest = std::ranges::min_element(
+      candidates, {}, [](const Candidate& one) { return one.offset.distance; });
   if (nearest == candidates.end()) {
     *refusal = Say("tools.nothingToCut", {{"tool", NameOf(which.object)}});
     return std::nullopt;
   }
-  if (nearest->gap.norm() > spec.reach) {
+  if (nearest->offset.distance > spec.reach) {
     const double unit = model_->scene().meters_per_unit;
-    *refusal = Say("tools.bladesAreFar", {{"tool", NameOf(which.object)},
-                                          {"distance", UnitsRoundedUp(nearest->gap.norm(), unit)},
-                                          {"target", nearest->use.target},
-                                          {"side", SideOf(nearest->gap)},
-                                          {"reach", RoundedUnits(spec.reach, unit)}});
+    *refusal =
+        Say("tools.bladesAreFar", {{"tool", NameOf(which.object)},
+                                   {"distance", UnitsRoundedUp(nearest->offset.distance, unit)},
+                                   {"target", nearest->use.target},
+                                   {"side", SideOf(nearest->offset.direction)},
+                                   {"reach", RoundedUnits(spec.reach, unit)}});
     return std::nullopt;
   }
   nearest->use.tool = tool;
@@ -166,11 +169,11 @@ void Tools::AppendChainCuts(const Vector3& p_WT, const Vector3& p_WTip,
       // Blades on half of either link part it at the joint between them.
       const auto& ball = std::get<physics::BallJointSpec>(joint->second->spec);
       const Vector3 p_WJ = PoseOf(a) * ball.p_AQ;
-      const Vector3 to_a = SegmentGap(p_WT, p_WTip, p_WJ, PoseOf(a).translation());
-      const Vector3 to_b = SegmentGap(p_WT, p_WTip, p_WJ, PoseOf(b).translation());
+      const Offset from_a = SegmentOffset(p_WT, p_WTip, p_WJ, PoseOf(a).translation());
+      const Offset from_b = SegmentOffset(p_WT, p_WTip, p_WJ, PoseOf(b).translation());
       const std::string before = i == 0 ? "start" : "link " + std::to_string(i - 1);
       const std::string after = i == count ? "end" : (i == 0 ? "link " : "") + std::to_string(i);
-      candidates->push_back({to_b.norm() < to_a.norm() ? to_b : to_a,
+      candidates->push_back({from_b.distance < from_a.distance ? from_b : from_a,
                              {.verb = "cut",
                               .object = i == 0 ? b : a,
                               .target = chain.id + " between " + before + " and " + after,
@@ -187,7 +190,7 @@ void Tools::AppendBondCuts(const Vector3& p_WT, const Vector3& p_WTip,
     if (!plug.point->can_be_cut || !host || !IsInPlay(plug.object)) continue;
     const Vector3 p_WG = PoseOf(plug.object) * plug.X_BG.translation();
     candidates->push_back(
-        {SegmentGap(p_WT, p_WTip, p_WG, p_WG),
+        {SegmentOffset(p_WT, p_WTip, p_WG, p_WG),
          {.verb = "cut",
           .object = plug.object,
           .target = NameOf(plug.object) + " from " + NameOf(model_->host(*host).object),
@@ -208,7 +211,7 @@ void Tools::AppendPartCuts(const Vector3& p_WT, const Vector3& p_WTip,
       const model::ControlIndex control(*controls.begin() +
                                         static_cast<std::size_t>(solid.control));
       candidates->push_back(
-          {GapTo(p_WT, p_WTip, solid),
+          {OffsetFrom(p_WT, p_WTip, solid),
            {.verb = "cut",
             .object = object,
             .target = solid.part_id.empty() ? model_->control(control).id() : solid.part_id,
@@ -225,7 +228,7 @@ std::optional<ToolUse> Tools::BondTarget(model::ToolIndex tool, Refusal* refusal
   const Vector3 p_WT = X_WB * spec.p_BT, axis = X_WB.rotation() * spec.axis.normalized();
   const double unit = model_->scene().meters_per_unit;
   std::optional<ToolUse> nearest;
-  Vector3 nearest_gap = Vector3::Zero();
+  Vector3 nearest_offset = Vector3::Zero();
   double nearest_angle = 0;
   Refusal other_type;
   for (const GuestIndex guest : model_->guests()) {
@@ -233,8 +236,8 @@ std::optional<ToolUse> Tools::BondTarget(model::ToolIndex tool, Refusal* refusal
     if (!IsInPlay(plug.object) || plug.object == which.object) continue;
     const RigidTransform X_WG = PoseOf(plug.object) * plug.X_BG;
     for (const scene::ToolPlace& place : plug.point->accepts) {
-      const Vector3 gap = X_WG * place.p_GS - p_WT;
-      const double distance = gap.norm();
+      const Vector3 offset = p_WT - X_WG * place.p_GS;
+      const double distance = offset.norm();
       if (place.type != spec.type) {
         // Only for the message: the tool is where another one belongs.
         if (distance <= spec.reach) {
@@ -245,24 +248,24 @@ std::optional<ToolUse> Tools::BondTarget(model::ToolIndex tool, Refusal* refusal
         }
         continue;
       }
-      if (nearest && distance >= nearest_gap.norm()) continue;
+      if (nearest && distance >= nearest_offset.norm()) continue;
       nearest = ToolUse{
           .tool = tool, .object = plug.object, .target = NameOf(plug.object), .guest = guest};
-      nearest_gap = gap;
+      nearest_offset = offset;
       const double cosine = -axis.dot(X_WG.rotation() * place.axis.normalized());
       nearest_angle = std::acos(std::clamp(cosine, -1.0, 1.0));
     }
   }
-  if (nearest && nearest_gap.norm() <= spec.reach && nearest_angle <= spec.angle) return nearest;
+  if (nearest && nearest_offset.norm() <= spec.reach && nearest_angle <= spec.angle) return nearest;
   if (!other_type.empty()) {
     *refusal = other_type;
   } else if (!nearest) {
     *refusal = Say("tools.nothingOfType", {{"type", spec.type}});
-  } else if (nearest_gap.norm() > spec.reach) {
+  } else if (nearest_offset.norm() > spec.reach) {
     *refusal = Say("tools.tipIsFar", {{"tool", NameOf(which.object)},
-                                      {"distance", UnitsRoundedUp(nearest_gap.norm(), unit)},
+                                      {"distance", UnitsRoundedUp(nearest_offset.norm(), unit)},
                                       {"object", nearest->target},
-                                      {"side", SideOf(nearest_gap)},
+                                      {"side", SideOf(nearest_offset)},
                                       {"reach", RoundedUnits(spec.reach, unit)}});
   } else {
     *refusal =

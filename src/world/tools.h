@@ -85,9 +85,15 @@ class Tools {
                                  std::vector<Refusal>* refusals);
   void AddToHash(StateHash* hash) const;
 
+  /// How far a tool is from a thing.
+  struct Offset {
+    double distance = 0;  ///< [m]
+    Vector3 direction;    ///< of the tool from the thing, in the world, of any length
+  };
+
  private:
   struct Candidate {
-    Vector3 gap;  ///< from the tool to it, in the world [m]
+    Offset offset;
     ToolUse use;
   };
   RigidTransform PoseOf(ObjectIndex object) const {

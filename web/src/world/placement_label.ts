@@ -141,7 +141,7 @@ function linesOf(alignments: Alignment[]): string[] {
   const centered = those(({ isCentered }) => isCentered);
   const touched = those(({ touches }) => touches);
   const least = ({ missing }: Alignment) => Math.min(...missing.map(({ distance }) => distance));
-  const nearest = [...alignments].sort((one, other) => least(one) - least(other))[0];
+  const nearest = alignments.filter(({ missing }) => missing.length > 0).sort((one, other) => least(one) - least(other))[0];
   return [
     ...(flush.length > 0 ? [words.flush(flush)] : []),
     ...(centered.length > 0 ? [words.centered(centered)] : []),

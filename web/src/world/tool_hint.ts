@@ -51,7 +51,7 @@ export class ToolHint {
   /** Call once a picture, when the poses of all objects are known. */
   update(camera: PerspectiveCamera): void {
     const shown = toolInPlace();
-    const marked = shown ?? heldTool();
+    const marked = shown ?? toolOf(heldObject.value);
     const group = marked && this.models.groupOf(marked.tool);
     this.say(shown && group ? [words.can(shown.tool, shown.use.do, shown.use.target), howToUse(shown)] : []);
     this.root.visible = marked !== null && group !== null;
@@ -81,9 +81,8 @@ export class ToolHint {
   }
 }
 
-/** The tool of the current hand, wherever it is. */
-function heldTool(): Omit<ToolInPlace, "use"> | null {
-  const tool = heldObject.value;
+/** Null for what is no tool. */
+function toolOf(tool: string | null | undefined): Omit<ToolInPlace, "use"> | null {
   const described = scene.value?.objects.find(({ id }) => id === tool)?.tool;
   if (!tool || !described) return null;
   return { tool, point: new Vector3(...described.point), turns: described.turns };
@@ -92,10 +91,8 @@ function heldTool(): Omit<ToolInPlace, "use"> | null {
 /** The tool of the current hand, or else one of another hand or a gripper, if it is in place. */
 function toolInPlace(): ToolInPlace | null {
   const uses = state.value?.uses ?? {};
-  const tool = [heldObject.value, ...Object.keys(uses)].find((id) => id !== null && Object.hasOwn(uses, id));
-  const described = scene.value?.objects.find(({ id }) => id === tool)?.tool;
-  if (!tool || !described) return null;
-  return { tool, use: uses[tool]!, point: new Vector3(...described.point), turns: described.turns };
+  const tool = toolOf([heldObject.value, ...Object.keys(uses)].find((id) => id !== null && Object.hasOwn(uses, id)));
+  return tool && { ...tool, use: uses[tool.tool]! };
 }
 
 /** What a person does to use it; empty if this page's hand cannot. */

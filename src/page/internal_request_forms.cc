@@ -69,8 +69,8 @@ std::vector<RequestForm> WorldRequests() {
          "any of `faces`, `edges`, `grid`, `angles`"}},
        {},
        "sets what drags and turns snap to: by at most 0.15 units in the plane of the drag, and by "
-       "at most 5 degrees. `faces` and `edges` are those of objects with the same orientation; "
-       "`angles` are right angles to the table and to the nearest object"},
+       "at most 5 degrees. `faces` and `edges` are those of objects with the same orientation, "
+       "also of objects below; `angles` are right angles to the table and to the nearest object"},
       {"eye",
        {{"camera", TextShape(), true, "one of `cameras` in the state"}},
        {},

@@ -66,9 +66,9 @@ TEST_F(AnyRobot, WithoutASideFileIsLoadedWithAWarning) {
   std::filesystem::remove(directory_ / "my/arm.robot.json");
   const Answer answer = Smile("run pair.xml --seconds 0.1 --json" + std::string(kRobot));
   EXPECT_EQ(answer.exit_code, 0);
-  EXPECT_EQ(answer.err,
-            "my/arm.urdf: the robot has no side file and cannot be moved; `smile robots add` makes "
-            "one\n");
+  EXPECT_EQ(
+      answer.err,
+      "my/arm.urdf: the robot has no side file and cannot move; `smile robots add` makes one\n");
   const Answer asked = Smile("run pair.xml --seconds 0.1 --gripper electric" + std::string(kRobot));
   EXPECT_EQ(asked.exit_code, 1);
   EXPECT_EQ(Smile("run pair.xml --seconds 0.1 --no-robot --robot my/arm.urdf").exit_code, 2);

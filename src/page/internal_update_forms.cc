@@ -14,19 +14,26 @@ namespace {
 JsonShape SceneUpdateShape() {
   // Sent once per scene, since it can be large; everything that changes with time is in other
   // messages.
-  return ObjectShape({KindMember("scene"),
-                      {"scene", NumberShape(), true, "number of the scene, increasing"},
-                      {"name", TextShape()},
-                      {"metersPerUnit", NumberShape()},
-                      {"table", ObjectShape({{"size", PointShape()}}), true, "its top is at z = 0"},
-                      {"center", PointShape(), kOptional,
-                       "what views look at (default: the origin, the middle of the table top)"},
-                      {"numFrames", NumberShape()},
-                      {"robotFrame", NumberShape().OrNull(), true, "first frame of the robot"},
-                      {"visuals", JsonShape::List(VisualShape())},
-                      {"looks", NumbersShape()},
-                      {"objects", JsonShape::List(SceneObjectShape())},
-                      {"robot", RobotDescriptionShape().OrNull()}})
+  return ObjectShape(
+             {KindMember("scene"),
+              {"scene", NumberShape(), true, "number of the scene, increasing"},
+              {"name", TextShape()},
+              {"metersPerUnit", NumberShape()},
+              {"table", ObjectShape({{"size", PointShape()}}), true, "its top is at z = 0"},
+              {"center", PointShape(), kOptional,
+               "what views look at (default: the origin, the middle of the table top)"},
+              {"view",
+               ObjectShape({{"eye", PointShape()},
+                            {"target", PointShape()},
+                            {"angle", NumberShape(), true, "from top to bottom [degrees]"}})
+                   .OrNull(),
+               kOptional, "from where the page looks at first: the scene's camera `first_view`"},
+              {"numFrames", NumberShape()},
+              {"robotFrame", NumberShape().OrNull(), true, "first frame of the robot"},
+              {"visuals", JsonShape::List(VisualShape())},
+              {"looks", NumbersShape()},
+              {"objects", JsonShape::List(SceneObjectShape())},
+              {"robot", RobotDescriptionShape().OrNull()}})
       .Called("SceneMessage");
 }
 

@@ -200,6 +200,15 @@ Json DescribeRobot(const model::Model& model) {
           {"cameras", CameraNames(model)}};
 }
 
+/// Returns `view` of a scene message; null without a camera for it.
+Json DescribeFirstView(const scene::SceneSpec& scene) {
+  const auto camera = std::ranges::find(scene.cameras, scene::kFirstView, &scene::CameraSpec::id);
+  if (camera == scene.cameras.end()) return nullptr;
+  return {{"eye", PointInUnits(camera->p_WC, scene.meters_per_unit)},
+          {"target", PointInUnits(camera->p_WQ, scene.meters_per_unit)},
+          {"angle", RadiansToDegrees(camera->vertical_field_of_view)}};
+}
+
 }  // namespace
 
 Json PointInUnits(const Vector3& p, double meters_per_unit) {
@@ -225,6 +234,7 @@ Json SceneMessage(std::uint32_t number, const model::Model& model, const PageMes
           {"table",
            {{"size",
              PointInUnits({table.x_span, table.y_span, table.thickness}, scene.meters_per_unit)}}},
+          {"view", DescribeFirstView(scene)},
           {"numFrames", model.visual_model().num_frames},
           {"robotFrame",
            model.robot() == nullptr ? Json() : Json(std::size_t{*model.robot_frames().begin()})},

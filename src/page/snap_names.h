@@ -6,6 +6,7 @@
 namespace smile::page {
 
 /// Names of snap targets, see studio/snapping.h.
-inline constexpr std::array<std::string_view, 4> kSnapNames = {"faces", "edges", "grid", "angles"};
+inline constexpr std::array<std::string_view, 5> kSnapNames = {"rails", "faces", "edges", "grid",
+                                                               "angles"};
 
 }  // namespace smile::page

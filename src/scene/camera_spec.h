@@ -21,6 +21,9 @@ struct CameraSpec {
   bool operator==(const CameraSpec&) const = default;
 };
 
+/// Id of the camera from which the studio's page looks at first.
+inline constexpr std::string_view kFirstView = "first_view";
+
 /// Displacement of a camera that does not stand in the scene: of one of the robot's, or of the eye.
 /// Pictures are taken from there, and brains are given that pose.
 struct CameraOffset {

@@ -161,9 +161,10 @@ sim::Command WorldRequests::MeantBy(const Json& wanted, bool is_exact) {
   }
   const sim::Drag drag = sim::ParseDrag(wanted, meters_per_unit);
   sim::Refusal refusal;
-  const auto move = sim::MoveOf(drag, world.simulation(), &refusal);
+  const auto move = is_exact ? sim::MoveOf(drag, world.simulation(), &refusal)
+                             : snapper_.MoveOf(world, drag, &refusal);
   if (!move) throw page::RequestError(refusal);
-  return is_exact ? *move : snapper_.Snapped(world, drag, *move);
+  return *move;
 }
 
 std::optional<texts::UserMessage> WorldRequests::RefusalInSession(

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "math/angles.h"
+#include "studio/rail_drag.h"
 
 // Snapping collects wishes: displacements that would make a carried object touch or be flush with a
 // neighbor, or lie on the grid. Of these, the nearest one and one at right angles to it are
@@ -196,15 +197,18 @@ SnapTo SnapToOf(std::span<const std::string> names) {
   const auto has = [&](std::string_view name) {
     return std::ranges::find(names, name) != names.end();
   };
-  return {
-      .faces = has("faces"), .edges = has("edges"), .grid = has("grid"), .angles = has("angles")};
+  return {.rails = has("rails"),
+          .faces = has("faces"),
+          .edges = has("edges"),
+          .grid = has("grid"),
+          .angles = has("angles")};
 }
 
 std::vector<std::string> NamesOf(const SnapTo& snap) {
   std::vector<std::string> names;
-  for (const auto& [is_on, name] :
-       {std::pair(snap.faces, "faces"), std::pair(snap.edges, "edges"),
-        std::pair(snap.grid, "grid"), std::pair(snap.angles, "angles")}) {
+  for (const auto& [is_on, name] : {std::pair(snap.rails, "rails"), std::pair(snap.faces, "faces"),
+                                    std::pair(snap.edges, "edges"), std::pair(snap.grid, "grid"),
+                                    std::pair(snap.angles, "angles")}) {
     if (is_on) names.emplace_back(name);
   }
   return names;
@@ -240,6 +244,16 @@ Matrix3 SnapTurn(const SnapTo& snap, const Matrix3& R_wanted, std::span<const Ma
     R_snapped = R_right;
   }
   return R_snapped;
+}
+
+std::optional<sim::MoveTo> Snapper::MoveOf(const LiveWorld& world, const sim::Drag& drag,
+                                           sim::Refusal* refusal) const {
+  if (to.rails) {
+    // A rail needs no plane: the ray is enough.
+    if (auto along = MoveAlongRail(drag, world.simulation())) return along;
+  }
+  const auto move = sim::MoveOf(drag, world.simulation(), refusal);
+  return move ? std::optional(Snapped(world, drag, *move)) : std::nullopt;
 }
 
 sim::MoveTo Snapper::Snapped(const LiveWorld& world, const sim::Drag& drag,

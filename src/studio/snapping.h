@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@ namespace smile::studio {
 
 /// Targets to which drags and rotations snap.
 struct SnapTo {
+  bool rails = true;    ///< what slides on another object stays on its rail
   bool faces = false;   ///< sides of neighbours, to touch them
   bool edges = false;   ///< sides and middles of neighbours, to be flush with them
   bool grid = false;    ///< multiples of half a unit
@@ -58,13 +60,16 @@ class Snapper {
   SnapTo to;
 
   /// Returns the snapped motion of a drag.
-  /// @param move  from sim::MoveOf().
-  sim::MoveTo Snapped(const LiveWorld& world, const sim::Drag& drag, const sim::MoveTo& move) const;
+  /// @returns nullopt if it leads nowhere, with the reason in `refusal`.
+  std::optional<sim::MoveTo> MoveOf(const LiveWorld& world, const sim::Drag& drag,
+                                    sim::Refusal* refusal) const;
   /// Returns the snapped command; commands other than rotations are unchanged. Consecutive
   /// rotations add up as if nothing snapped, so that continued rotation leaves a snapped angle.
   sim::Command Snapped(const LiveWorld& world, const sim::Command& command);
 
  private:
+  sim::MoveTo Snapped(const LiveWorld& world, const sim::Drag& drag, const sim::MoveTo& move) const;
+
   /// Last rotation of a hand: desired end and snapped end.
   struct Turn {
     Matrix3 R_wanted = Matrix3::Zero(), R_snapped = Matrix3::Zero();

@@ -6,7 +6,7 @@ export type HandName = "left" | "right" | "both" | "any";
 
 export type FaceExpression = "idle" | "watching" | "working" | "puzzled" | "done";
 
-export type SnapName = "faces" | "edges" | "grid" | "angles";
+export type SnapName = "rails" | "faces" | "edges" | "grid" | "angles";
 
 export type Point = [number, number, number];
 
@@ -249,6 +249,8 @@ export interface SceneMessage {
   table: { size: Point };
   /** what views look at (default: the origin, the middle of the table top) */
   center?: Point;
+  /** from where the page looks at first: the scene's camera `first_view` */
+  view?: { eye: Point; target: Point; angle: number } | null;
   numFrames: number;
   /** first frame of the robot */
   robotFrame: number | null;

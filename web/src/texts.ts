@@ -104,15 +104,15 @@ export const texts = {
 
   placement: {
     ...t.placement,
-    rests: (objects: string[]) => say(t.placement.rests, { objects: allOf(objects) }),
+    rests: (isInside: boolean, objects: string[]) => say(t.placement.rests, { inside: yes(isInside), objects: allOf(objects) }),
     flush: (faces: string[]) => say(t.placement.flush, { faces: allOf(faces) }),
     of: (parts: string[], object: string) => say(t.placement.of, { parts: allOf(parts), object }),
     ends: (number: number) => say(t.placement.ends, { number }),
     sides: (number: number) => say(t.placement.sides, { number }),
     centered: (objects: string[]) => say(t.placement.centered, { objects: allOf(objects) }),
     touches: (objects: string[]) => say(t.placement.touches, { objects: allOf(objects) }),
-    missing: (millimeters: number, to: Missing["to"], object: string) =>
-      say(t.placement.missing, { millimeters, to, object }),
+    missing: (arrow: string, millimeters: number, to: Missing["to"], object: string) =>
+      say(t.placement.missing, { arrow, millimeters, to, object }),
   },
 
   objects: {

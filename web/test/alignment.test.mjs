@@ -31,12 +31,12 @@ test("faces within half a millimeter are flush, and those of a plank's short sid
 test("what is missing to faces that are flush or touch is told up to 3 cm, for each axis", () => {
   const missing = (one, other) => {
     const [found] = alignmentsOf(one, [other]);
-    return found?.missing.map(({ distance, to }) => `${Math.round(1000 * distance)} ${to}`).join();
+    return found?.missing.map(({ distance, toward, to }) => `${Math.round(1000 * distance)} ${to} ${toward.slice(0, 2).map(Math.round)}`).join(" | ");
   };
-  assert.deepEqual(missing(cube(-0.188, 0, 0.15), PLANK), "12 flush");
-  assert.deepEqual(missing(cube(-0.188, 0.008, 0.15), PLANK), "12 flush,8 flush");
+  assert.deepEqual(missing(cube(-0.188, 0, 0.15), PLANK), "12 flush -1,0");
+  assert.deepEqual(missing(cube(-0.188, 0.008, 0.15), PLANK), "12 flush -1,0 | 8 flush 0,-1");
   assert.deepEqual(missing(cube(-0.165, 0, 0.15), PLANK), "");
-  assert.deepEqual(missing(cube(-0.321, 0, 0.05), PLANK), "21 touching");
+  assert.deepEqual(missing(cube(-0.321, 0, 0.05), PLANK), "21 touching 1,0");
   // Where it is flush already, what is missing to the other face does not matter.
   assert.deepEqual(missing(cube(0.2, 0, 0.15), cuboid("Short", [0.205, 0, 0.05], [0.11, 0.1, 0.1])), "");
 });

@@ -357,7 +357,7 @@ test("a drag ends flush with a face where faces are snapped to; Escape ends the 
   assert.ok(gap() > 0.04, `it is where the mouse let it: ${gap()}`);
   await placement.getByText("rests on the table", { exact: true }).waitFor();
   assert.equal(await placement.getByText("touches").count(), 0);
-  await placement.getByText(/^\d+ mm from touching Resting$/).waitFor();
+  await placement.getByText(/^[←-↙] \d+ mm to touch Resting$/).waitFor();
 
   await person.press("Faces");
   await witness.until(() => witness.state.snap.includes("faces"), "faces are snapped to");

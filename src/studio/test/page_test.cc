@@ -20,6 +20,7 @@ TEST(SceneMessage, UsesTheUnitsOfTheFile) {
   <frustum id="p" location="(5, 2, 0.5)"/>
   <frustum id="q" location="(-5, 2, 0.5)"/>
   <toggleSwitch id="s" location="(3, 3, 0.1)"/>
+  <camera id="first_view" location="(1, -6, 9)" target="(0, 1, 0)" fov="50"/>
 </tabletop>)xml",
                          "some.xml")
                          .scene;
@@ -30,6 +31,8 @@ TEST(SceneMessage, UsesTheUnitsOfTheFile) {
   const Json message = page::SceneMessage(
       3, model, meshes, recording::VisualStateAt(recording::StartOf(model), model).variants);
   EXPECT_EQ(message["table"]["size"], Json::array({24.0, 12.0, 4.0}));
+  EXPECT_EQ(message["view"]["eye"], Json::array({1.0, -6.0, 9.0}));
+  EXPECT_NEAR(message["view"]["angle"].get<double>(), 50, 1e-9);
   EXPECT_EQ(message["visuals"][1]["block"], Json::array({2.0, 1.0, 1.0}));
   EXPECT_EQ(message["visuals"][1]["color"], "#ff0000");
   EXPECT_EQ(message["visuals"][2]["mesh"], 0);
@@ -66,6 +69,7 @@ TEST(SceneMessage, MarksGlowingVisualsAsFilmsDo) {
   const Json message =
       page::SceneMessage(1, model, page::PageMeshes(model.visual_model()),
                          recording::VisualStateAt(recording::StartOf(model), model).variants);
+  EXPECT_TRUE(message["view"].is_null());
   const auto& visuals = model.visual_model().visuals;
   ASSERT_EQ(message["visuals"].size(), visuals.size());
   int num_lamps = 0, num_of_face = 0;

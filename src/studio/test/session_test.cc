@@ -678,7 +678,7 @@ TEST_F(SessionTest, WrongRequestsNameTheField) {
   EXPECT_EQ(Refused(R"({"do":"speed","factor":1e300})"),
             "\"factor\" is 1e+300, expected a number from 0.1 to 4");
   EXPECT_EQ(Refused(R"({"do":"snap","to":"faces"})"),
-            "\"to\" is text, expected a list of any of faces, edges, grid or angles");
+            "\"to\" is text, expected a list of any of rails, faces, edges, grid or angles");
   EXPECT_NE(Refused(R"({"do":"command","command":{"do":"grasp","hand":"left"}})").find("object"),
             std::string::npos);
 }

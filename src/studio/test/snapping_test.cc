@@ -93,6 +93,36 @@ TEST_F(SnappingTest, HighOverANeighborItsSidesCountButNotItsTop) {
   EXPECT_NEAR(goal_of_drag("1.9", "4.1").first, 2, 1e-4);
 }
 
+TEST_F(SnappingTest, ALidStaysOnItsRailAndLeavesItsBoxAlone) {
+  WriteFile(root_ / "scenes/pair.xml",
+            R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <sliderJoint location="(0,0,1)" rotation="(0,0,90)" max="2">
+    <box id="Chest" xspan="3" yspan="2" zspan="1" location="(0,0,-0.5)"/>
+    <block id="Lid" xspan="3" yspan="2" zspan="0.2" location="(0,0,0.1)"/>
+  </sliderJoint>
+</tabletop>)xml");
+  Begin();
+  const Vector3 chest = PositionOf("Chest"), lid = PositionOf("Lid");
+  Command(R"({"do":"grasp","hand":"left","object":"Lid","point":[0,0,1.2]})");
+  // The rail is along y, across the hand's plane; the ray passes 1 unit from the start of the way.
+  Command(R"({"do":"drag","hand":"left","origin":[9,-1,3],"direction":[-1,0,0]})");
+  EXPECT_NEAR(State()["hands"]["left"]["goal"][0].get<double>(), 0, 1e-3);
+  EXPECT_NEAR(State()["hands"]["left"]["goal"][1].get<double>(), -1, 1e-3);
+  EXPECT_NEAR(State()["hands"]["left"]["goal"][2].get<double>(), 1.2, 1e-3);
+  // Far beyond the end, and up into the sky: the rail ends at 2.
+  Command(R"({"do":"drag","hand":"left","origin":[9,-8,3],"direction":[-1,0,1]})");
+  TickSeconds(2);
+  EXPECT_NEAR(PositionOf("Lid").y(), lid.y() - 2, 0.01);
+  EXPECT_LT((PositionOf("Chest") - chest).norm(), 1e-3);
+  // Along the rail, a ray tells nothing.
+  Command(R"({"do":"drag","hand":"left","origin":[1,9,3],"direction":[0,-1,0]})");
+  EXPECT_NEAR(State()["hands"]["left"]["goal"][1].get<double>(), -2, 1e-3);
+  // Without rails, the hand goes where the plane is met.
+  Do(R"({"do":"snap","to":[]})");
+  Command(R"({"do":"drag","hand":"left","origin":[9,-20,3],"direction":[0,1,0]})");
+  EXPECT_NEAR(State()["hands"]["left"]["goal"][0].get<double>(), 9, 1e-3);
+}
+
 TEST_F(SnappingTest, TurnsStickToARightAngleUntilTheyLeadAway) {
   Begin();
   Do(R"({"do":"snap","to":["angles"]})");

@@ -349,7 +349,7 @@ function Snapping() {
   return (
     <>
       <Chips label={words.snap} choices={choices} chosen={snaps.value} disabled={!mayAct.value} onToggle={toggle} />
-      {snaps.value.length > 0 && <p class="hint">{words.snapHint}</p>}
+      {snaps.value.some((snap) => snap !== "rails") && <p class="hint">{words.snapHint}</p>}
       <Switch
         label={words.guides}
         isOn={guides.value}

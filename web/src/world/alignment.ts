@@ -31,6 +31,8 @@ export interface Alignment {
 
 export interface Missing {
   distance: number;
+  /** Direction in which the cuboid would have to move: of length 1, in the world. */
+  toward: Point;
   to: "flush" | "touching";
 }
 
@@ -106,12 +108,16 @@ function missingTo(other: Cuboid, half: number[], apart: number[], gaps: number[
   return [0, 1, 2].flatMap((k) => {
     if (Math.abs(other.axes[k]![2]) > PARALLEL) return [];
     const isBeside = gaps.every((gap, axis) => axis === k || gap < -SAME);
-    const flush = [1, -1].map((side) => Math.abs(apart[k]! + side * half[k]! - side * other.half[k]!));
+    // Displacements along the axis.
+    const flush = [1, -1].map((side) => side * (other.half[k]! - half[k]!) - apart[k]!);
     const steps = [
-      ...flush.map((distance) => ({ distance, to: "flush" as const })),
-      ...(isBeside ? [{ distance: Math.abs(gaps[k]!), to: "touching" as const }] : []),
+      ...flush.map((shift) => ({ shift, to: "flush" as const })),
+      ...(isBeside ? [{ shift: -Math.sign(apart[k]!) * gaps[k]!, to: "touching" as const }] : []),
     ];
-    const least = steps.reduce((one, another) => (another.distance < one.distance ? another : one));
-    return least.distance < SAME || least.distance >= FAR ? [] : [least];
+    const { shift, to } = steps.reduce((one, another) => (Math.abs(another.shift) < Math.abs(one.shift) ? another : one));
+    const distance = Math.abs(shift);
+    if (distance < SAME || distance >= FAR) return [];
+    const toward = other.axes[k]!.map((part) => Math.sign(shift) * part) as Point;
+    return [{ distance, toward, to }];
   });
 }

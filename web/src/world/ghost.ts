@@ -7,7 +7,7 @@ import type { Piece } from "./models";
 import { MARK, Outline } from "./outline";
 import type { Picker } from "./pick";
 import { guides } from "./signals";
-import { supportsOf } from "./supports";
+import { type Supports, supportsOf } from "./supports";
 
 /** The program tries out how things fall: it is not asked more often [ms]. */
 const PAUSE_MS = 300;
@@ -17,8 +17,8 @@ const NEAR = 0.008;
 const NEAR_ANGLE = 0.05;
 const OUTLINE_PIXELS = 2;
 
-/** What the held object would rest on: ids of objects, "" for the table; or it would fall off the table. */
-export type Rest = { object: string; on: string[] | "nothing" };
+/** What the held object would rest on; null: it would fall off the table. */
+export type Rest = { object: string; supports: Supports | null };
 
 /** Where the held object would come to rest if it were let go now. */
 export class Ghost {
@@ -84,7 +84,7 @@ export class Ghost {
 
   private show(object: string, reply: Reply | null): void {
     const pose = poseOf(reply);
-    this.rest = reply === null ? null : { object, on: "nothing" };
+    this.rest = reply === null ? null : { object, supports: null };
     this.root.visible = pose !== null && guides.value;
     if (pose !== null) {
       const [x, y, z, qx, qy, qz, qw] = pose;
@@ -92,7 +92,7 @@ export class Ghost {
       this.root.position.set(x, y, z);
       this.root.quaternion.set(qx, qy, qz, qw);
       this.root.updateMatrixWorld();
-      this.rest = { object, on: supportsOf(this.faces, object, this.picker, this.unitsPerMeter) };
+      this.rest = { object, supports: supportsOf(this.faces, object, this.picker, this.unitsPerMeter) };
       if (this.isThereAlready(object)) this.root.visible = false;
     }
     this.onChange();

@@ -72,13 +72,14 @@ export class Hands {
     const held = heldObject.value;
     if (held === null) {
       if (picked && this.isOfGroup(picked)) return this.group.begin(at, picked.point, this.groupNormal);
-      return picked?.object && !isFixed(picked.object) ? this.carryOnceMoved(at, () => this.grasp(picked.object, picked.point)) : null;
+      return this.grabOnceMoved(at, picked);
     }
     const ring = this.ringUnder(at, picked);
     if (ring !== null) return this.turn(at, ring);
     if (picked?.object === held) return this.carry(at, Promise.resolve(true));
     const other = this.otherHandWith(picked);
-    return other && this.carryOnceMoved(at, () => this.become(other));
+    if (other !== null) return this.carryOnceMoved(at, () => this.become(other));
+    return this.grabOnceMoved(at, picked);
   }
 
   /** A ring is gripped by its letter first. Before the held object itself, only the letters can be gripped. */
@@ -229,6 +230,11 @@ export class Hands {
     return true;
   }
 
+  /** A hand that is full is told by the program to release first. */
+  private grabOnceMoved(at: PointerAt, picked: Picked | null): Drag | null {
+    return picked?.object && !isFixed(picked.object) ? this.carryOnceMoved(at, () => this.grasp(picked.object, picked.point)) : null;
+  }
+
   /** @param takeHold before it is carried; whether that worked */
   private carryOnceMoved(at: PointerAt, takeHold: () => Promise<boolean>): Drag {
     let carrying: Drag | null = null;
@@ -340,7 +346,6 @@ export class Hands {
   }
 }
 
-/** Whether no hand can take the object. */
 /** Whether a press of this is meant: a switch or a button, but not an object that is one as a whole. */
 function isControl({ object, part, button }: Picked): boolean {
   if (part === null || part === object || !isCommandOffered("trigger")) return false;
@@ -349,6 +354,7 @@ function isControl({ object, part, button }: Picked): boolean {
   return controls.some(({ id, kind, parts }) => kind !== "indicatorLights" && isMeant(id, parts));
 }
 
+/** Whether no hand can take the object. */
 export function isFixed(object: string): boolean {
   return scene.value?.objects.find(({ id }) => id === object)?.fixed ?? false;
 }

@@ -48,7 +48,12 @@ export class Picker {
 
   /** The first thing straight below a point, but not that of an object, if one is given, nor the robot. */
   below(point: Vector3, except: string | null): Picked | null {
-    this.caster.set(point, new Vector3(0, 0, -1));
+    return this.toward(point, new Vector3(0, 0, -1), except);
+  }
+
+  /** The same in any direction. */
+  toward(point: Vector3, direction: Vector3, except: string | null): Picked | null {
+    this.caster.set(point, direction);
     return this.nearest(
       this.models.pieces.filter((piece) => piece.object !== except && !this.models.isOfRobot(piece)),
     );

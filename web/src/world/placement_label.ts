@@ -1,5 +1,6 @@
 import { type Object3D, type PerspectiveCamera, Vector3 } from "three";
 import { guideColors } from "../colors";
+import type { Point } from "../protocol";
 import { scene, state } from "../studio";
 import { texts } from "../texts";
 import { type Alignment, alignmentsOf } from "./alignment";
@@ -13,8 +14,9 @@ import { supportsOf } from "./supports";
 const { placement: words } = texts;
 /** From the middle of the object to the text, in radii of the object; the rings are between both. */
 const AWAY = 1.5;
-/** From the text to the edge of the picture [px]. */
+/** From the text to the edge of the picture, and to its top, where the buttons of the views are [px]. */
 const MARGIN = 8;
+const TOP_MARGIN = 52;
 /** A released object that has moved this far since it came to rest is no longer described [m]. */
 const FAR = 0.002;
 
@@ -72,7 +74,7 @@ export class PlacementLabel {
       this.restPlace = null;
       this.object = held;
       // While the program is finding out where it would rest, what was found last is shown.
-      this.lines = [...(rest?.object === held ? restLines(rest.on) : []), ...this.alignments];
+      this.lines = [...(rest?.object === held ? restLines(rest.supports) : []), ...this.alignments];
     } else if (this.object !== null) this.describeReleased(this.object);
     const ball = this.object === null ? null : Models.ballAbout(this.models.piecesOf(this.object));
     this.say(ball === null ? [] : this.lines);
@@ -87,8 +89,7 @@ export class PlacementLabel {
     if (this.models.moved.size > 0 || state.value?.still !== true || this.restPlace !== null) return;
     this.restPlace = group.position.clone();
     const meshes = this.models.piecesOf(object).map(({ mesh }) => mesh);
-    const on = supportsOf(meshes, object, this.picker, 1 / metersPerUnit);
-    this.lines = [...(on.length > 0 ? restLines(on) : []), ...this.alignmentLines(object, null)];
+    this.lines = [...restLines(supportsOf(meshes, object, this.picker, 1 / metersPerUnit)), ...this.alignmentLines(object, null)];
   }
 
   private alignmentLines(object: string, ghost: Object3D | null): string[] {
@@ -96,7 +97,17 @@ export class PlacementLabel {
     const cuboids = cuboidsOf(this.models, scene.value, new Map(ghost === null ? [] : [[object, ghost]]));
     const own = cuboids.get(object);
     cuboids.delete(object);
-    return own ? linesOf(alignmentsOf(own, [...cuboids.values()])) : [];
+    if (own === undefined) return [];
+    return linesOf(alignmentsOf(own, [...cuboids.values()]), (toward) => this.arrowFrom(own.center, toward));
+  }
+
+  /** An arrow that points in the picture where a direction leads from a point [m]. */
+  private arrowFrom(from: Point, toward: Point): string {
+    const units = 1 / scene.value!.metersPerUnit;
+    const start = new Vector3(...from).multiplyScalar(units);
+    const [one, other] = [start, start.clone().addScaledVector(new Vector3(...toward), 0.01 * units)].map((point) => this.picker.toPage(point));
+    const eighth = Math.round((4 * Math.atan2(one!.y - other!.y, other!.x - one!.x)) / Math.PI);
+    return "→↗↑↖←↙↓↘"[(eighth + 8) % 8]!;
   }
 
   /** The element stays while it is empty, and changes only with its words: screen readers then announce them once. */
@@ -121,18 +132,19 @@ export class PlacementLabel {
     const beside = sides.find((side) => side >= MARGIN && side <= room);
     const up = beside === undefined ? away + offsetHeight : offsetHeight / 2;
     style.left = `${beside ?? within(x - box.left - offsetWidth / 2, box.width - offsetWidth)}px`;
-    style.top = `${within(y - box.top - up, box.height - offsetHeight)}px`;
+    style.top = `${within(y - box.top - up, box.height - offsetHeight, TOP_MARGIN)}px`;
   }
 }
 
 const nameOf = (object: string) => (object === "" ? words.table : object);
 
-function restLines(on: Rest["on"]): string[] {
-  if (on === "nothing") return [words.falls];
-  return on.length > 0 ? [words.rests(on.map(nameOf))] : [];
+function restLines(supports: Rest["supports"]): string[] {
+  if (supports === null) return [words.falls];
+  const { on, isInside } = supports;
+  return on.length > 0 ? [words.rests(isInside, on.map(nameOf))] : [];
 }
 
-function linesOf(alignments: Alignment[]): string[] {
+function linesOf(alignments: Alignment[], arrow: (toward: Point) => string): string[] {
   const flush = alignments.flatMap((alignment) => {
     const parts = partsOf(alignment);
     return parts.length > 0 ? [words.of(parts, nameOf(alignment.object))] : [];
@@ -146,7 +158,7 @@ function linesOf(alignments: Alignment[]): string[] {
     ...(flush.length > 0 ? [words.flush(flush)] : []),
     ...(centered.length > 0 ? [words.centered(centered)] : []),
     ...(touched.length > 0 ? [words.touches(touched)] : []),
-    ...(nearest?.missing ?? []).map(({ distance, to }) => words.missing(Math.ceil(distance * 1000), to, nearest!.object)),
+    ...(nearest?.missing ?? []).map(({ distance, toward, to }) => words.missing(arrow(toward), Math.ceil(distance * 1000), to, nearest!.object)),
   ];
 }
 
@@ -160,6 +172,6 @@ function partsOf({ ends, sides, isTopLevel, isBottomLevel }: Alignment): string[
 }
 
 /** Between the margins of the picture [px]. */
-function within(at: number, room: number): number {
-  return Math.max(MARGIN, Math.min(at, room - MARGIN));
+function within(at: number, room: number, margin = MARGIN): number {
+  return Math.max(margin, Math.min(at, room - MARGIN));
 }

@@ -1,8 +1,10 @@
-import { type PerspectiveCamera, Vector3 } from "three";
+import { type PerspectiveCamera, type Sphere, Vector3 } from "three";
+import type { SceneMessage } from "../protocol";
 import { cameraKind, type Preset } from "./signals";
 
 const FIELD_OF_VIEW = 45;
 const ROBOTS_FIELD_OF_VIEW = 60; // [degrees]
+const WIDEST = 85; // [degrees]
 const EASE_SECONDS = 0.11;
 const LOWEST = -0.1;
 const HIGHEST = Math.PI / 2 - 0.002; // [rad]
@@ -76,8 +78,20 @@ export class ViewCamera {
     this.hasRobot = hasRobot;
   }
 
-  /** The robot stands where y is low, its head before the table's edge; the front is opposite. */
-  show(preset: Preset, isSudden = false): void {
+  /** Goes where the scene wants to be looked at from. */
+  showScenes({ eye, target, angle }: NonNullable<SceneMessage["view"]>, isSudden = false): void {
+    this.wanted.lookFrom(new Vector3(...eye), new Vector3(...target));
+    this.wanted.elevation = clamp(this.wanted.elevation, LOWEST, HIGHEST);
+    this.wanted.angle = angle;
+    cameraKind.value = "free";
+    this.goThere(isSudden);
+  }
+
+  /**
+   * The robot stands where y is low, its head before the table's edge; the front is opposite.
+   * @param balls  to be in the picture, as far as that needs neither twice the distance nor a wider angle than an eye has
+   */
+  show(preset: Preset, isSudden = false, balls: readonly Sphere[] = []): void {
     const m = this.unitsPerMeter;
     const half = this.tableDepth / 2;
     const middle = new Vector3(0, -0.12 * m, 0.12 * m);
@@ -96,8 +110,22 @@ export class ViewCamera {
     this.wanted.lookFrom(eye.add(this.center), target.add(this.center));
     this.wanted.elevation = Math.min(this.wanted.elevation, HIGHEST);
     this.wanted.angle = preset === "robot" ? ROBOTS_FIELD_OF_VIEW : FIELD_OF_VIEW;
+    this.include(balls, preset === "robot");
     cameraKind.value = preset;
     this.goThere(isSudden);
+  }
+
+  /** The robot's head is behind its eye: there, the angle grows instead of the distance. */
+  private include(balls: readonly Sphere[], isOfRobot: boolean): void {
+    const { wanted } = this;
+    const nearest = wanted.distance;
+    if (isOfRobot) {
+      const isIn = (angle: number) => balls.every((ball) => distanceFor(ball, wanted, angle, this.camera.aspect) <= nearest);
+      while (wanted.angle < WIDEST && !isIn(wanted.angle)) wanted.angle += 1;
+      return;
+    }
+    const needed = balls.map((ball) => distanceFor(ball, wanted, wanted.angle, this.camera.aspect));
+    wanted.distance = clamp(Math.max(nearest, ...needed), nearest, 2 * nearest);
   }
 
   /** Looks at a ball, as near as shows it well. */
@@ -240,6 +268,18 @@ export class ViewCamera {
 
 function clamp(value: number, low: number, high: number): number {
   return Math.min(Math.max(value, low), high);
+}
+
+/** How far from its target a view must be, in its direction, for a ball to be in its picture. */
+function distanceFor(ball: Sphere, view: View, angle: number, aspect: number): number {
+  const from = ball.center.clone().sub(view.target);
+  const sideways = new Vector3(-Math.sin(view.azimuth), Math.cos(view.azimuth), 0);
+  const upwards = view.away.cross(sideways);
+  const half = (angle * Math.PI) / 360;
+  const halfAcross = Math.atan(Math.tan(half) * aspect);
+  // A ball touches a side of the picture's pyramid where its center is radius / cos before it.
+  const along = (direction: Vector3, slope: number) => (Math.abs(from.dot(direction)) + ball.radius / Math.cos(slope)) / Math.tan(slope);
+  return from.dot(view.away) + Math.max(along(sideways, halfAcross), along(upwards, half));
 }
 
 /** The short way round [rad]. */

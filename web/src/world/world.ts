@@ -1,8 +1,8 @@
 import { effect } from "@preact/signals";
-import { Vector3 } from "three";
+import { type Sphere, Vector3 } from "three";
 import { handColors } from "../colors";
 import { listenToKeys } from "../keys";
-import type { Poses } from "../protocol";
+import type { Poses, SceneMessage } from "../protocol";
 import { currentHand, heldObject, isController, poseListeners, scene, state, variants } from "../studio";
 import { DragGuides } from "./drag_guides";
 import { DetailController } from "./detail";
@@ -90,6 +90,8 @@ class DrawnWorld implements World {
   private hasMoved = true;
   private hoverAt: PointerAt | null = null;
   private isStarted = false;
+  /** Where the scene wants to be looked at from. */
+  private scenesView: SceneMessage["view"] | null = null;
   /** What of the last state is to be seen, beside what moves. */
   private seenState = "";
 
@@ -123,14 +125,23 @@ class DrawnWorld implements World {
 
   showPreset(name: Preset): void {
     chosenView.value = name;
-    this.camera.show(name);
+    this.camera.show(name, false, this.ballsOnTable());
   }
 
   showFirstView(isSudden = false): void {
     // In a study, all participants begin with the same view.
     const chosen = areAidsFixed.peek() ? "default" : chosenView.peek();
-    const usual = scene.peek()?.robotFrame === null ? "robot" : "front";
+    const message = scene.peek();
+    if (chosen === "default" && message?.view) return this.camera.showScenes(message.view, isSudden);
+    const usual = message?.robotFrame === null ? "robot" : "front";
     this.camera.show(chosen === "default" ? usual : chosen, isSudden);
+  }
+
+  /** Those of all objects that did not fall. */
+  private ballsOnTable(): Sphere[] {
+    const { fallen = [], gone = [] } = state.peek() ?? {};
+    const objects = (scene.peek()?.objects ?? []).map(({ id }) => id).filter((id) => !fallen.includes(id) && !gone.includes(id));
+    return objects.flatMap((id) => Models.ballAbout(this.models.piecesOf(id)) ?? []);
   }
 
   focus(objectId: string): void {
@@ -225,7 +236,16 @@ class DrawnWorld implements World {
     hovered.value = null;
     contextMenu.value = null;
     if (measured.peek() !== null) measured.value = [];
+    this.takeView(message);
+  }
+
+  /** A view stays from scene to scene, unless one of them has a view of its own. */
+  private takeView({ view = null }: SceneMessage): void {
+    const isOther = JSON.stringify(view) !== JSON.stringify(this.scenesView);
     if (!this.isStarted) this.showFirstView(true);
+    else if (isOther && view !== null) this.camera.showScenes(view);
+    else if (isOther) this.showFirstView();
+    this.scenesView = view;
     this.isStarted = true;
   }
 

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+
+#include "sim/drag.h"
+
+namespace smile::studio {
+
+/// Returns the motion of a drag of an object that slides on another, such as a lid or a drawer: to
+/// the point of its way that is nearest to the mouse ray, between the ends of the rail. What it
+/// slides on is neither pulled nor pushed. In a direction within 10 degrees of the rail, a ray
+/// tells nothing, and the hand keeps its goal.
+/// @returns nullopt unless the hand holds the second member of a slider.
+std::optional<sim::MoveTo> MoveAlongRail(const sim::Drag& drag, const sim::Simulation& simulation);
+
+}  // namespace smile::studio

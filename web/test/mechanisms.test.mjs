@@ -1,0 +1,46 @@
+// Things that slide on others, in the dock for disk drives.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { Browser } from "./workbench.mjs";
+
+const browser = new Browser();
+before(() => browser.start());
+after(() => browser.close());
+
+const DOCK = new URL("../../scenes/dock.xml", import.meta.url).pathname;
+/** On the front of the drawer, and how far it is pulled toward the viewer [units]. */
+const HANDLE = [-5.9, -1.8, 1.5];
+const PULL = 1.5;
+
+test("a drawer slides to the end of its rail, and no full hand takes another object", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: [DOCK, "--no-pictures"] });
+  const placement = page.getByRole("status", { name: "Placement of the object" });
+  await witness.until(() => witness.state.still, "the drives stand");
+  const [dockCase, drawer, bin] = ["DockCase", "DockDrawer", "Bin"].map((id) => witness.positionOf(id));
+  const [from, to] = [HANDLE, [HANDLE[0], HANDLE[1] - PULL, HANDLE[2]]];
+
+  // The scene's own view shows the front, which the robot sees; the mouse leaves the rail by far.
+  const picked = await person.placeOnPage(from);
+  await person.pointer.press(picked);
+  const target = await person.placeOnPage(to);
+  await person.pointer.moveTo({ x: target.x, y: target.y });
+  await witness.until(() => Math.abs(witness.positionOf("DockDrawer")[1] - (drawer[1] - PULL)) < 0.3, "the drawer is where the mouse is");
+  await person.pointer.moveTo({ x: target.x - 60, y: target.y + 160 });
+  await witness.until(() => witness.positionOf("DockDrawer")[1] < drawer[1] - 2.3, "the drawer is at its end");
+  await person.pointer.lift();
+  await witness.settled(() => witness.positionOf("DockDrawer"), "the drawer stays there", 300);
+  const moved = Math.hypot(...witness.positionOf("DockCase").map((value, axis) => value - dockCase[axis]));
+  assert.ok(moved < 0.02, `the case has moved by ${moved} units`);
+
+  const box = await person.pointOf("Bin");
+  await person.pointer.press(box);
+  await person.pointer.moveTo({ x: box.x, y: box.y - 80 });
+  await person.pointer.lift();
+  await page.getByRole("alert").getByText("already holds 'DockDrawer'; release it first").waitFor();
+  assert.deepEqual(witness.positionOf("Bin"), bin);
+
+  await page.keyboard.press("Backspace");
+  await person.grasp("Drive3");
+  await placement.getByText("rests in DockDrawer", { exact: true }).waitFor();
+});

@@ -124,53 +124,48 @@ function UseTool({ object }: { object: string }) {
   );
 }
 
-function Held({ object }: { object: string }) {
+function Held() {
+  return (
+    <div class="row">
+      <Button
+        label={words.release}
+        kind="accent"
+        class="grow"
+        keys={keyFor("hand.release")}
+        tour="release"
+        disabled={!mayAct.value}
+        onClick={releaseHeld}
+      />
+      {isCommandOffered("destroy") && (
+        <Button
+          label={words.destroy}
+          kind="danger"
+          icon="trash"
+          keys={keyFor("hand.destroy")}
+          isKeyHidden
+          title={words.destroyWhy}
+          disabled={!mayAct.value}
+          onClick={() => void command({ do: "destroy", hand: currentHand.value })}
+        />
+      )}
+    </div>
+  );
+}
+
+/** Which properties of the held object the robot should consider. */
+function Attention({ object }: { object: string }) {
   const attended = attention.value[object] ?? [];
   const choices = propertyChoices(object);
   const toggle = (property: string) => {
     const properties = attended.includes(property) ? attended.filter((one) => one !== property) : [...attended, property];
     void command({ do: "attend", hand: currentHand.value, properties });
   };
+  if (choices.length === 0) return null;
   return (
-    <>
-      <div class="row">
-        <Button
-          label={words.release}
-          kind="accent"
-          class="grow"
-          keys={keyFor("hand.release")}
-          tour="release"
-          disabled={!mayAct.value}
-          onClick={releaseHeld}
-        />
-        {isCommandOffered("destroy") && (
-          <Button
-            label={words.destroy}
-            kind="danger"
-            icon="trash"
-            keys={keyFor("hand.destroy")}
-            isKeyHidden
-            title={words.destroyWhy}
-            disabled={!mayAct.value}
-            onClick={() => void command({ do: "destroy", hand: currentHand.value })}
-          />
-        )}
-      </div>
-      {choices.length > 0 && (
-        <div class="field">
-          <span class="field-label" title={words.attentionWhy}>
-            {words.attention}
-          </span>
-          <Chips
-            label={words.attention}
-            choices={choices}
-            chosen={attended}
-            disabled={!mayAct.value}
-            onToggle={toggle}
-          />
-        </div>
-      )}
-    </>
+    <Card title={words.attention}>
+      <p class="hint">{words.attentionWhy}</p>
+      <Chips label={words.attention} choices={choices} chosen={attended} disabled={!mayAct.value} onToggle={toggle} />
+    </Card>
   );
 }
 
@@ -380,7 +375,7 @@ export function HandsPanel() {
       </Card>
       {object !== null && (
         <Card title={`${words.held}: ${object}`}>
-          <Held object={object} />
+          <Held />
           <UseTool object={object} />
         </Card>
       )}
@@ -389,9 +384,6 @@ export function HandsPanel() {
           <Snapping />
         </Card>
       )}
-      <Card title={words.plane} isOpen={isPlaneOpen}>
-        <Plane />
-      </Card>
       {object !== null && (
         <>
           <Card title={words.move} isOpen={isMoveOpen}>
@@ -407,6 +399,10 @@ export function HandsPanel() {
           </Card>
         </>
       )}
+      <Card title={words.plane} isOpen={isPlaneOpen}>
+        <Plane />
+      </Card>
+      {object !== null && <Attention object={object} />}
     </>
   );
 }

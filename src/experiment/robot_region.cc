@@ -16,6 +16,7 @@
 
 #include "base/wording.h"
 #include "experiment/content_hash.h"
+#include "experiment/internal_starting_pose.h"
 #include "motion/arm_moves.h"
 #include "motion/articulation_probe.h"
 #include "motion/inverse_kinematics.h"
@@ -154,9 +155,13 @@ std::string KeyOf(const model::RobotPlacement& robot, double object_height) {
 
 layout::LayoutRegion RegionOf(const model::RobotPlacement& robot, double object_height) {
   layout::LayoutRegion region;
-  if (robot.model.name == "baxter") return region;
   // A table of depth 0 has its near edge at y = 0.
   const RigidTransform X_WBase = model::RobotBasePose({.y_span = 0}, robot.gap, robot.height);
+  region.touches_at_start = [start = StartingPose(robot.model, X_WBase)](
+                                const layout::Footprint& footprint, double top) {
+    return start.Touches(footprint, top);
+  };
+  if (robot.model.name == "baxter") return region;
   if (robot.model.head) {
     region.X_EC =
         robot::FramePose(robot.model, X_WBase, robot.model.q_start, robot.model.head->camera);

@@ -66,7 +66,10 @@ bool LayoutRegion::Holds(const scene::TableSpec& table, const Footprint& footpri
       if (!IsInView(X_CE * Vector3(corner.x(), corner.y() - edge, z))) return false;
     }
   }
-  return true;
+  if (!touches_at_start) return true;
+  Footprint from_edge = footprint;
+  from_edge.center.y() -= edge;
+  return !touches_at_start(from_edge, top);
 }
 
 }  // namespace smile::layout

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "layout/footprint.h"
@@ -21,6 +22,10 @@ struct LayoutRegion {
   /// Pose of the robot's eye C: from the middle of the table's near edge, x right, y away from the
   /// robot, z up. The default is Baxter's, which is also that of robots without an eye.
   RigidTransform X_EC = StandardEye();
+  /// Returns true if the robot, as it stands at the start, touches an object with this footprint
+  /// and height [m]. The footprint is counted from the middle of the table's near edge. Null: it
+  /// touches none.
+  std::function<bool(const Footprint&, double top)> touches_at_start;
 
   /// An arm grasps vertically within a circle about the point below its shoulder. Measured at tool
   /// heights from 0.08 to 0.25 m, at any yaw: 0.736 to 0.75 m all around.
@@ -44,7 +49,8 @@ struct LayoutRegion {
   /// Returns true if the robot reaches an object whose center is at `center` in the world [m].
   bool Reaches(const scene::TableSpec& table, const Vector2& center) const;
   /// Returns true if the robot reaches the center of an object with this footprint, its eye sees
-  /// all of it, up to its top, and all of it is on the table. The strip does not matter.
+  /// all of it, up to its top, all of it is on the table, and the robot does not touch it at the
+  /// start. The strip does not matter.
   bool Holds(const scene::TableSpec& table, const Footprint& footprint, double top) const;
 };
 

@@ -18,6 +18,17 @@ TEST(RobotRegion, OfBaxterIsTheMeasuredOne) {
   EXPECT_EQ(RegionOf(baxter, kHeight).reach_map, nullptr);
 }
 
+TEST(RobotRegion, NothingStandsInTheRobotAtTheStart) {
+  const model::RobotPlacement baxter{.model = robot::ReadRobot(DataFile("robots/baxter.urdf"))};
+  const layout::LayoutRegion region = RegionOf(baxter, kHeight);
+  const scene::TableSpec table;
+  // Below a hand there is room for a block, but not for three of them.
+  const layout::Footprint tower{.center = {0.164, -0.36}, .half_size = {0.05, 0.05}};
+  EXPECT_TRUE(region.Holds(table, tower, 0.1));
+  EXPECT_FALSE(region.Holds(table, tower, 0.3));
+  EXPECT_TRUE(layout::LayoutRegion().Holds(table, tower, 0.3)) << "the eye sees all of it";
+}
+
 TEST(RobotRegion, ComputedForBaxterIsNearlyTheMeasuredOne) {
   model::RobotPlacement robot{.model = robot::ReadRobot(DataFile("robots/baxter.urdf"))};
   robot.model.name = "twin";

@@ -19,8 +19,9 @@ TEST_F(TaskExperiment, ShippedTasksHaveTheirFiles) {
   }
 }
 
-// A program that does nothing earns nothing, in the shipped layout and in others, and no layout
-// does the task.
+// A program that does nothing earns nothing, in the shipped layout and in others: no layout does
+// the task, and none puts anything where the robot stands at the start, as once at seed 1003 of
+// unstack.
 TEST_F(TaskExperiment, AnIdleProgramGainsNothingInAnyShippedTask) {
   for (const ShippedTask& shipped : kTasks) {
     const std::string name(shipped.name);
@@ -33,7 +34,7 @@ TEST_F(TaskExperiment, AnIdleProgramGainsNothingInAnyShippedTask) {
     (void)experiment::Run(plan);
     const recording::Recording recording = recording::OpenRecording(demonstration);
     const scene::SceneSpec scene = scene_xml::LoadScene(DataFile("scenes/" + name + "_robot.xml"));
-    for (const auto& seed : std::vector<std::optional<std::uint64_t>>{std::nullopt, 1, 2}) {
+    for (const auto& seed : std::vector<std::optional<std::uint64_t>>{std::nullopt, 2, 1003}) {
       const layout::LayoutChoice choice{.seed = seed, .level = shipped.level};
       const task::ImitationTask task = task::MakeImitationTask(
           name, recording,
@@ -41,7 +42,7 @@ TEST_F(TaskExperiment, AnIdleProgramGainsNothingInAnyShippedTask) {
       if (seed) {
         EXPECT_NE(task.scene.objects, scene.objects) << name << ", seed " << *seed;
       }
-      sim::Simulation simulation(task.scene);
+      sim::Simulation simulation(task.scene, Baxter());
       const task::EpisodeObserver observer(&simulation);
       while (simulation.seconds() < 3) simulation.Tick();
       const Json result =

@@ -117,6 +117,8 @@ JsonShape HandShape() {
              {{"object", TextShape().OrNull(), true, "null: the hand is empty"},
               {"goal", PointShape(), kOptional, "target of the grasped point"},
               {"place", PointShape(), kOptional, "position of the object's origin at the target"},
+              {"stopped_by", JsonShape::List(TextShape()), kOptional,
+               "ids of what keeps the object from its target; an empty one is the table"},
               {"plane", NumberShape()},
               {"angles", PointShape(), kOptional, "target orientation of the object [degrees]"}})
       .Called("Hand");

@@ -61,8 +61,10 @@ void LiveWorld::FollowModel() {
   if (bounded_ == simulation_.shared_model()) return;
   bounded_ = simulation_.shared_model();
   bounds_.clear();
+  solids_.clear();
   for (const scene::ObjectSpec& object : bounded_->scene().objects) {
-    bounds_.push_back(scene::BoundsOf(scene::SolidsOf(object.whole), RigidTransform()));
+    solids_.push_back(scene::SolidsOf(object.whole));
+    bounds_.push_back(scene::BoundsOf(solids_.back(), RigidTransform()));
   }
 }
 

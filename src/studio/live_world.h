@@ -10,6 +10,7 @@
 #include "editing/played_tracks.h"
 #include "recorder/recording_controller.h"
 #include "scene/bounds.h"
+#include "scene/solid.h"
 #include "sim/simulation.h"
 #include "studio/capturing_eye.h"
 
@@ -67,6 +68,8 @@ class LiveWorld : private sim::Listener {
   /// Returns the bounds of each object in its own frame, over all variants of its controls; in
   /// scene order.
   const std::vector<scene::Bounds>& bounds() const { return bounds_; }
+  /// Returns the pieces of each object, such as the walls of a box, in its frame.
+  const std::vector<std::vector<scene::Solid>>& solids() const { return solids_; }
 
  private:
   struct Take {
@@ -108,6 +111,7 @@ class LiveWorld : private sim::Listener {
   std::shared_ptr<const model::Model> bounded_;  ///< whose objects have the bounds
   std::shared_ptr<const model::Model> marked_;   ///< in whose scene the markers are
   std::vector<scene::Bounds> bounds_;
+  std::vector<std::vector<scene::Solid>> solids_;
 };
 
 }  // namespace smile::studio

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -123,6 +124,38 @@ void ConsiderNeighbour(const SnapTo& snap, const Carried& carried, const Neighbo
   }
 }
 
+/// Adds the wish to be in the middle between the faces to both sides along an axis of the carried
+/// object: those of what it is beside, or will be once it is let down.
+void ConsiderGap(const Carried& carried, int axis, std::span<const Neighbour> pieces,
+                 double most_room, Shift* shift) {
+  const int across = (axis + 1) % 3, other = (axis + 2) % 3;
+  const Vector3 half = carried.bounds.size() / 2;
+  const Vector3 p_WC = carried.X_WB * carried.bounds.center();
+  const RigidTransform X_CW = RigidTransform(carried.X_WB.rotation(), p_WC).inverse();
+  double low = -std::numeric_limits<double>::infinity(), high = -low;
+  for (const Neighbour& piece : pieces) {
+    const RigidTransform X_CN = X_CW * piece.X_WB;
+    if (!IsTurnedAlike(X_CN.rotation())) continue;
+    const Vector3 half_N = X_CN.rotation().cwiseAbs() * (piece.bounds.size() / 2);
+    const Vector3 center_N = X_CN * piece.bounds.center();
+    const auto is_beside = [&](int k) {
+      const double up = carried.X_WB.rotation()(2, k);
+      const bool is_below = std::abs(up) > kUpright && up * center_N[k] < 0;
+      return is_below || std::abs(center_N[k]) < half[k] + half_N[k];
+    };
+    if (!is_beside(across) || !is_beside(other)) continue;
+    // What is below the middle is a floor, and no side.
+    const double near_low = center_N[axis] + half_N[axis],
+                 near_high = center_N[axis] - half_N[axis];
+    if (near_low <= 0) low = std::max(low, near_low);
+    if (near_high >= 0) high = std::min(high, near_high);
+  }
+  constexpr double kRounding = 1e-4;  // [m]
+  const double room = high - low - 2 * half[axis];
+  if (room < -kRounding || !(room <= most_room)) return;
+  shift->Consider(carried.X_WB.rotation().col(axis), (low + high) / 2);
+}
+
 void ConsiderGrid(const Vector3& p_WB, double spacing, Shift* shift) {
   for (int axis = 0; axis < 3; ++axis) {
     shift->Consider(Vector3::Unit(axis), std::round(p_WB[axis] / spacing) * spacing - p_WB[axis]);
@@ -160,6 +193,21 @@ std::vector<Neighbour> ObjectsBeside(const LiveWorld& world, physics::BodyId hel
                           .X_WB = simulation.physics().body(objects[i].body).pose_in_world()});
   }
   return neighbours;
+}
+
+/// Returns the pieces of the same objects.
+std::vector<Neighbour> PiecesBeside(const LiveWorld& world, physics::BodyId held) {
+  const sim::Simulation& simulation = world.simulation();
+  std::vector<Neighbour> pieces;
+  for (const world::Object& object : simulation.tabletop().objects()) {
+    if (object.body == held || !simulation.tabletop().IsPresent(object)) continue;
+    const RigidTransform X_WB = simulation.physics().body(object.body).pose_in_world();
+    for (const scene::Solid& solid : world.solids()[object.index]) {
+      pieces.push_back(
+          {.bounds = scene::BoundsOf(solid.shape, RigidTransform()), .X_WB = X_WB * solid.X_BS});
+    }
+  }
+  return pieces;
 }
 
 /// Returns the same objects and the table.
@@ -215,7 +263,7 @@ std::vector<std::string> NamesOf(const SnapTo& snap) {
 }
 
 Vector3 SnapShift(const SnapTo& snap, const Carried& carried, std::span<const Neighbour> neighbours,
-                  double meters_per_unit) {
+                  std::span<const Neighbour> pieces, double meters_per_unit) {
   const double limit = kSnapUnits * meters_per_unit;
   const double angle = DegreesToRadians(carried.plane_deg);
   // Normal of the plane of the drag: vertical for a level drag.
@@ -223,6 +271,9 @@ Vector3 SnapShift(const SnapTo& snap, const Carried& carried, std::span<const Ne
               limit);
   for (const Neighbour& neighbour : neighbours) {
     ConsiderNeighbour(snap, carried, neighbour, limit, &shift);
+  }
+  for (int axis = 0; axis < 3 && snap.faces; ++axis) {
+    ConsiderGap(carried, axis, pieces, kGapUnits * meters_per_unit, &shift);
   }
   // Faces and edges have priority over the grid, which may fill a remaining direction.
   shift.Grant();
@@ -268,8 +319,9 @@ sim::MoveTo Snapper::Snapped(const LiveWorld& world, const sim::Drag& drag,
                         .is_level = drag.is_level};
   if (carried.bounds.is_empty()) return move;
   sim::MoveTo snapped = move;
-  snapped.p_WH +=
-      SnapShift(to, carried, NeighboursOf(world, hand.held), simulation.scene().meters_per_unit);
+  snapped.p_WH += SnapShift(to, carried, NeighboursOf(world, hand.held),
+                            to.faces ? PiecesBeside(world, hand.held) : std::vector<Neighbour>(),
+                            simulation.scene().meters_per_unit);
   return snapped;
 }
 

@@ -28,6 +28,8 @@ std::vector<std::string> NamesOf(const SnapTo& snap);
 
 /// Largest change of a drag, and of a rotation.
 inline constexpr double kSnapUnits = 0.15, kSnapDegrees = 5, kGridUnits = 0.5;
+/// Most room that a gap leaves in which a carried object snaps to the middle.
+inline constexpr double kGapUnits = 0.3;
 
 /// Snap target: a cuboid in its own frame B.
 struct Neighbour {
@@ -46,8 +48,10 @@ struct Carried {
 /// Returns the displacement of a carried object from its desired pose, within its plane [m]: at
 /// most kSnapUnits. The nearest wishes of faces and edges count; where there are none, the grid. A
 /// neighbor counts only if the axes of both are parallel.
+/// @param pieces  of the neighbors: between two faces of them that leave little more room than it
+///                needs, such as the walls of a slot, it snaps to the middle.
 Vector3 SnapShift(const SnapTo& snap, const Carried& carried, std::span<const Neighbour> neighbours,
-                  double meters_per_unit);
+                  std::span<const Neighbour> pieces, double meters_per_unit);
 
 /// Returns the end of a rotation to `R_wanted`: at a right angle to one of `frames` if that is less
 /// than kSnapDegrees away, the nearest one if there are several.

@@ -1,6 +1,8 @@
 #include "studio/state_message.h"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "math/angles.h"
 #include "scene/units.h"
@@ -17,6 +19,27 @@ double Rounded(double number) { return std::round(number * 1e4) / 1e4; }
 Json RoundedArray(const Vector3& v) { return {Rounded(v.x()), Rounded(v.y()), Rounded(v.z())}; }
 
 /// Returns the state of both hands. Positions are in units of the scene, angles in degrees.
+/// Returns the ids of what keeps a held object from its goal, "" for the table; empty if it is
+/// there or still moves.
+std::vector<std::string> StoppedBy(const demonstrator::Hand& hand,
+                                   const sim::Simulation& simulation) {
+  constexpr double kFar = 0.005, kFarDegrees = 3;  // from the goal [m, degrees]
+  constexpr double kAtRest = 0.01;                 // [m/s]
+  const physics::Body& body = simulation.physics().body(hand.held);
+  const RigidTransform X_WB = body.pose_in_world();
+  const double away = (hand.X_WB_goal.translation() - X_WB.translation()).norm();
+  const double turned = RadiansToDegrees(
+      RotationVectorBetween(X_WB.quaternion(), hand.X_WB_goal.quaternion()).norm());
+  if (away < kFar && turned < kFarDegrees) return {};
+  if (body.linear_velocity().norm() > kAtRest) return {};
+  std::vector<std::string> ids;
+  for (const physics::BodyId id : simulation.physics().BodiesTouching(hand.held)) {
+    const world::Object* object = simulation.tabletop().Find(id);
+    ids.push_back(object == nullptr ? "" : object->id());
+  }
+  return ids;
+}
+
 Json DescribeHands(const sim::Simulation& simulation) {
   Json hands = Json::object();
   for (const sim::HandName name : demonstrator::kHandNames) {
@@ -31,6 +54,8 @@ Json DescribeHands(const sim::Simulation& simulation) {
           RoundedArray(scene::ToFileUnits(Vector3(hand.X_WB_goal * hand.p_BH), unit));
       described["place"] =
           RoundedArray(scene::ToFileUnits(Vector3(hand.X_WB_goal.translation()), unit));
+      const std::vector<std::string> stopped_by = StoppedBy(hand, simulation);
+      if (!stopped_by.empty()) described["stopped_by"] = stopped_by;
       described["angles"] = RoundedArray(FixedAxesAngles(hand.X_WB_goal.rotation()));
     }
     hands[std::string(ToString(name))] = std::move(described);

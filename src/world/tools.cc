@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "base/wording.h"
 #include "math/angles.h"
 #include "physics/solid_probe.h"
 
@@ -71,6 +72,19 @@ Tools::Offset OffsetFrom(const Vector3& p_WT, const Vector3& p_WTip, const scene
 std::string SideOf(const Vector3& direction) {
   if (std::abs(direction.z()) < direction.head<2>().norm()) return "beside";
   return direction.z() > 0 ? "above" : "below";
+}
+
+/// Returns the displacement that takes a tool to what it does not reach, in units: for people who
+/// type numbers.
+/// @param direction  of the tool from it [m].
+std::string WayTo(const Vector3& direction, double meters_per_unit) {
+  std::string way;
+  for (const int axis : {0, 1, 2}) {
+    // Adding 0 makes -0 a 0.
+    const double units = std::round(-direction[axis] / meters_per_unit * 100) / 100 + 0.0;
+    way += (axis == 0 ? "(" : ",") + NumberText(units);
+  }
+  return way + ")";
 }
 
 /// Returns a direction perpendicular to a unit vector; a function of it alone.
@@ -142,6 +156,7 @@ std::optional<ToolUse> Tools::CutTarget(model::ToolIndex tool, Refusal* refusal)
                                    {"distance", UnitsRoundedUp(nearest->offset.distance, unit)},
                                    {"target", nearest->use.target},
                                    {"side", SideOf(nearest->offset.direction)},
+                                   {"way", WayTo(nearest->offset.direction, unit)},
                                    {"reach", RoundedUnits(spec.reach, unit)}});
     return std::nullopt;
   }
@@ -266,6 +281,7 @@ std::optional<ToolUse> Tools::BondTarget(model::ToolIndex tool, Refusal* refusal
                                       {"distance", UnitsRoundedUp(nearest_offset.norm(), unit)},
                                       {"object", nearest->target},
                                       {"side", SideOf(nearest_offset)},
+                                      {"way", WayTo(nearest_offset, unit)},
                                       {"reach", RoundedUnits(spec.reach, unit)}});
   } else {
     *refusal =

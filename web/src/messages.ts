@@ -72,6 +72,8 @@ export interface Hand {
   goal?: Point;
   /** position of the object's origin at the target */
   place?: Point;
+  /** ids of what keeps the object from its target; an empty one is the table */
+  stopped_by?: string[];
   plane: number;
   /** target orientation of the object [degrees] */
   angles?: Point;

@@ -104,6 +104,7 @@ export const texts = {
 
   placement: {
     ...t.placement,
+    stopped: (objects: string[]) => say(t.placement.stopped, { objects: allOf(objects) }),
     rests: (isInside: boolean, objects: string[]) => say(t.placement.rests, { inside: yes(isInside), objects: allOf(objects) }),
     flush: (faces: string[]) => say(t.placement.flush, { faces: allOf(faces) }),
     of: (parts: string[], object: string) => say(t.placement.of, { parts: allOf(parts), object }),

@@ -124,7 +124,7 @@ test("the shipped learner is chosen, begins, and is recorded", async (t) => {
   await page.getByRole("status", { name: "Score" }).waitFor();
   await witness.until(() => witness.state.recording === null, "the recording ends with the imitation");
   assert.equal(await page.getByRole("combobox", { name: "Demonstration" }).inputValue(), id, "not the imitation itself");
-  await page.getByText("The whole recording, in which no hand acted").first().waitFor();
+  await page.getByText("The whole recording: no hand acted").first().waitFor();
   assert.equal(await page.getByText("contains no action").count(), 0, "what a robot did is no action of a hand");
 });
 

@@ -31,7 +31,7 @@ TEST(Snapping, NeverChangesMoreThanItMay) {
                           .is_level = random() % 2 == 0};
     const std::vector<Neighbour> neighbours = {{bounds(), RigidTransform(point(0.3))},
                                                {bounds(), RigidTransform(R, point(0.3))}};
-    const Vector3 shift = SnapShift(snap, carried, neighbours, 0.1);
+    const Vector3 shift = SnapShift(snap, carried, neighbours, neighbours, 0.1);
     EXPECT_LE(shift.norm(), kSnapUnits * 0.1 + 1e-12);
     // It stays in its plane.
     const double angle = DegreesToRadians(carried.plane_deg);
@@ -91,6 +91,41 @@ TEST_F(SnappingTest, HighOverANeighborItsSidesCountButNotItsTop) {
   EXPECT_NEAR(flush_z, 4.1, 1e-4);
   // Let down there, it would touch b's side.
   EXPECT_NEAR(goal_of_drag("1.9", "4.1").first, 2, 1e-4);
+}
+
+TEST_F(SnappingTest, BetweenTheWallsOfASlotFacesLeadToItsMiddle) {
+  WriteFile(root_ / "scenes/pair.xml",
+            R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <composite id="Rack" location="(4,-2,0)">
+    <block location="(0,0,0.1)" xspan="4" yspan="3" zspan="0.2"/>
+    <block location="(-0.6,0,0.6)" xspan="0.1" yspan="3" zspan="0.8"/>
+    <block location="(0.6,0,0.6)" xspan="0.1" yspan="3" zspan="0.8"/>
+    <block location="(1.8,0,0.6)" xspan="0.1" yspan="3" zspan="0.8"/>
+  </composite>
+  <block id="a" location="(0,-2,0.5)"/>
+</tabletop>)xml");
+  Begin();
+  Do(R"({"do":"snap","to":["faces"]})");
+  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,0.5]})");
+  const auto x_of_drag = [this](const std::string& x) {
+    Command(R"({"do":"drag","hand":"left","origin":[)" + x + R"(,-20,2.4],"direction":[0,1,0]})");
+    return State()["hands"]["left"]["goal"][0].get<double>();
+  };
+  EXPECT_NEAR(x_of_drag("4.09"), 4, 1e-4);
+  EXPECT_NEAR(x_of_drag("3.88"), 4, 1e-4);
+  EXPECT_NEAR(x_of_drag("5.1"), 5.2, 1e-4) << "the next slot";
+  EXPECT_NEAR(x_of_drag("4.6"), 4.6, 1e-4) << "on a wall";
+}
+
+TEST_F(SnappingTest, AHandThatIsKeptFromItsGoalSaysByWhat) {
+  Begin();
+  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-2,0.5]})");
+  Command(R"({"do":"move_to","hand":"left","position":[1.5,-2,0.5]})");
+  TickSeconds(1);
+  EXPECT_FALSE(State()["hands"]["left"].contains("stopped_by"));
+  Command(R"({"do":"move_to","hand":"left","position":[1.5,-2,-1]})");
+  TickSeconds(1);
+  EXPECT_EQ(State()["hands"]["left"]["stopped_by"], Json::array({""})) << "the table";
 }
 
 TEST_F(SnappingTest, ALidStaysOnItsRailAndLeavesItsBoxAlone) {

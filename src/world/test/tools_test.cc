@@ -107,7 +107,7 @@ TEST_F(ToolsTest, ScissorsRefuseWhatIsTooFarAndWhatCannotBeCut) {
   Start(scene);
   EXPECT_EQ(Use("Scissors"),
             "the blades of 'Scissors' are 1.8 units beside Rope between link 4 and 5, expected at "
-            "most 0.2 units");
+            "most 0.2 units; move them by (0,1.8,0)");
   scene.chains[0].can_be_cut = false;
   Start(scene);
   EXPECT_EQ(Use("Scissors"), "there is nothing that 'Scissors' can cut");
@@ -188,7 +188,7 @@ TEST_F(ToolsTest, ReportsPlaceAxisAndTypeThatDoNotFit) {
   PutDriver(0, 0, 0.05);
   EXPECT_EQ(Use("Driver"),
             "the tip of 'Driver' is 0.5 units above its place on 'Screw', expected at most 0.2 "
-            "units");
+            "units; move it by (0,0,-0.5)");
   PutDriver(0, 40);
   EXPECT_EQ(Use("Driver"), "'Driver' is tilted by 40 degrees against 'Screw', expected at most 15");
   start("hex");

@@ -1,7 +1,7 @@
 import { type Object3D, type PerspectiveCamera, Vector3 } from "three";
 import { guideColors } from "../colors";
 import type { Point } from "../protocol";
-import { scene, state } from "../studio";
+import { currentHand, scene, state } from "../studio";
 import { texts } from "../texts";
 import { type Alignment, alignmentsOf } from "./alignment";
 import { cuboidsOf } from "./cuboids";
@@ -74,7 +74,9 @@ export class PlacementLabel {
       this.restPlace = null;
       this.object = held;
       // While the program is finding out where it would rest, what was found last is shown.
-      this.lines = [...(rest?.object === held ? restLines(rest.supports) : []), ...this.alignments];
+      const stoppedBy = state.value?.hands[currentHand.value].stopped_by ?? [];
+      const stopped = stoppedBy.length > 0 ? [words.stopped(stoppedBy.map(nameOf))] : [];
+      this.lines = [...stopped, ...(rest?.object === held ? restLines(rest.supports) : []), ...this.alignments];
     } else if (this.object !== null) this.describeReleased(this.object);
     const ball = this.object === null ? null : Models.ballAbout(this.models.piecesOf(this.object));
     this.say(ball === null ? [] : this.lines);

@@ -19,7 +19,7 @@ import { Picker, type PointerAt } from "./pick";
 import { PlacementLabel } from "./placement_label";
 import { Pointers } from "./pointers";
 import { nameOf, Rings } from "./rings";
-import { areAidsFixed, canDraw, chosenView, contextMenu, guides, hovered, isLowDetail, type Preset } from "./signals";
+import { areAidsFixed, cameraKind, canDraw, chosenView, contextMenu, guides, hovered, isLowDetail, type Preset } from "./signals";
 import { selected } from "./selection";
 import { Stage } from "./stage";
 import { provideTestHook } from "./test_hook";
@@ -89,9 +89,8 @@ class DrawnWorld implements World {
   private lastDrawn = 0;
   private hasMoved = true;
   private hoverAt: PointerAt | null = null;
-  private isStarted = false;
-  /** Where the scene wants to be looked at from. */
-  private scenesView: SceneMessage["view"] | null = null;
+  /** Null before the first scene. */
+  private sceneName: string | null = null;
   /** What of the last state is to be seen, beside what moves. */
   private seenState = "";
 
@@ -239,14 +238,13 @@ class DrawnWorld implements World {
     this.takeView(message);
   }
 
-  /** A view stays from scene to scene, unless one of them has a view of its own. */
-  private takeView({ view = null }: SceneMessage): void {
-    const isOther = JSON.stringify(view) !== JSON.stringify(this.scenesView);
-    if (!this.isStarted) this.showFirstView(true);
+  /** Another scene is looked at as it wants, or else from the chosen side; a close view would miss it. */
+  private takeView({ name, view = null }: SceneMessage): void {
+    const isOther = name !== this.sceneName;
+    if (this.sceneName === null) this.showFirstView(true);
     else if (isOther && view !== null) this.camera.showScenes(view);
-    else if (isOther) this.showFirstView();
-    this.scenesView = view;
-    this.isStarted = true;
+    else if (isOther && cameraKind.value === "free") this.showFirstView();
+    this.sceneName = name;
   }
 
   private takeState(): void {

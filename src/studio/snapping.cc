@@ -18,8 +18,8 @@ namespace {
 
 /// Largest distance of a neighbor whose axes a rotated object may align with [units].
 constexpr double kNearUnits = 2;
-/// Cosine of 2.6 degrees, from the vertical.
-constexpr double kUpright = 0.999;
+/// Cosine of 2.6 degrees, from the vertical; and of 87.7 degrees, so nearly horizontal.
+constexpr double kUpright = 0.999, kLevel = 0.04;
 
 /// Combines wishes for displacements within a plane: the nearest one along one direction, and one
 /// along a direction at right angles to it. Together they place a corner.
@@ -34,7 +34,7 @@ class Shift {
     // Cosines: the face's normal must be within 2.6 degrees of vertical or 2.3 degrees of
     // horizontal, and within 60 degrees of the plane, or the displacement would be more than twice
     // the distance.
-    constexpr double kLevel = 0.04, kAcross = 0.5;
+    constexpr double kAcross = 0.5;
     const double height = std::abs(normal.z());
     if (height > kLevel && height < kUpright) return;
     // Projected onto the plane.
@@ -124,8 +124,8 @@ void ConsiderNeighbour(const SnapTo& snap, const Carried& carried, const Neighbo
   }
 }
 
-/// Adds the wish to be in the middle between the faces to both sides along an axis of the carried
-/// object: those of what it is beside, or will be once it is let down.
+/// Adds the wish to be in the middle between the faces to both sides along a level axis of the
+/// carried object: those of what it is beside, or will be once it is let down.
 void ConsiderGap(const Carried& carried, int axis, std::span<const Neighbour> pieces,
                  double most_room, Shift* shift) {
   const int across = (axis + 1) % 3, other = (axis + 2) % 3;
@@ -273,6 +273,8 @@ Vector3 SnapShift(const SnapTo& snap, const Carried& carried, std::span<const Ne
     ConsiderNeighbour(snap, carried, neighbour, limit, &shift);
   }
   for (int axis = 0; axis < 3 && snap.faces; ++axis) {
+    // Up and down, it rests on something.
+    if (std::abs(carried.X_WB.rotation()(2, axis)) > kLevel) continue;
     ConsiderGap(carried, axis, pieces, kGapUnits * meters_per_unit, &shift);
   }
   // Faces and edges have priority over the grid, which may fill a remaining direction.

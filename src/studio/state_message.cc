@@ -48,7 +48,8 @@ Json DescribeHands(const sim::Simulation& simulation) {
                       {"plane", Rounded(simulation.demonstrator().plane_angle_deg(name))}};
     // The goal is where the hand pulls; the object itself may lag behind or be blocked.
     if (hand.is_holding()) {
-      described["object"] = simulation.tabletop().Find(hand.held)->id();
+      const world::Object& object = *simulation.tabletop().Find(hand.held);
+      described["object"] = object.id();
       const double unit = simulation.scene().meters_per_unit;
       described["goal"] =
           RoundedArray(scene::ToFileUnits(Vector3(hand.X_WB_goal * hand.p_BH), unit));
@@ -56,6 +57,10 @@ Json DescribeHands(const sim::Simulation& simulation) {
           RoundedArray(scene::ToFileUnits(Vector3(hand.X_WB_goal.translation()), unit));
       const std::vector<std::string> stopped_by = StoppedBy(hand, simulation);
       if (!stopped_by.empty()) described["stopped_by"] = stopped_by;
+      if (const auto work = simulation.tabletop().NearestWork(object)) {
+        described["work"] = {{"target", work->target},
+                             {"by", RoundedArray(scene::ToFileUnits(work->displacement, unit))}};
+      }
       described["angles"] = RoundedArray(FixedAxesAngles(hand.X_WB_goal.rotation()));
     }
     hands[std::string(ToString(name))] = std::move(described);

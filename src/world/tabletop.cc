@@ -207,6 +207,11 @@ std::optional<ToolUse> Tabletop::PlanUse(const Object& tool, bool loosens, Refus
   return std::nullopt;
 }
 
+std::optional<WorkPlace> Tabletop::NearestWork(const Object& tool) const {
+  const auto index = model_->ToolOf(tool.index);
+  return index ? tools_.NearestWork(*index) : std::nullopt;
+}
+
 void Tabletop::Use(const ToolUse& use) {
   const std::vector<ControlState> before = controls_.states();
   tools_.Use(use);

@@ -93,6 +93,8 @@ class Tabletop {
   [[nodiscard]] std::optional<Refusal> Loosen(const Object& object, const Vector3& p_WQ);
   /// See Tools::PlanUse(); refuses objects that are no tools.
   std::optional<ToolUse> PlanUse(const Object& tool, bool loosens, Refusal* refusal) const;
+  /// See Tools::NearestWork(); nullopt for objects that are no tools.
+  std::optional<WorkPlace> NearestWork(const Object& tool) const;
   /// See Tools::Use().
   void Use(const ToolUse& use);
   /// See Tools::PossibleUses().

@@ -77,14 +77,14 @@ std::string SideOf(const Vector3& direction) {
 /// Returns the displacement that takes a tool to what it does not reach, in units: for people who
 /// type numbers.
 /// @param direction  of the tool from it [m].
-std::string WayTo(const Vector3& direction, double meters_per_unit) {
-  std::string way;
+std::string DisplacementTo(const Vector3& direction, double meters_per_unit) {
+  std::string text;
   for (const int axis : {0, 1, 2}) {
     // Adding 0 makes -0 a 0.
     const double units = std::round(-direction[axis] / meters_per_unit * 100) / 100 + 0.0;
-    way += (axis == 0 ? "(" : ",") + NumberText(units);
+    text += (axis == 0 ? "(" : ",") + NumberText(units);
   }
-  return way + ")";
+  return text + ")";
 }
 
 /// Returns a direction perpendicular to a unit vector; a function of it alone.
@@ -128,7 +128,7 @@ void Tools::Restore(ToolsState state, const model::Model& model) {
   model_ = &model;
 }
 
-std::optional<ToolUse> Tools::CutTarget(model::ToolIndex tool, Refusal* refusal) const {
+std::optional<Tools::Candidate> Tools::NearestCut(model::ToolIndex tool) const {
   const model::Tool& which = model_->tool(tool);
   const scene::ToolSpec& spec = *which.spec;
   const RigidTransform X_WB = PoseOf(which.object);
@@ -145,22 +145,29 @@ std::optional<ToolUse> Tools::CutTarget(model::ToolIndex tool, Refusal* refusal)
   // The first one in the order of the scene wins a tie.
   const auto nearest = std::ranges::min_element(
       candidates, {}, [](const Candidate& one) { return one.offset.distance; });
-  if (nearest == candidates.end()) {
+  if (nearest == candidates.end()) return std::nullopt;
+  nearest->use.tool = tool;
+  return *nearest;
+}
+
+std::optional<ToolUse> Tools::CutTarget(model::ToolIndex tool, Refusal* refusal) const {
+  const model::Tool& which = model_->tool(tool);
+  const auto nearest = NearestCut(tool);
+  if (!nearest) {
     *refusal = Say("tools.nothingToCut", {{"tool", NameOf(which.object)}});
     return std::nullopt;
   }
-  if (nearest->offset.distance > spec.reach) {
+  if (nearest->offset.distance > which.spec->reach) {
     const double unit = model_->scene().meters_per_unit;
-    *refusal =
-        Say("tools.bladesAreFar", {{"tool", NameOf(which.object)},
-                                   {"distance", UnitsRoundedUp(nearest->offset.distance, unit)},
-                                   {"target", nearest->use.target},
-                                   {"side", SideOf(nearest->offset.direction)},
-                                   {"way", WayTo(nearest->offset.direction, unit)},
-                                   {"reach", RoundedUnits(spec.reach, unit)}});
+    *refusal = Say("tools.bladesAreFar",
+                   {{"tool", NameOf(which.object)},
+                    {"distance", UnitsRoundedUp(nearest->offset.distance, unit)},
+                    {"target", nearest->use.target},
+                    {"side", SideOf(nearest->offset.direction)},
+                    {"displacement", DisplacementTo(nearest->offset.direction, unit)},
+                    {"reach", RoundedUnits(which.spec->reach, unit)}});
     return std::nullopt;
   }
-  nearest->use.tool = tool;
   return nearest->use;
 }
 
@@ -236,61 +243,88 @@ void Tools::AppendPartCuts(const Vector3& p_WT, const Vector3& p_WTip,
   }
 }
 
-std::optional<ToolUse> Tools::BondTarget(model::ToolIndex tool, Refusal* refusal) const {
+std::optional<Tools::Candidate> Tools::NearestGuest(model::ToolIndex tool, double* angle) const {
   const model::Tool& which = model_->tool(tool);
   const scene::ToolSpec& spec = *which.spec;
   const RigidTransform X_WB = PoseOf(which.object);
   const Vector3 p_WT = X_WB * spec.p_BT, axis = X_WB.rotation() * spec.axis.normalized();
-  const double unit = model_->scene().meters_per_unit;
-  std::optional<ToolUse> nearest;
-  Vector3 nearest_offset = Vector3::Zero();
-  double nearest_angle = 0;
-  Refusal other_type;
+  std::optional<Candidate> nearest;
   for (const GuestIndex guest : model_->guests()) {
     const model::Guest& plug = model_->guest(guest);
     if (!IsInPlay(plug.object) || plug.object == which.object) continue;
     const RigidTransform X_WG = PoseOf(plug.object) * plug.X_BG;
     for (const scene::ToolPlace& place : plug.point->accepts) {
+      if (place.type != spec.type) continue;
       const Vector3 offset = p_WT - X_WG * place.p_GS;
       const double distance = offset.norm();
-      if (place.type != spec.type) {
-        // Only for the message: the tool is where another one belongs.
-        if (distance <= spec.reach) {
-          other_type = Say("tools.otherType", {{"object", NameOf(plug.object)},
-                                               {"expected", place.type},
-                                               {"tool", NameOf(which.object)},
-                                               {"type", spec.type}});
-        }
-        continue;
-      }
-      if (nearest && distance >= nearest_offset.norm()) continue;
-      nearest = ToolUse{
-          .tool = tool, .object = plug.object, .target = NameOf(plug.object), .guest = guest};
-      nearest_offset = offset;
+      if (nearest && distance >= nearest->offset.distance) continue;
+      nearest = Candidate{
+          .offset = {.distance = distance, .direction = offset},
+          .use = {
+              .tool = tool, .object = plug.object, .target = NameOf(plug.object), .guest = guest}};
       const double cosine = -axis.dot(X_WG.rotation() * place.axis.normalized());
-      nearest_angle = std::acos(std::clamp(cosine, -1.0, 1.0));
+      *angle = std::acos(std::clamp(cosine, -1.0, 1.0));
     }
   }
-  if (nearest && nearest_offset.norm() <= spec.reach && nearest_angle <= spec.angle) return nearest;
-  if (!other_type.empty()) {
-    *refusal = other_type;
+  return nearest;
+}
+
+std::optional<Refusal> Tools::RefuseOtherType(model::ToolIndex tool) const {
+  const model::Tool& which = model_->tool(tool);
+  const scene::ToolSpec& spec = *which.spec;
+  const Vector3 p_WT = PoseOf(which.object) * spec.p_BT;
+  std::optional<Refusal> refusal;
+  for (const GuestIndex guest : model_->guests()) {
+    const model::Guest& plug = model_->guest(guest);
+    if (!IsInPlay(plug.object) || plug.object == which.object) continue;
+    const RigidTransform X_WG = PoseOf(plug.object) * plug.X_BG;
+    for (const scene::ToolPlace& place : plug.point->accepts) {
+      if (place.type == spec.type || (p_WT - X_WG * place.p_GS).norm() > spec.reach) continue;
+      refusal = Say("tools.otherType", {{"object", NameOf(plug.object)},
+                                        {"expected", place.type},
+                                        {"tool", NameOf(which.object)},
+                                        {"type", spec.type}});
+    }
+  }
+  return refusal;
+}
+
+std::optional<ToolUse> Tools::BondTarget(model::ToolIndex tool, Refusal* refusal) const {
+  const model::Tool& which = model_->tool(tool);
+  const scene::ToolSpec& spec = *which.spec;
+  double angle = 0;
+  const auto nearest = NearestGuest(tool, &angle);
+  const bool is_near = nearest && nearest->offset.distance <= spec.reach;
+  if (is_near && angle <= spec.angle) return nearest->use;
+  const double unit = model_->scene().meters_per_unit;
+  if (auto other_type = RefuseOtherType(tool)) {
+    *refusal = *std::move(other_type);
   } else if (!nearest) {
     *refusal = Say("tools.nothingOfType", {{"type", spec.type}});
-  } else if (nearest_offset.norm() > spec.reach) {
-    *refusal = Say("tools.tipIsFar", {{"tool", NameOf(which.object)},
-                                      {"distance", UnitsRoundedUp(nearest_offset.norm(), unit)},
-                                      {"object", nearest->target},
-                                      {"side", SideOf(nearest_offset)},
-                                      {"way", WayTo(nearest_offset, unit)},
-                                      {"reach", RoundedUnits(spec.reach, unit)}});
+  } else if (!is_near) {
+    *refusal =
+        Say("tools.tipIsFar", {{"tool", NameOf(which.object)},
+                               {"distance", UnitsRoundedUp(nearest->offset.distance, unit)},
+                               {"object", nearest->use.target},
+                               {"side", SideOf(nearest->offset.direction)},
+                               {"displacement", DisplacementTo(nearest->offset.direction, unit)},
+                               {"reach", RoundedUnits(spec.reach, unit)}});
   } else {
     *refusal =
         Say("tools.isTilted", {{"tool", NameOf(which.object)},
-                               {"degrees", std::round(RadiansToDegrees(nearest_angle))},
-                               {"object", nearest->target},
+                               {"degrees", std::round(RadiansToDegrees(angle))},
+                               {"object", nearest->use.target},
                                {"limit", std::round(RadiansToDegrees(spec.angle) * 10) / 10}});
   }
   return std::nullopt;
+}
+
+std::optional<WorkPlace> Tools::NearestWork(model::ToolIndex tool) const {
+  double angle = 0;
+  const bool cuts = model_->tool(tool).spec->action == ToolAction::kCut;
+  const auto nearest = cuts ? NearestCut(tool) : NearestGuest(tool, &angle);
+  if (!nearest) return std::nullopt;
+  return WorkPlace{.target = nearest->use.target, .displacement = -nearest->offset.direction};
 }
 
 std::optional<ToolUse> Tools::PlanUse(model::ToolIndex tool, bool loosens, Refusal* refusal) const {

@@ -54,6 +54,12 @@ struct ToolUse {
   physics::JointId joint{};                      ///< of a chain
 };
 
+/// The place nearest to a tool at which it can work, however far away.
+struct WorkPlace {
+  std::string target;                      ///< in words, as in ToolUse
+  Vector3 displacement = Vector3::Zero();  ///< from the working point to it, in the world [m]
+};
+
 /// Tools of a scene: what they are at, and what happens when they are used or turned.
 ///
 /// One mechanism for all: a tool has a working point and an axis, and acts on the nearest place
@@ -73,6 +79,8 @@ class Tools {
   /// Returns what a tool would do if it were used now, or nullopt with the reason in `refusal`.
   /// @param loosens  direction of a tool of kind kDrive.
   std::optional<ToolUse> PlanUse(model::ToolIndex tool, bool loosens, Refusal* refusal) const;
+  /// Returns nullopt if there is nothing that the tool could work on.
+  std::optional<WorkPlace> NearestWork(model::ToolIndex tool) const;
   /// Uses a tool as planned in the present state.
   void Use(const ToolUse& use);
   /// Returns every use that is possible now of the tools that are held: up to two of a tool of kind
@@ -104,6 +112,11 @@ class Tools {
   }
   const std::string& NameOf(ObjectIndex object) const { return (*objects_)[object].id(); }
   const Holder* HolderOf(model::ToolIndex tool, const std::vector<Holder>& holders) const;
+  std::optional<Candidate> NearestCut(model::ToolIndex tool) const;
+  /// @param angle  of the tool against the axis of the place [rad].
+  std::optional<Candidate> NearestGuest(model::ToolIndex tool, double* angle) const;
+  /// Returns the reason why a tool does nothing where one of another type belongs.
+  std::optional<Refusal> RefuseOtherType(model::ToolIndex tool) const;
   std::optional<ToolUse> CutTarget(model::ToolIndex tool, Refusal* refusal) const;
   void AppendChainCuts(const Vector3& p_WT, const Vector3& p_WTip,
                        std::vector<Candidate>* candidates) const;

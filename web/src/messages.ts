@@ -72,6 +72,8 @@ export interface Hand {
   goal?: Point;
   /** position of the object's origin at the target */
   place?: Point;
+  /** the place nearest to a held tool at which it can work */
+  work?: { target: string; by: Point };
   /** ids of what keeps the object from its target; an empty one is the table */
   stopped_by?: string[];
   plane: number;

@@ -96,6 +96,7 @@ export const texts = {
     ...t.toolHint,
     can: (tool: string, verbs: readonly string[], target: string) =>
       say(t.toolHint.can, { tool, verbs: anyOf(verbs), target }),
+    missing: (arrow: string, millimeters: number, target: string) => say(t.toolHint.missing, { arrow, millimeters, target }),
     byHand: (entry: string, turns: boolean, isTouch: boolean) =>
       say(t.toolHint.byHand, { turns: yes(turns), touch: yes(isTouch), entry }),
     hasCut: (tool: string, target: string) => say(t.toolHint.hasCut, { tool, target }),

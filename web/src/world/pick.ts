@@ -20,6 +20,11 @@ export interface Picked {
   piece: Piece;
 }
 
+/** By eighths of a turn, counterclockwise. */
+const ARROWS = "→↗↑↖←↙↓↘";
+/** So short that perspective does not bend it [units]. */
+const SHORT = 0.1;
+
 /** Looks along the pointer. */
 export class Picker {
   private readonly caster = new Raycaster();
@@ -48,15 +53,16 @@ export class Picker {
 
   /** The first thing straight below a point, but not that of an object, if one is given, nor the robot. */
   below(point: Vector3, except: string | null): Picked | null {
-    return this.toward(point, new Vector3(0, 0, -1), except);
-  }
-
-  /** The same in any direction. */
-  toward(point: Vector3, direction: Vector3, except: string | null): Picked | null {
-    this.caster.set(point, direction);
+    this.caster.set(point, new Vector3(0, 0, -1));
     return this.nearest(
       this.models.pieces.filter((piece) => piece.object !== except && !this.models.isOfRobot(piece)),
     );
+  }
+
+  /** How far it is from a point in a direction of length 1 to an object, through all others; infinite if it is not there. */
+  distanceTo(object: string, point: Vector3, direction: Vector3): number {
+    this.caster.set(point, direction);
+    return this.nearest(this.models.piecesOf(object))?.point.distanceTo(point) ?? Infinity;
   }
 
   /** Where on the page a point of the world is [px]. */
@@ -67,6 +73,14 @@ export class Picker {
       x: box.left + ((place.x + 1) / 2) * box.width,
       y: box.top + ((1 - place.y) / 2) * box.height,
     };
+  }
+
+  /** An arrow that points in the picture where a direction leads from a point. */
+  arrow(from: Vector3, direction: Vector3): string {
+    const start = this.toPage(from);
+    const end = this.toPage(from.clone().addScaledVector(direction, SHORT / (direction.length() || 1)));
+    const eighth = Math.round((4 * Math.atan2(start.y - end.y, end.x - start.x)) / Math.PI);
+    return ARROWS[(eighth + 8) % 8]!;
   }
 
   private nearest(pieces: Piece[]): Picked | null {

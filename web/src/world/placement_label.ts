@@ -100,16 +100,8 @@ export class PlacementLabel {
     const own = cuboids.get(object);
     cuboids.delete(object);
     if (own === undefined) return [];
-    return linesOf(alignmentsOf(own, [...cuboids.values()]), (toward) => this.arrowFrom(own.center, toward));
-  }
-
-  /** An arrow that points in the picture where a direction leads from a point [m]. */
-  private arrowFrom(from: Point, toward: Point): string {
-    const units = 1 / scene.value!.metersPerUnit;
-    const start = new Vector3(...from).multiplyScalar(units);
-    const [one, other] = [start, start.clone().addScaledVector(new Vector3(...toward), 0.01 * units)].map((point) => this.picker.toPage(point));
-    const eighth = Math.round((4 * Math.atan2(one!.y - other!.y, other!.x - one!.x)) / Math.PI);
-    return "→↗↑↖←↙↓↘"[(eighth + 8) % 8]!;
+    const center = new Vector3(...own.center).divideScalar(scene.value.metersPerUnit);
+    return linesOf(alignmentsOf(own, [...cuboids.values()]), (toward) => this.picker.arrow(center, new Vector3(...toward)));
   }
 
   /** The element stays while it is empty, and changes only with its words: screen readers then announce them once. */

@@ -36,19 +36,17 @@ export function supportsOf(meshes: Mesh[], except: string, picker: Picker, units
   }
   const below = found.size > 0 ? null : picker.below(middle, except);
   const on = below ? [below.object] : [...found];
-  return { on, isInside: on.some((object) => object !== "" && surrounds(object, meshes, middle, except, picker)) };
+  return { on, isInside: on.some((object) => object !== "" && surrounds(object, meshes, middle, picker)) };
 }
 
 /** Whether an object is near on both sides of meshes, as a slot is, or on all four of them, as a box is. */
-function surrounds(object: string, meshes: Mesh[], middle: Vector3, except: string, picker: Picker): boolean {
+function surrounds(object: string, meshes: Mesh[], middle: Vector3, picker: Picker): boolean {
   const box = new Box3();
   for (const mesh of meshes) box.expandByObject(mesh);
   const size = box.getSize(new Vector3());
   const from = middle.clone().setZ(middle.z + WITHIN * size.z);
   const room = [new Vector3(1, 0, 0), new Vector3(0, 1, 0)].map((axis) => {
-    const hits = [1, -1].map((side) => picker.toward(from, axis.clone().multiplyScalar(side), except));
-    if (hits.some((hit) => hit?.object !== object)) return Infinity;
-    return hits.reduce((sum, hit) => sum + hit!.point.distanceTo(from), 0);
+    return picker.distanceTo(object, from, axis) + picker.distanceTo(object, from, axis.clone().negate());
   });
   const isSlot = room[0]! < (1 + SLACK) * size.x || room[1]! < (1 + SLACK) * size.y;
   return isSlot || room.every(Number.isFinite);

@@ -2,7 +2,7 @@ import { CanvasTexture, type PerspectiveCamera, Sprite, SpriteMaterial, SRGBColo
 import { may } from "../allowed";
 import { guideColors } from "../colors";
 import type { ToolUse } from "../protocol";
-import { heldObject, scene, state } from "../studio";
+import { currentHand, heldObject, scene, state } from "../studio";
 import { texts } from "../texts";
 import { isTouch } from "../ui/media";
 import type { Models } from "./models";
@@ -14,6 +14,8 @@ const MARK_ORDER = 34;
 const MARK_SIZE = 0.034;
 /** Opacity of the mark until the tool is in place. */
 const FAINT = 0.55;
+/** A tool is led to its work from here on [m]. */
+const FAR = 0.5;
 /** From the mark to the text, and from the text to the edge of the picture [px]. */
 const GAP = 20;
 const MARGIN = 8;
@@ -53,14 +55,23 @@ export class ToolHint {
     const shown = toolInPlace();
     const marked = shown ?? toolOf(heldObject.value);
     const group = marked && this.models.groupOf(marked.tool);
-    this.say(shown && group ? [words.can(shown.tool, shown.use.do, shown.use.target), howToUse(shown)] : []);
     this.root.visible = marked !== null && group !== null;
-    if (marked === null || group === null) return;
+    if (marked === null || group === null) return this.say([]);
     const place = group.localToWorld(marked.point.clone());
+    this.say(shown ? [words.can(shown.tool, shown.use.do, shown.use.target), howToUse(shown)] : this.wayToWork(place));
     this.root.position.copy(place);
     this.root.material.opacity = shown === null ? FAINT : 1;
     this.root.scale.setScalar(MARK_SIZE * camera.position.distanceTo(place));
     this.placeText(place);
+  }
+
+  /** How far the tool of the current hand is from the nearest place at which it can work, if that is not far. */
+  private wayToWork(from: Vector3): string[] {
+    const work = state.value?.hands[currentHand.value].work;
+    if (!work || scene.value === null) return [];
+    const way = new Vector3(...work.by);
+    const meters = way.length() * scene.value.metersPerUnit;
+    return meters > FAR ? [] : [words.missing(this.picker.arrow(from, way), Math.ceil(1000 * meters), work.target)];
   }
 
   /** The element stays while it is empty, and changes only with its words: screen readers then announce them once. */

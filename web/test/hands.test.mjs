@@ -381,7 +381,7 @@ test("a drag ends flush with a face where faces are snapped to; Escape ends the 
   // The text stays after the release.
   await person.release();
   await witness.until(() => witness.state.still, "it is at rest");
-  await person.look();
+  await placement.getByText("rests on the table", { exact: true }).waitFor();
   assert.deepEqual(await placement.locator("span").allTextContents(), ["rests on the table"]);
 
   async function turnPlaneTo(degrees) {

@@ -25,7 +25,7 @@ test("a mark and a text show what scissors can cut, while the string is between 
   await person.grasp("Scissors");
   await person.typePlace({ x: -0.2, y: -0.6, z: HEIGHT });
   await witness.until(() => witness.positionOf("Scissors")[0] < -0.1, "the scissors are in front of the string");
-  await isWithoutHint();
+  await isLedToTheString();
   await isMarked("before they are in place");
   await person.press("Use Scissors");
   await page.getByRole("alert").getByText(/the blades of 'Scissors' are [\d.]+ units beside String/).waitFor();
@@ -38,7 +38,7 @@ test("a mark and a text show what scissors can cut, while the string is between 
   await isMarked("in place");
 
   await person.carryAbove("Scissors", [-0.2, -0.6, HEIGHT]);
-  await isWithoutHint();
+  await isLedToTheString();
   await person.carryAbove("Scissors", IN_PLACE);
   await hint.getByText("Scissors can cut").waitFor();
   const menu = await person.menuAt(witness.positionOf("Scissors"));
@@ -48,9 +48,9 @@ test("a mark and a text show what scissors can cut, while the string is between 
   await witness.until(() => witness.events.some(({ kind, state }) => kind === "used" && state === "cut"), "the string is cut");
   await page.getByText(/^Cut with Scissors: String between link/).waitFor();
 
-  async function isWithoutHint() {
+  async function isLedToTheString() {
     await hint.getByText("can").waitFor({ state: "detached" });
-    assert.equal(await hint.textContent(), "");
+    await hint.getByText(/^[←-↙] \d+ mm to String between link \d+ and \d+$/).waitFor();
   }
 
   async function isMarked(when) {

@@ -97,8 +97,8 @@ export class ViewCamera {
     const middle = new Vector3(0, -0.12 * m, 0.12 * m);
     const beforeHead = new Vector3(0, -half + 0.04 * m, 0.96 * m);
     const besideTable = new Vector3(0, -half - 0.6 * m, 1.4 * m);
-    // From above the table lies as from the front, or as one sees it from behind the robot's eye.
-    const side = this.camera.position.y > this.center.y - half ? 1 : -1;
+    // From above, the table lies as from the front, or as the robot sees it if one looks from its side.
+    const side = this.camera.position.y > this.center.y - half / 2 ? 1 : -1;
     const places: Record<Preset, [Vector3, Vector3]> = {
       front: [new Vector3(0.55 * m, half + 1.15 * m, 1.05 * m), new Vector3(0, -0.3 * m, 0.22 * m)],
       robot: [this.hasRobot ? beforeHead : besideTable, new Vector3(0, 0.09 * m, 0)],

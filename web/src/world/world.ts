@@ -133,6 +133,8 @@ class DrawnWorld implements World {
     const message = scene.peek();
     if (chosen === "default" && message?.view) return this.camera.showScenes(message.view, isSudden);
     const usual = message?.robotFrame === null ? "robot" : "front";
+    // The view from above depends on the one before.
+    if (isSudden) this.camera.show(usual, true);
     this.camera.show(chosen === "default" ? usual : chosen, isSudden);
   }
 

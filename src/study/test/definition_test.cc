@@ -31,8 +31,9 @@ TEST_F(DefinitionFile, ReportsFaultsWithLineAndElement) {
   };
   EXPECT_EQ(Fault(with([](Json* study) { (*study)["tasks"][0]["goal"][0]["on"] = "c"; })),
             "50: <tasks/0/goal/0/on>: found \"c\", expected an object of the scene");
-  EXPECT_EQ(Fault(with([](Json* study) { (*study)["conditions"][2]["snap"][0] = "face"; })),
-            "19: <conditions/2/snap/0>: found \"face\", expected rails, faces, edges, grid or angles");
+  EXPECT_EQ(
+      Fault(with([](Json* study) { (*study)["conditions"][2]["snap"][0] = "face"; })),
+      "19: <conditions/2/snap/0>: found \"face\", expected rails, faces, edges, grid or angles");
   EXPECT_EQ(Fault(with([](Json* study) { (*study)["format"] = 2; })),
             "2: <format>: found 2, expected a whole number from 1 to 1");
   EXPECT_EQ(Fault(with([](Json* study) { (*study)["name"] = "My study"; })),

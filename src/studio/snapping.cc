@@ -182,29 +182,37 @@ Matrix3 NearestRightAngle(const Matrix3& R) {
 }
 
 /// Returns all present objects except the one that the hand holds.
+std::vector<const world::Object*> OthersThan(physics::BodyId held, const LiveWorld& world) {
+  const world::Tabletop& tabletop = world.simulation().tabletop();
+  std::vector<const world::Object*> others;
+  for (const world::Object& object : tabletop.objects()) {
+    if (object.body != held && tabletop.IsPresent(object)) others.push_back(&object);
+  }
+  return others;
+}
+
+RigidTransform PoseOf(const world::Object& object, const LiveWorld& world) {
+  return world.simulation().physics().body(object.body).pose_in_world();
+}
+
+/// Returns the boxes around these.
 std::vector<Neighbour> ObjectsBeside(const LiveWorld& world, physics::BodyId held) {
-  const sim::Simulation& simulation = world.simulation();
   std::vector<Neighbour> neighbours;
-  const auto& objects = simulation.tabletop().objects();
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (objects[i].body == held || !simulation.tabletop().IsPresent(objects[i])) continue;
-    if (world.bounds()[i].is_empty()) continue;
-    neighbours.push_back({.bounds = world.bounds()[i],
-                          .X_WB = simulation.physics().body(objects[i].body).pose_in_world()});
+  for (const world::Object* object : OthersThan(held, world)) {
+    const scene::Bounds& bounds = world.bounds()[object->index];
+    if (bounds.is_empty()) continue;
+    neighbours.push_back({.bounds = bounds, .X_WB = PoseOf(*object, world)});
   }
   return neighbours;
 }
 
-/// Returns the pieces of the same objects.
+/// Returns the boxes around their pieces.
 std::vector<Neighbour> PiecesBeside(const LiveWorld& world, physics::BodyId held) {
-  const sim::Simulation& simulation = world.simulation();
   std::vector<Neighbour> pieces;
-  for (const world::Object& object : simulation.tabletop().objects()) {
-    if (object.body == held || !simulation.tabletop().IsPresent(object)) continue;
-    const RigidTransform X_WB = simulation.physics().body(object.body).pose_in_world();
-    for (const scene::Solid& solid : world.solids()[object.index]) {
-      pieces.push_back(
-          {.bounds = scene::BoundsOf(solid.shape, RigidTransform()), .X_WB = X_WB * solid.X_BS});
+  for (const world::Object* object : OthersThan(held, world)) {
+    for (const scene::Solid& solid : world.solids()[object->index]) {
+      pieces.push_back({.bounds = scene::BoundsOf(solid.shape, RigidTransform()),
+                        .X_WB = PoseOf(*object, world) * solid.X_BS});
     }
   }
   return pieces;

@@ -18,7 +18,6 @@ double Rounded(double number) { return std::round(number * 1e4) / 1e4; }
 
 Json RoundedArray(const Vector3& v) { return {Rounded(v.x()), Rounded(v.y()), Rounded(v.z())}; }
 
-/// Returns the state of both hands. Positions are in units of the scene, angles in degrees.
 /// Returns the ids of what keeps a held object from its goal, "" for the table; empty if it is
 /// there or still moves.
 std::vector<std::string> StoppedBy(const demonstrator::Hand& hand,
@@ -40,6 +39,7 @@ std::vector<std::string> StoppedBy(const demonstrator::Hand& hand,
   return ids;
 }
 
+/// Returns the state of both hands. Positions are in units of the scene, angles in degrees.
 Json DescribeHands(const sim::Simulation& simulation) {
   Json hands = Json::object();
   for (const sim::HandName name : demonstrator::kHandNames) {

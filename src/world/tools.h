@@ -54,10 +54,11 @@ struct ToolUse {
   physics::JointId joint{};                      ///< of a chain
 };
 
-/// The place nearest to a tool at which it can work, however far away.
+/// The place nearest to a tool at which it can work, however far away; for a part that is cut, its
+/// middle.
 struct WorkPlace {
   std::string target;                      ///< in words, as in ToolUse
-  Vector3 displacement = Vector3::Zero();  ///< from the working point to it, in the world [m]
+  Vector3 displacement = Vector3::Zero();  ///< from the working point [m]
 };
 
 /// Tools of a scene: what they are at, and what happens when they are used or turned.

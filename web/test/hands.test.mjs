@@ -357,7 +357,14 @@ test("a drag ends flush with a face where faces are snapped to; Escape ends the 
   assert.ok(gap() > 0.04, `it is where the mouse let it: ${gap()}`);
   await placement.getByText("rests on the table", { exact: true }).waitFor();
   assert.equal(await placement.getByText("touches").count(), 0);
-  await placement.getByText(/^[←-↙] \d+ mm to touch Resting$/).waitFor();
+  const missing = placement.getByText(/^[←-↙] \d+ mm to touch Resting$/);
+  await missing.waitFor();
+  // The arrow turns with the camera, without anything else moving.
+  const [arrow] = await missing.textContent();
+  await person.press("Front");
+  await page.waitForFunction((old) => !document.querySelector(".placement-label").textContent.includes(old), arrow);
+  await person.press("Robot");
+  await placement.getByText(arrow).waitFor();
 
   await person.press("Faces");
   await witness.until(() => witness.state.snap.includes("faces"), "faces are snapped to");

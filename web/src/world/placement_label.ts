@@ -30,8 +30,9 @@ export class PlacementLabel {
   /** Where the released object came to rest; null before. */
   private restPlace: Vector3 | null = null;
   private ghostPlace = "";
-  /** What the held object is aligned with. */
-  private alignments: string[] = [];
+  /** What it is aligned with, and its center there. */
+  private aligned: { center: Vector3; with: Alignment[] } | null = null;
+  /** Of what it rests on, and what stops it. */
   private lines: string[] = [];
   private said = "";
 
@@ -68,7 +69,7 @@ export class PlacementLabel {
       // The ghost follows the object a little later.
       const place = ghost === null ? "" : [...ghost.position, ...ghost.quaternion].join();
       if (isNew || place !== this.ghostPlace || held !== this.object || this.restPlace !== null) {
-        this.alignments = this.alignmentLines(held, ghost);
+        this.aligned = this.alignmentsAt(held, ghost);
       }
       this.ghostPlace = place;
       this.restPlace = null;
@@ -76,10 +77,10 @@ export class PlacementLabel {
       // While the program is finding out where it would rest, what was found last is shown.
       const stoppedBy = state.value?.hands[currentHand.value].stopped_by ?? [];
       const stopped = stoppedBy.length > 0 ? [words.stopped(stoppedBy.map(nameOf))] : [];
-      this.lines = [...stopped, ...(rest?.object === held ? restLines(rest.supports) : []), ...this.alignments];
+      this.lines = [...stopped, ...(rest?.object === held ? restLines(rest.supports) : [])];
     } else if (this.object !== null) this.describeReleased(this.object);
     const ball = this.object === null ? null : Models.ballAbout(this.models.piecesOf(this.object));
-    this.say(ball === null ? [] : this.lines);
+    this.say(ball === null ? [] : [...this.lines, ...this.alignmentLines()]);
     if (ball !== null) this.place(camera, ghost?.position ?? ball.center, ball.radius);
   }
 
@@ -91,17 +92,25 @@ export class PlacementLabel {
     if (this.models.moved.size > 0 || state.value?.still !== true || this.restPlace !== null) return;
     this.restPlace = group.position.clone();
     const meshes = this.models.piecesOf(object).map(({ mesh }) => mesh);
-    this.lines = [...restLines(supportsOf(meshes, object, this.picker, 1 / metersPerUnit)), ...this.alignmentLines(object, null)];
+    this.lines = restLines(supportsOf(meshes, object, this.picker, 1 / metersPerUnit));
+    this.aligned = this.alignmentsAt(object, null);
   }
 
-  private alignmentLines(object: string, ghost: Object3D | null): string[] {
-    if (scene.value === null) return [];
+  private alignmentsAt(object: string, ghost: Object3D | null): typeof this.aligned {
+    if (scene.value === null) return null;
     const cuboids = cuboidsOf(this.models, scene.value, new Map(ghost === null ? [] : [[object, ghost]]));
     const own = cuboids.get(object);
     cuboids.delete(object);
-    if (own === undefined) return [];
+    if (own === undefined) return null;
     const center = new Vector3(...own.center).divideScalar(scene.value.metersPerUnit);
-    return linesOf(alignmentsOf(own, [...cuboids.values()]), (toward) => this.picker.arrow(center, new Vector3(...toward)));
+    return { center, with: alignmentsOf(own, [...cuboids.values()]) };
+  }
+
+  /** Anew for each picture: arrows turn with the camera. */
+  private alignmentLines(): string[] {
+    const { aligned } = this;
+    if (aligned === null) return [];
+    return linesOf(aligned.with, (toward) => this.picker.arrow(aligned.center, new Vector3(...toward)));
   }
 
   /** The element stays while it is empty, and changes only with its words: screen readers then announce them once. */

@@ -89,7 +89,7 @@ export class ViewCamera {
 
   /**
    * The robot stands where y is low, its head before the table's edge; the front is opposite.
-   * @param balls  to be in the picture, as far as that needs neither twice the distance nor a wider angle than an eye has
+   * @param balls  to be in the picture, as far as twice the distance, or an angle of WIDEST, allows
    */
   show(preset: Preset, isSudden = false, balls: readonly Sphere[] = []): void {
     const m = this.unitsPerMeter;

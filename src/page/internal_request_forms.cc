@@ -71,8 +71,8 @@ std::vector<RequestForm> WorldRequests() {
        "sets what drags and turns snap to: by at most 0.15 units in the plane of the drag, and by "
        "at most 5 degrees. `faces` and `edges` are those of objects with the same orientation, "
        "also of objects below; `angles` are right angles to the table and to the nearest object. "
-       "With `rails` (from the start), what slides on another object stays on its rail, and within "
-       "its ends"},
+       "With `rails`, what slides on another object stays on its rail, and within its ends. From "
+       "the start: `rails`, `faces` and `edges`"},
       {"eye",
        {{"camera", TextShape(), true, "one of `cameras` in the state"}},
        {},

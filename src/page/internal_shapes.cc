@@ -77,7 +77,11 @@ JsonShape SceneObjectShape() {
       ObjectShape({{"id", TextShape()}, {"pointable", FlagShape()}, {"within", TextShape()}});
   const JsonShape control =
       ObjectShape({{"id", TextShape()}, {"kind", TextShape()}, {"parts", TextsShape()}});
-  const JsonShape tool = ObjectShape({{"point", PointShape()}, {"turns", FlagShape()}});
+  const JsonShape tool =
+      ObjectShape({{"point", PointShape(), true, "its tip, or the middle of its blades"},
+                   {"axis", PointShape(), true, "direction in which it goes to its work, of length 1"},
+                   {"edge", NumberShape(), true, "length of its blades along the axis, or 0"},
+                   {"turns", FlagShape(), true, "it is also used by turning it"}});
   return ObjectShape(
              {{"id", TextShape()},
               {"frame", NumberShape()},
@@ -87,8 +91,7 @@ JsonShape SceneObjectShape() {
                "outer parts first; `within` is the id of the part or object that contains it"},
               {"controls", JsonShape::List(control)},
               {"bonds", FlagShape(), true, "it can be fastened to others"},
-              {"tool", tool, kOptional,
-               "its tip, or the middle of its blades; `turns`: it is also used by turning it"},
+              {"tool", tool, kOptional, "in the frame of the object"},
               {"properties", TextsShape(), true, "properties that can be marked as relevant"}})
       .Called("SceneObject");
 }
@@ -123,6 +126,7 @@ JsonShape HandShape() {
                kOptional, "the place nearest to a held tool at which it can work"},
               {"stopped_by", JsonShape::List(TextShape()), kOptional,
                "ids of what keeps the object from its target; an empty one is the table"},
+              {"on_rail", FlagShape(), kOptional, "it slides on another object"},
               {"plane", NumberShape()},
               {"angles", PointShape(), kOptional, "target orientation of the object [degrees]"}})
       .Called("Hand");

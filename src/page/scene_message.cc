@@ -125,8 +125,11 @@ Json PropertiesOf(const scene::ObjectSpec& object) {
 }
 
 Json DescribeTool(const scene::ToolSpec& tool, double meters_per_unit) {
-  const Vector3 p_BQ = tool.p_BT + tool.edge / 2 * tool.axis.normalized();
+  const Vector3 axis = tool.axis.normalized();
+  const Vector3 p_BQ = tool.p_BT + tool.edge / 2 * axis;
   return {{"point", PointInUnits(p_BQ, meters_per_unit)},
+          {"axis", {axis.x(), axis.y(), axis.z()}},
+          {"edge", tool.edge / meters_per_unit},
           {"turns", tool.action == scene::ToolAction::kDrive}};
 }
 

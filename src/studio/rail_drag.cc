@@ -30,6 +30,10 @@ std::optional<double> NearestAlong(const Vector3& p, const Vector3& u, const sim
 
 }  // namespace
 
+bool IsOnRail(physics::BodyId body, const physics::World& world) {
+  return RailOf(body, world) != nullptr;
+}
+
 std::optional<sim::MoveTo> MoveAlongRail(const sim::Drag& drag, const sim::Simulation& simulation) {
   const demonstrator::Hand& hand = simulation.demonstrator().hand(drag.hand);
   const physics::World& world = simulation.physics();

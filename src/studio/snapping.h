@@ -13,11 +13,11 @@
 
 namespace smile::studio {
 
-/// Targets to which drags and rotations snap.
+/// Targets to which drags and rotations snap, as they are from the start.
 struct SnapTo {
   bool rails = true;    ///< what slides on another object stays on its rail
-  bool faces = false;   ///< sides of neighbours, to touch them
-  bool edges = false;   ///< sides and middles of neighbours, to be flush with them
+  bool faces = true;    ///< sides of neighbours, to touch them
+  bool edges = true;    ///< sides and middles of neighbours, to be flush with them
   bool grid = false;    ///< multiples of half a unit
   bool angles = false;  ///< right angles to the table and to what is nearest
 

@@ -6,6 +6,7 @@
 
 #include "math/angles.h"
 #include "scene/units.h"
+#include "studio/rail_drag.h"
 
 // The variable part of what pages show. All members are present in each message, so a page replaces
 // its state and need not merge. Numbers are rounded, since unequal messages are sent again.
@@ -57,6 +58,7 @@ Json DescribeHands(const sim::Simulation& simulation) {
           RoundedArray(scene::ToFileUnits(Vector3(hand.X_WB_goal.translation()), unit));
       const std::vector<std::string> stopped_by = StoppedBy(hand, simulation);
       if (!stopped_by.empty()) described["stopped_by"] = stopped_by;
+      if (IsOnRail(hand.held, simulation.physics())) described["on_rail"] = true;
       if (const auto work = simulation.tabletop().NearestWork(object)) {
         described["work"] = {{"target", work->target},
                              {"by", RoundedArray(scene::ToFileUnits(work->displacement, unit))}};

@@ -128,7 +128,7 @@ void Tools::Restore(ToolsState state, const model::Model& model) {
   model_ = &model;
 }
 
-std::optional<Tools::Candidate> Tools::NearestCut(model::ToolIndex tool) const {
+std::vector<Tools::Candidate> Tools::CutsByDistance(model::ToolIndex tool) const {
   const model::Tool& which = model_->tool(tool);
   const scene::ToolSpec& spec = *which.spec;
   const RigidTransform X_WB = PoseOf(which.object);
@@ -142,33 +142,32 @@ std::optional<Tools::Candidate> Tools::NearestCut(model::ToolIndex tool) const {
     // A tool does not cut itself.
     return one.use.object == which.object;
   });
-  // The first one in the order of the scene wins a tie.
-  const auto nearest = std::ranges::min_element(
-      candidates, {}, [](const Candidate& one) { return one.offset.distance; });
-  if (nearest == candidates.end()) return std::nullopt;
-  nearest->use.tool = tool;
-  return *nearest;
+  for (Candidate& one : candidates) one.use.tool = tool;
+  // Stable: the first one in the order of the scene wins a tie.
+  std::ranges::stable_sort(candidates, {}, [](const Candidate& one) { return one.offset.distance; });
+  return candidates;
 }
 
 std::optional<ToolUse> Tools::CutTarget(model::ToolIndex tool, Refusal* refusal) const {
   const model::Tool& which = model_->tool(tool);
-  const auto nearest = NearestCut(tool);
-  if (!nearest) {
+  const std::vector<Candidate> cuts = CutsByDistance(tool);
+  if (cuts.empty()) {
     *refusal = Say("tools.nothingToCut", {{"tool", NameOf(which.object)}});
     return std::nullopt;
   }
-  if (nearest->offset.distance > which.spec->reach) {
+  const Candidate& nearest = cuts.front();
+  if (nearest.offset.distance > which.spec->reach) {
     const double unit = model_->scene().meters_per_unit;
     *refusal = Say("tools.bladesAreFar",
                    {{"tool", NameOf(which.object)},
-                    {"distance", UnitsRoundedUp(nearest->offset.distance, unit)},
-                    {"target", nearest->use.target},
-                    {"side", SideOf(nearest->offset.direction)},
-                    {"displacement", DisplacementTo(nearest->offset.direction, unit)},
+                    {"distance", UnitsRoundedUp(nearest.offset.distance, unit)},
+                    {"target", nearest.use.target},
+                    {"side", SideOf(nearest.offset.direction)},
+                    {"displacement", DisplacementTo(nearest.offset.direction, unit)},
                     {"reach", RoundedUnits(which.spec->reach, unit)}});
     return std::nullopt;
   }
-  return nearest->use;
+  return nearest.use;
 }
 
 void Tools::AppendChainCuts(const Vector3& p_WT, const Vector3& p_WTip,
@@ -319,10 +318,27 @@ std::optional<ToolUse> Tools::BondTarget(model::ToolIndex tool, Refusal* refusal
   return std::nullopt;
 }
 
+bool Tools::HasRoom(const Candidate& cut) const {
+  constexpr double kMaxOverlap = 0.002;  // [m]
+  const ObjectIndex object = model_->tool(cut.use.tool).object;
+  const RigidTransform X_WB = PoseOf(object);
+  const RigidTransform X_there(X_WB.rotation(), X_WB.translation() - cut.offset.direction);
+  const auto overlaps = world_->OverlapsAt((*objects_)[object].body, X_there, kMaxOverlap);
+  return std::ranges::none_of(overlaps.bodies, [this](physics::BodyId blocker) {
+    return world_->body(blocker).is_static();
+  });
+}
+
 std::optional<WorkPlace> Tools::NearestWork(model::ToolIndex tool) const {
   double angle = 0;
-  const bool cuts = model_->tool(tool).spec->action == ToolAction::kCut;
-  const auto nearest = cuts ? NearestCut(tool) : NearestGuest(tool, &angle);
+  std::optional<Candidate> nearest;
+  if (model_->tool(tool).spec->action == ToolAction::kCut) {
+    const std::vector<Candidate> cuts = CutsByDistance(tool);
+    const auto free = std::ranges::find_if(cuts, [this](const auto& cut) { return HasRoom(cut); });
+    if (!cuts.empty()) nearest = free == cuts.end() ? cuts.front() : *free;
+  } else {
+    nearest = NearestGuest(tool, &angle);
+  }
   if (!nearest) return std::nullopt;
   return WorkPlace{.target = nearest->use.target, .displacement = -nearest->offset.direction};
 }

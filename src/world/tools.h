@@ -54,8 +54,7 @@ struct ToolUse {
   physics::JointId joint{};                      ///< of a chain
 };
 
-/// The place nearest to a tool at which it can work, however far away; for a part that is cut, its
-/// middle.
+/// A place at which a tool can work, however far away; for a part that is cut, its middle.
 struct WorkPlace {
   std::string target;                      ///< in words, as in ToolUse
   Vector3 displacement = Vector3::Zero();  ///< from the working point [m]
@@ -80,7 +79,8 @@ class Tools {
   /// Returns what a tool would do if it were used now, or nullopt with the reason in `refusal`.
   /// @param loosens  direction of a tool of kind kDrive.
   std::optional<ToolUse> PlanUse(model::ToolIndex tool, bool loosens, Refusal* refusal) const;
-  /// Returns nullopt if there is nothing that the tool could work on.
+  /// Returns the nearest place at which nothing immovable is in the tool's way, turned as it is; the
+  /// nearest one if there is something everywhere, and nullopt if there is nothing to work on.
   std::optional<WorkPlace> NearestWork(model::ToolIndex tool) const;
   /// Uses a tool as planned in the present state.
   void Use(const ToolUse& use);
@@ -113,11 +113,14 @@ class Tools {
   }
   const std::string& NameOf(ObjectIndex object) const { return (*objects_)[object].id(); }
   const Holder* HolderOf(model::ToolIndex tool, const std::vector<Holder>& holders) const;
-  std::optional<Candidate> NearestCut(model::ToolIndex tool) const;
+  /// Returns all that the tool could cut, the nearest first.
+  std::vector<Candidate> CutsByDistance(model::ToolIndex tool) const;
   /// @param angle  of the tool against the axis of the place [rad].
   std::optional<Candidate> NearestGuest(model::ToolIndex tool, double* angle) const;
   /// Returns the reason why a tool does nothing where one of another type belongs.
   std::optional<Refusal> RefuseOtherType(model::ToolIndex tool) const;
+  /// Returns true if the tool would not overlap anything immovable where it can cut that.
+  bool HasRoom(const Candidate& cut) const;
   std::optional<ToolUse> CutTarget(model::ToolIndex tool, Refusal* refusal) const;
   void AppendChainCuts(const Vector3& p_WT, const Vector3& p_WTip,
                        std::vector<Candidate>* candidates) const;

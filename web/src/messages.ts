@@ -51,8 +51,8 @@ export interface SceneObject {
   controls: { id: string; kind: string; parts: string[] }[];
   /** it can be fastened to others */
   bonds: boolean;
-  /** its tip, or the middle of its blades; `turns`: it is also used by turning it */
-  tool?: { point: Point; turns: boolean };
+  /** in the frame of the object */
+  tool?: { point: Point; axis: Point; edge: number; turns: boolean };
   /** properties that can be marked as relevant */
   properties: string[];
 }
@@ -76,6 +76,8 @@ export interface Hand {
   work?: { target: string; by: Point };
   /** ids of what keeps the object from its target; an empty one is the table */
   stopped_by?: string[];
+  /** it slides on another object */
+  on_rail?: boolean;
   plane: number;
   /** target orientation of the object [degrees] */
   angles?: Point;

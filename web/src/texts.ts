@@ -45,6 +45,7 @@ export const texts = {
     notNow: (reason: string) => say(t.notNow, { reason: capital(reason) }),
     turnBy: (axis: string, degrees: number) => say(t.hands.turnBy, { degrees, axis }),
     planeBy: (degrees: number) => say(t.hands.planeBy, { degrees }),
+    bringWhy: (target: string) => say(t.hands.bringWhy, { target }),
   },
 
   properties: t.properties as Record<string, string>,
@@ -112,6 +113,7 @@ export const texts = {
     ends: (number: number) => say(t.placement.ends, { number }),
     sides: (number: number) => say(t.placement.sides, { number }),
     centered: (objects: string[]) => say(t.placement.centered, { objects: allOf(objects) }),
+    turned: (degrees: number, object: string) => say(t.placement.turned, { degrees, object }),
     touches: (objects: string[]) => say(t.placement.touches, { objects: allOf(objects) }),
     missing: (arrow: string, millimeters: number, to: Missing["to"], object: string) =>
       say(t.placement.missing, { arrow, millimeters, to, object }),

@@ -6,7 +6,7 @@ import { build } from "esbuild";
 
 const entryPoints = [new URL("../src/world/alignment.ts", import.meta.url).pathname];
 const { outputFiles } = await build({ entryPoints, bundle: true, write: false, format: "esm", target: "es2022" });
-const { alignmentsOf } = await import(`data:text/javascript,${encodeURIComponent(outputFiles[0].text)}`);
+const { alignmentsOf, turnedFrom } = await import(`data:text/javascript,${encodeURIComponent(outputFiles[0].text)}`);
 
 /** A cuboid of these sizes [m], turned about the vertical [degrees]. */
 function cuboid(object, center, size, degrees = 0) {
@@ -54,4 +54,17 @@ test("nothing is aligned with what is far away or turned", () => {
   assert.deepEqual(alignmentsOf(cube(-0.2, 0, 0.17), [PLANK]), []);
   assert.deepEqual(alignmentsOf(cube(-0.2, 0, 0.15, 2), [PLANK]), []);
   assert.deepEqual(alignmentsOf(cube(-0.2, 0.3, 0.15), [PLANK]), []);
+});
+
+test("an upright cuboid is turned from the nearest other one, to the next right angle", () => {
+  const turned = (one, ...others) => {
+    const found = turnedFrom(one, [cuboid("", [0, 0, 0], [2, 1, 0]), ...others]);
+    return found && `${found.object} ${Math.round(10 * found.degrees) / 10}`;
+  };
+  assert.equal(turned(cube(0, 0.1, 0.15, 15), PLANK), "Plank 15");
+  assert.equal(turned(cube(0, 0.1, 0.15, -100), PLANK), "Plank 10");
+  assert.equal(turned(cube(0, 0.1, 0.15, 90.3), PLANK), null);
+  assert.equal(turned(cube(0, 0.1, 0.15, 15), PLANK, cuboid("Nearer", [0, 0.15, 0.15], [0.1, 0.1, 0.1], 18)), "Nearer 3");
+  assert.equal(turned(cube(0, 0.4, 0.15, 15), PLANK), null, "far from all");
+  assert.equal(turned(cube(0, 0.4, 0.05, 15)), null, "the table does not matter");
 });

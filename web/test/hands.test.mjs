@@ -45,6 +45,32 @@ test("each hand holds its own, and takes what the other holds", async (t) => {
   assert.ok(witness.positionOf("RedBlock")[2] > 1.9, "it was not dropped");
 });
 
+test("from above, what is held high is drawn over the place that it is above, until the view is turned", async (t) => {
+  const { page, person } = await browser.workplace(t, { studio: BARE });
+  const shift = async () => {
+    const [low, high] = await Promise.all([0, 5].map((z) => person.placeOnPage([6, 3, z])));
+    return Math.hypot(high.x - low.x, high.y - low.y);
+  };
+  const until = (isIt) => page.waitForFunction(isIt);
+  await person.press("Top");
+  await until(() => {
+    const [low, high] = [0, 5].map((z) => window.smileStudio.screenPlaceOf([6, 3, z]));
+    return Math.hypot(high.x - low.x, high.y - low.y) < 10;
+  });
+  const { x, y } = await person.placeOnPage([0, 0, 0]);
+  await page.mouse.move(x, y);
+  await page.mouse.wheel(0, -200);
+  await person.look();
+  assert.ok((await shift()) < 15, "nearer, it is still a map");
+  await page.mouse.down({ button: "right" });
+  await page.mouse.move(x + 30, y - 60, { steps: 3 });
+  await page.mouse.up({ button: "right" });
+  await until(() => {
+    const [low, high] = [0, 5].map((z) => window.smileStudio.screenPlaceOf([6, 3, z]));
+    return Math.hypot(high.x - low.x, high.y - low.y) > 40;
+  });
+});
+
 test("one hand is recorded while the other one acts as it was recorded", async (t) => {
   const { page, studio, witness, person } = await browser.workplace(t, { studio: BARE });
   const held = (hand) => witness.state.hands[hand].object;
@@ -351,6 +377,8 @@ test("a drag ends flush with a face where faces are snapped to; Escape ends the 
   const placement = page.getByRole("status", { name: "Placement of the object" });
   await person.grasp("Coming");
   await turnPlaneTo(0);
+  for (const target of ["Faces", "Edges"]) await person.press(target);
+  await witness.until(() => witness.state.snap.join() === "rails", "sides are not snapped to");
   await person.dragTo("Coming", [null, null, 0.85]);
   await person.dragTo("Coming", [-0.4, null, null]);
   await dragAwayAndBack();

@@ -44,3 +44,15 @@ test("a drawer slides to the end of its rail, and no full hand takes another obj
   await person.grasp("Drive3");
   await placement.getByText("rests in DockDrawer", { exact: true }).waitFor();
 });
+
+test("what is turned beside a slot says by how much, and is straightened", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: [DOCK, "--no-pictures"] });
+  const placement = page.getByRole("status", { name: "Placement of the object" });
+  await witness.until(() => witness.state.still, "the drives stand");
+  await person.grasp("Spare");
+  await person.typePlace({ z: 4, x: -4.5, y: -0.5 });
+  await placement.getByText(/^turned 15° from \w+: Straighten aligns it$/).waitFor();
+  await person.press("Straighten");
+  await placement.getByText("turned").waitFor({ state: "detached" });
+  await witness.until(() => witness.handOf("Spare").angles.every((angle) => Math.abs(angle) < 0.1), "it is straight");
+});

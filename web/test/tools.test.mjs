@@ -26,6 +26,8 @@ test("a mark and a text show what scissors can cut, while the string is between 
   await person.typePlace({ x: -0.2, y: -0.6, z: HEIGHT });
   await witness.until(() => witness.positionOf("Scissors")[0] < -0.1, "the scissors are in front of the string");
   await isLedToTheString();
+  await witness.settled(() => witness.positionOf("Scissors"), "they hang there", 300);
+  await person.look();
   await isMarked("before they are in place");
   await person.press("Use Scissors");
   await page.getByRole("alert").getByText(/the blades of 'Scissors' are [\d.]+ units beside String/).waitFor();
@@ -58,6 +60,22 @@ test("a mark and a text show what scissors can cut, while the string is between 
     const error = Math.hypot(...[x, y + TO_BLADES, z].map((value, axis) => value - shown[axis]));
     assert.ok(error < 0.1, `${when}, the mark is ${error} units from the blades`);
   }
+});
+
+test("scissors are brought to the string past its posts, and the string stays where it hangs", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: [SCISSORS, "--no-robot", "--no-pictures"] });
+  const hint = page.getByRole("status", { name: "Tool in place" });
+  await witness.until(() => witness.state.still, "the string has come to rest");
+  const weight = witness.positionOf("Weight");
+  await person.grasp("Scissors");
+  await hint.getByText("Press Bring into place, or drag it there").waitFor();
+  await person.press("Bring into place");
+  await hint.getByText(/^Scissors can cut String between link \d+ and \d+$/).waitFor();
+  const moved = Math.hypot(...witness.positionOf("Weight").map((value, axis) => value - weight[axis]));
+  assert.ok(moved < 0.05, `the weight has moved by ${moved} units`);
+  await page.getByRole("button", { name: "Bring into place" }).waitFor({ state: "detached" });
+  await person.press("Cut with Scissors");
+  await witness.until(() => witness.positionOf("Weight")[2] < weight[2] - 0.5, "the weight falls");
 });
 
 test("a notice names what pressed a switch", async (t) => {

@@ -14,7 +14,7 @@ import { DIRECTIONS, type Direction, stepAlong, STEPS, stepSize } from "./direct
 import { turnFromTo } from "./fixed_axes";
 import { keyFor, keyHint } from "./key_names";
 import { attention, mayAct, snaps } from "./derived_signals";
-import { guides } from "../world/signals";
+import { guides, isBringing, isOnRail } from "../world/signals";
 import { world } from "./page";
 
 const { hands: words } = texts;
@@ -110,8 +110,20 @@ function UseTool({ object }: { object: string }) {
   const tool = scene.value?.objects.find((one) => one.id === object)?.tool;
   if (tool === undefined || !isCommandOffered("use")) return null;
   const hand = currentHand.value;
+  const isInPlace = Object.hasOwn(state.value?.uses ?? {}, object);
+  const work = state.value?.hands[hand].work;
   return (
     <>
+      {work && !isInPlace && (
+        <Button
+          label={words.bring}
+          icon="lower"
+          class="wide"
+          title={words.bringWhy(work.target)}
+          disabled={!mayAct.value || isBringing.value}
+          onClick={() => void world.value?.bringToWork()}
+        />
+      )}
       <Button
         label={texts.menu.use(object, state.value?.uses[object])}
         icon="check"
@@ -136,6 +148,9 @@ function Held() {
         disabled={!mayAct.value}
         onClick={releaseHeld}
       />
+      {!isOnRail.value && (
+        <Button label={words.straighten} class="grow" title={words.straightenWhy} disabled={!mayAct.value} onClick={straighten} />
+      )}
       {isCommandOffered("destroy") && (
         <Button
           label={words.destroy}
@@ -244,6 +259,12 @@ function Position({ place }: { place: Point }) {
 /** By numbers: what is typed does not snap. */
 function rotate(angles: Point): Promise<Reply | null> {
   return ask("command", { command: { do: "rotate", hand: currentHand.value, angles }, exact: true });
+}
+
+/** To right angles to the nearest object, or to the table. */
+function straighten(): void {
+  const turn = world.value?.straighteningTurn();
+  if (turn) void rotate(turn);
 }
 
 function turnBy(axis: number, degrees: number): void {
@@ -377,6 +398,7 @@ export function HandsPanel() {
         <Card title={`${words.held}: ${object}`}>
           <Held />
           <UseTool object={object} />
+          {isOnRail.value && <p class="hint">{words.onRail}</p>}
         </Card>
       )}
       {isOffered("snap") && (
@@ -390,13 +412,15 @@ export function HandsPanel() {
             <NudgePad />
             {hand?.place && <Position place={hand.place} />}
           </Card>
-          <Card title={words.turn} isOpen={isTurnOpen}>
-            <div data-tour="turn">
-              {([0, 1, 2] as const).map((axis) => (
-                <TurnSlider key={`${object} ${axis}`} object={object} axis={axis} reading={angles} />
-              ))}
-            </div>
-          </Card>
+          {!isOnRail.value && (
+            <Card title={words.turn} isOpen={isTurnOpen}>
+              <div data-tour="turn">
+                {([0, 1, 2] as const).map((axis) => (
+                  <TurnSlider key={`${object} ${axis}`} object={object} axis={axis} reading={angles} />
+                ))}
+              </div>
+            </Card>
+          )}
         </>
       )}
       <Card title={words.plane} isOpen={isPlaneOpen}>

@@ -36,12 +36,23 @@ export interface Missing {
   to: "flush" | "touching";
 }
 
+/** How a cuboid is turned from another one, about a vertical axis. */
+export interface Turned {
+  object: string;
+  /** To the nearest right angle: at most 45. */
+  degrees: number;
+}
+
 /** Faces no farther apart lie in one plane. */
 const SAME = 0.0005;
 /** Cuboids farther apart have nothing to do with each other: the largest change of a drag by snapping. */
 const NEAR = 0.015;
 /** What is missing to being flush or touching is not mentioned from here on. */
 const FAR = 0.03;
+/** Sine of one degree: a held object is level only nearly. */
+const LEVEL = Math.sin(Math.PI / 180);
+/** Less is not mentioned [degrees]. */
+const LEAST_TURN = 0.5;
 /** Cosine of half a degree. */
 const PARALLEL = Math.cos(Math.PI / 360);
 /** A cuboid that is longer than wide by this factor has ends. */
@@ -63,6 +74,30 @@ export function alignmentsOf(cuboid: Cuboid, others: readonly Cuboid[]): Alignme
     const { touches, ends, sides, isTopLevel, isBottomLevel, isCentered, missing } = alignment;
     return touches || ends + sides > 0 || isTopLevel || isBottomLevel || isCentered || missing.length > 0 ? [alignment] : [];
   });
+}
+
+/** Returns the one of the others that is nearest to the middle of a cuboid, if it is within a distance; the table is none. */
+export function nearestTo(cuboid: Cuboid, others: readonly Cuboid[], most: number): Cuboid | null {
+  let [nearest, least]: [Cuboid | null, number] = [null, most];
+  for (const other of others) {
+    if (other.object === "") continue;
+    const apart = minus(cuboid.center, other.center);
+    const outside = other.axes.map((axis, k) => Math.max(0, Math.abs(dot(axis, apart)) - other.half[k]!));
+    const distance = Math.hypot(...outside);
+    if (distance < least) [nearest, least] = [other, distance];
+  }
+  return nearest;
+}
+
+/** Returns how an upright cuboid is turned from the nearest other one, if that is close enough for it to matter. */
+export function turnedFrom(cuboid: Cuboid, others: readonly Cuboid[]): Turned | null {
+  const other = nearestTo(cuboid, others, Math.hypot(...cuboid.half) + FAR);
+  const level = (axes: Cuboid["axes"]) => axes.filter((axis) => Math.abs(axis[2]) < LEVEL);
+  const [own] = level(cuboid.axes);
+  if (other === null || own === undefined || level(cuboid.axes).length !== 2 || level(other.axes).length !== 2) return null;
+  const angles = level(other.axes).map((axis) => (Math.acos(Math.min(1, Math.abs(dot(own, axis)))) * 180) / Math.PI);
+  const degrees = Math.min(...angles);
+  return degrees < LEAST_TURN ? null : { object: other.object, degrees };
 }
 
 /** Null unless both are near each other and their axes are parallel, in any order. */

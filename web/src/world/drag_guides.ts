@@ -8,7 +8,7 @@ import type { DropShadow } from "./drop_shadow";
 import type { Picker } from "./pick";
 import type { Rings } from "./rings";
 import { DragPlane } from "./drag_plane";
-import { guides, hasRings } from "./signals";
+import { guides, hasRings, isOnRail } from "./signals";
 
 const FLOOR_DEPTH = 0.9; // [m]
 
@@ -67,7 +67,8 @@ export class DragGuides {
     if (isNew || this.models.moved.size > 0 || isOther) this.ghost.update();
     this.shown = held;
     this.isGuided = guides.value;
-    if (held === null || group === null || ball === null) {
+    // What follows a rail is not turned, and needs no plane.
+    if (held === null || group === null || ball === null || isOnRail.value) {
       this.dragPlane.hide();
       this.plumbLine.hide();
       this.dropShadow.hide();

@@ -10,7 +10,7 @@ import { meet, type Picked, type Picker, type PointerAt } from "./pick";
 import { type Axis, directionOf, type Rings } from "./rings";
 import { moveSelected, selected, toggleSelected } from "./selection";
 import { Sender } from "./sender";
-import { areAidsFixed, contextMenu } from "./signals";
+import { areAidsFixed, contextMenu, isOnRail } from "./signals";
 import type { ViewCamera } from "./view_camera";
 
 const DEGREES = 180 / Math.PI;
@@ -266,12 +266,16 @@ export class Hands {
       last = latest;
       const ray = this.picker.rayOf(latest);
       const point = meet(ray, normal, place)?.add(offset);
-      if (!point || point.distanceTo(this.center) > REACH * this.unitsPerMeter) return null;
-      place = point;
-      this.sentGoal = { point, hand, when: performance.now() };
+      const isInReach = point && point.distanceTo(this.center) <= REACH * this.unitsPerMeter;
+      // A rail is followed wherever the plane is met.
+      if (!isInReach && !isOnRail.value) return null;
+      if (isInReach) {
+        place = point;
+        this.sentGoal = { point, hand, when: performance.now() };
+      }
       const origin = ray.origin.add(offset);
       const level = normal.z > 0.5;
-      return { hand, do: "drag", origin: rounded(origin), direction: rounded(ray.direction), level };
+      return { hand, do: "drag", origin: rounded(origin), direction: rounded(ray.direction, 9), level };
     };
     const move = () => {
       if (isHeld && latest !== last) this.moves.want(step);
@@ -359,8 +363,9 @@ export function isFixed(object: string): boolean {
   return scene.value?.objects.find(({ id }) => id === object)?.fixed ?? false;
 }
 
-function rounded(point: Vector3): Point {
-  return point.toArray().map((value) => Math.round(value * 1e5) / 1e5) as Point;
+/** A direction needs more digits: the eye may be far away. */
+function rounded(point: Vector3, digits = 5): Point {
+  return point.toArray().map((value) => Number(value.toFixed(digits))) as Point;
 }
 
 /** Between -180 and 180 [degrees]. */

@@ -7,6 +7,7 @@ import { Models } from "./models";
 import { Outline } from "./outline";
 import { selected } from "./selection";
 import { hovered } from "./signals";
+import { apparentDistance } from "./view_camera";
 
 const HELD_PIXELS = 3.5;
 const HOVER_PIXELS = 2.5;
@@ -38,7 +39,7 @@ export class Marks {
       const ball = Models.ballAbout(pieces);
       badge.visible = ball !== null;
       if (ball === null) continue;
-      const size = BADGE_SIZE * camera.position.distanceTo(ball.center);
+      const size = BADGE_SIZE * apparentDistance(camera, ball.center);
       badge.scale.setScalar(size);
       const up = new Vector3().setFromMatrixColumn(camera.matrixWorld, 1);
       badge.position.copy(ball.center).addScaledVector(up, 1.3 * ball.radius + size);

@@ -5,6 +5,7 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 import { guideColors } from "../colors";
 import { disc } from "./disc";
 import type { MeasuredPoint } from "./measured";
+import { apparentDistance } from "./view_camera";
 
 const ORDER = 34;
 /** Of a disc's height to the distance from the eye. */
@@ -53,7 +54,7 @@ export class MeasureLines {
       if (point === undefined) continue;
       for (const sprite of [round, square]) {
         sprite.position.set(...point.place);
-        sprite.scale.setScalar(SIZE * camera.position.distanceTo(sprite.position));
+        sprite.scale.setScalar(SIZE * apparentDistance(camera, sprite.position));
       }
     }
   }

@@ -3,12 +3,12 @@ import { guideColors } from "../colors";
 import type { Point } from "../protocol";
 import { currentHand, scene, state } from "../studio";
 import { texts } from "../texts";
-import { type Alignment, alignmentsOf } from "./alignment";
+import { type Alignment, alignmentsOf, type Turned, turnedFrom } from "./alignment";
 import { cuboidsOf } from "./cuboids";
 import type { Rest } from "./ghost";
 import { Models } from "./models";
 import type { Picker } from "./pick";
-import { guides } from "./signals";
+import { guides, isOnRail } from "./signals";
 import { supportsOf } from "./supports";
 
 const { placement: words } = texts;
@@ -25,13 +25,13 @@ const FAR = 0.002;
  * release what it does rest on, until it is moved.
  */
 export class PlacementLabel {
-  private readonly output = document.createElement("output");
+  readonly output = document.createElement("output");
   private object: string | null = null;
   /** Where the released object came to rest; null before. */
   private restPlace: Vector3 | null = null;
   private ghostPlace = "";
-  /** What it is aligned with, and its center there. */
-  private aligned: { center: Vector3; with: Alignment[] } | null = null;
+  /** What it is aligned with or turned from, and its center there. */
+  private aligned: { center: Vector3; with: Alignment[]; turned: Turned | null } | null = null;
   /** Of what it rests on, and what stops it. */
   private lines: string[] = [];
   private said = "";
@@ -80,7 +80,9 @@ export class PlacementLabel {
       this.lines = [...stopped, ...(rest?.object === held ? restLines(rest.supports) : [])];
     } else if (this.object !== null) this.describeReleased(this.object);
     const ball = this.object === null ? null : Models.ballAbout(this.models.piecesOf(this.object));
-    this.say(ball === null ? [] : [...this.lines, ...this.alignmentLines()]);
+    // A rail says where its object can be.
+    const isFree = held === null || !isOnRail.value;
+    this.say(ball === null || !isFree ? [] : [...this.lines, ...this.alignmentLines()]);
     if (ball !== null) this.place(camera, ghost?.position ?? ball.center, ball.radius);
   }
 
@@ -103,14 +105,22 @@ export class PlacementLabel {
     cuboids.delete(object);
     if (own === undefined) return null;
     const center = new Vector3(...own.center).divideScalar(scene.value.metersPerUnit);
-    return { center, with: alignmentsOf(own, [...cuboids.values()]) };
+    const others = [...cuboids.values()];
+    // What is round can be turned as it likes.
+    const hasSides = (id: string) => this.models.piecesOf(id).some(({ visual }) => visual.block !== undefined);
+    const turned = hasSides(object) ? turnedFrom(own, others.filter((other) => hasSides(other.object))) : null;
+    return { center, with: alignmentsOf(own, others), turned };
   }
 
   /** Anew for each picture: arrows turn with the camera. */
   private alignmentLines(): string[] {
     const { aligned } = this;
     if (aligned === null) return [];
-    return linesOf(aligned.with, (toward) => this.picker.arrow(aligned.center, new Vector3(...toward)));
+    const { turned } = aligned;
+    return [
+      ...(turned === null ? [] : [words.turned(Math.round(turned.degrees), turned.object)]),
+      ...linesOf(aligned.with, (toward) => this.picker.arrow(aligned.center, new Vector3(...toward))),
+    ];
   }
 
   /** The element stays while it is empty, and changes only with its words: screen readers then announce them once. */

@@ -14,6 +14,7 @@ import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 import { axisColors } from "../colors";
 import { disc } from "./disc";
 import { MARK } from "./outline";
+import { apparentDistance } from "./view_camera";
 
 export type Axis = 0 | 1 | 2;
 const AXES: Axis[] = [0, 1, 2];
@@ -56,7 +57,7 @@ export class Rings {
     this.rings.forEach((ring, axis) => ring.setStrength(axis === lit ? 1 : lit === null ? 0.85 : 0.4));
     this.root.visible = true;
     this.root.position.copy(center);
-    const distance = camera.position.distanceTo(center);
+    const distance = apparentDistance(camera, center);
     this.root.scale.setScalar(Math.max(1.22 * radius, SMALLEST * distance));
     this.root.updateMatrixWorld(true);
   }

@@ -30,6 +30,10 @@ export const guides = signal(true);
 export const hasRings = signal(true);
 /** Keys change none of the aids: a study prescribes them. */
 export const areAidsFixed = signal(false);
+/** The held object follows its rail, whatever the plane in which it is dragged. */
+export const isOnRail = computed(() => (state.value?.hands[currentHand.value].on_rail ?? false) && (state.value?.snap.includes("rails") ?? false));
+/** A held tool is on its way to where it can work. */
+export const isBringing = signal(false);
 export const cameraKind = signal<Preset | "free">("front");
 /** False where the browser has no WebGL2: all but the world works. */
 export const canDraw = signal(true);

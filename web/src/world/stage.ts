@@ -95,7 +95,6 @@ export class Stage {
     Object.assign(this.sun.shadow.camera, { near: 0.1 * unitsPerMeter, far: 6 * unitsPerMeter });
     this.sun.shadow.camera.updateProjectionMatrix();
     this.sun.shadow.normalBias = 0.003 * unitsPerMeter;
-    this.camera.near = 0.02 * unitsPerMeter;
     this.camera.far = 100 * unitsPerMeter;
     this.camera.updateProjectionMatrix();
     for (const [level, depth] of [[this.floor, FLOOR_DEPTH], [this.ground, FLOOR_DEPTH + 0.001]] as const) {

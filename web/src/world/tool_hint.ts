@@ -7,6 +7,7 @@ import { texts } from "../texts";
 import { isTouch } from "../ui/media";
 import type { Models } from "./models";
 import type { Picker } from "./pick";
+import { apparentDistance } from "./view_camera";
 
 const { toolHint: words } = texts;
 const MARK_ORDER = 34;
@@ -38,6 +39,8 @@ export class ToolHint {
     private readonly host: HTMLElement,
     private readonly models: Models,
     private readonly picker: Picker,
+    /** The other text beside the held object. */
+    private readonly other: HTMLElement,
   ) {
     this.root.visible = false;
     this.output.className = "tool-hint";
@@ -61,7 +64,7 @@ export class ToolHint {
     this.say(shown ? [words.can(shown.tool, shown.use.do, shown.use.target), howToUse(shown)] : this.wayToWork(place));
     this.root.position.copy(place);
     this.root.material.opacity = shown === null ? FAINT : 1;
-    this.root.scale.setScalar(MARK_SIZE * camera.position.distanceTo(place));
+    this.root.scale.setScalar(MARK_SIZE * apparentDistance(camera, place));
     this.placeText(place);
   }
 
@@ -71,7 +74,9 @@ export class ToolHint {
     if (!work || scene.value === null) return [];
     const way = new Vector3(...work.by);
     const meters = way.length() * scene.value.metersPerUnit;
-    return meters > FAR ? [] : [words.missing(this.picker.arrow(from, way), Math.ceil(1000 * meters), work.target)];
+    if (meters > FAR) return [];
+    const missing = words.missing(this.picker.arrow(from, way), Math.ceil(1000 * meters), work.target);
+    return may("command") === true ? [missing, words.bring] : [missing];
   }
 
   /** The element stays while it is empty, and changes only with its words: screen readers then announce them once. */
@@ -87,8 +92,12 @@ export class ToolHint {
     const box = this.host.getBoundingClientRect();
     const { x, y } = this.picker.toPage(place);
     const { offsetWidth, offsetHeight, style } = this.output;
-    style.left = `${within(x - box.left + GAP, box.width - offsetWidth)}px`;
-    style.top = `${within(y - box.top + GAP, box.height - offsetHeight)}px`;
+    const left = within(x - box.left + GAP, box.width - offsetWidth);
+    const top = within(y - box.top + GAP, box.height - offsetHeight);
+    const { offsetLeft, offsetTop, offsetHeight: otherHeight } = this.other;
+    const isOver = otherHeight > 0 && offsetLeft < left + offsetWidth && offsetTop < top + offsetHeight && top < offsetTop + otherHeight;
+    style.left = `${left}px`;
+    style.top = `${isOver ? within(offsetTop + otherHeight + MARGIN, box.height - offsetHeight) : top}px`;
   }
 }
 

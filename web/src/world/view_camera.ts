@@ -5,7 +5,11 @@ import { cameraKind, type Preset } from "./signals";
 const FIELD_OF_VIEW = 45;
 const ROBOTS_FIELD_OF_VIEW = 60; // [degrees]
 const WIDEST = 85; // [degrees]
+/** From above, through a lens so long that what is held high is drawn over the place that it is above [degrees]. */
+const FIELD_OF_VIEW_FROM_ABOVE = 5;
 const EASE_SECONDS = 0.11;
+/** From the camera to what it draws, through the usual lens [m]. */
+const NEAR = 0.02;
 const LOWEST = -0.1;
 const HIGHEST = Math.PI / 2 - 0.002; // [rad]
 const FLY_SPEED = 1; // [m/s]
@@ -41,6 +45,17 @@ class View {
 
   get eye(): Vector3 {
     return this.away.multiplyScalar(this.distance).add(this.target);
+  }
+
+  /** Half of what is seen at the target's depth, from top to bottom [units]. */
+  get halfHeight(): number {
+    return this.distance * slopeOf(this.angle);
+  }
+
+  /** Sees as much at the target's depth as before, through another lens. */
+  changeLens(angle: number, halfHeight = this.halfHeight): void {
+    this.angle = angle;
+    this.distance = halfHeight / slopeOf(angle);
   }
 
   lookFrom(eye: Vector3, target: Vector3): void {
@@ -110,6 +125,7 @@ export class ViewCamera {
     this.wanted.lookFrom(eye.add(this.center), target.add(this.center));
     this.wanted.elevation = Math.min(this.wanted.elevation, HIGHEST);
     this.wanted.angle = preset === "robot" ? ROBOTS_FIELD_OF_VIEW : FIELD_OF_VIEW;
+    if (preset === "top") this.wanted.changeLens(FIELD_OF_VIEW_FROM_ABOVE);
     this.include(balls, preset === "robot");
     cameraKind.value = preset;
     this.goThere(isSudden);
@@ -131,12 +147,14 @@ export class ViewCamera {
   /** Looks at a ball, as near as shows it well. */
   focus(center: Vector3, radius: number): void {
     this.wanted.target.copy(center);
+    this.wanted.changeLens(FIELD_OF_VIEW);
     this.wanted.distance = Math.max(6 * radius, 0.4 * this.unitsPerMeter);
     this.moveFreely();
     this.goThere(false);
   }
 
   orbit(right: number, down: number): void {
+    this.leaveLongLens();
     this.wanted.azimuth -= right * ORBIT_PER_PIXEL;
     this.wanted.elevation = clamp(this.wanted.elevation + down * ORBIT_PER_PIXEL, LOWEST, HIGHEST);
     this.moveFreely();
@@ -145,8 +163,7 @@ export class ViewCamera {
 
   /** What is seen at the target's depth follows the pointer. */
   pan(right: number, down: number, height: number): void {
-    const angle = (this.camera.fov * Math.PI) / 360;
-    const perPixel = (2 * this.wanted.distance * Math.tan(angle)) / height;
+    const perPixel = (2 * this.wanted.halfHeight) / height;
     const sideways = new Vector3().setFromMatrixColumn(this.camera.matrix, 0);
     const upwards = new Vector3().setFromMatrixColumn(this.camera.matrix, 1);
     this.wanted.target.addScaledVector(sideways, -right * perPixel);
@@ -158,7 +175,8 @@ export class ViewCamera {
   /** Towards a point, or what is looked at. */
   zoom(factor: number, point: Vector3 | null, isSudden = false): void {
     const before = this.wanted.distance;
-    this.wanted.distance = clamp(before * factor, 0.08 * this.unitsPerMeter, 12 * this.unitsPerMeter);
+    const usual = this.unitsPerMeter * Math.max(1, lengthOf(this.wanted.angle));
+    this.wanted.distance = clamp(before * factor, 0.08 * usual, 12 * usual);
     if (point) this.wanted.target.sub(point).multiplyScalar(this.wanted.distance / before).add(point);
     this.moveFreely();
     this.goThere(isSudden);
@@ -204,12 +222,13 @@ export class ViewCamera {
     const share = stillness.matches ? 1 : 1 - Math.exp(-seconds / EASE_SECONDS);
     const { shown, wanted } = this;
     shown.target.lerp(wanted.target, share);
-    shown.distance += (wanted.distance - shown.distance) * share;
+    // What is seen grows or shrinks evenly, also while the lens changes.
+    const halfHeight = shown.halfHeight + (wanted.halfHeight - shown.halfHeight) * share;
+    shown.changeLens(shown.angle + (wanted.angle - shown.angle) * share, halfHeight);
     shown.azimuth += turnBetween(shown.azimuth, wanted.azimuth) * share;
     shown.elevation += (wanted.elevation - shown.elevation) * share;
-    shown.angle += (wanted.angle - shown.angle) * share;
     const isThere =
-      shown.target.distanceTo(wanted.target) < 1e-3 * wanted.distance &&
+      shown.target.distanceTo(wanted.target) < 1e-3 * wanted.halfHeight &&
       Math.abs(shown.distance - wanted.distance) < 1e-3 * wanted.distance &&
       Math.abs(turnBetween(shown.azimuth, wanted.azimuth)) < 1e-3 &&
       Math.abs(shown.elevation - wanted.elevation) < 1e-3;
@@ -222,8 +241,14 @@ export class ViewCamera {
     return this.flying.lengthSq() > 0 || this.looking.yaw !== 0 || this.looking.pitch !== 0;
   }
 
+  /** A view that goes around, or through the scene, has the usual lens; one that goes along or nearer keeps its own. */
+  private leaveLongLens(): void {
+    if (this.wanted.angle === FIELD_OF_VIEW_FROM_ABOVE) this.wanted.changeLens(FIELD_OF_VIEW);
+  }
+
   private drive(seconds: number): void {
     if (!this.isDriven) return;
+    this.leaveLongLens();
     const { wanted } = this;
     const eye = wanted.eye;
     wanted.azimuth += this.looking.yaw * LOOK_SPEED * seconds;
@@ -258,8 +283,11 @@ export class ViewCamera {
   private place(): void {
     this.camera.position.copy(this.shown.eye);
     this.camera.lookAt(this.shown.target);
-    if (this.camera.fov !== this.shown.angle) {
+    // From far away, depths are told apart by as much.
+    const near = NEAR * this.unitsPerMeter * Math.max(1, lengthOf(this.shown.angle));
+    if (this.camera.fov !== this.shown.angle || this.camera.near !== near) {
       this.camera.fov = this.shown.angle;
+      this.camera.near = near;
       this.camera.updateProjectionMatrix();
     }
     this.camera.updateMatrixWorld();
@@ -268,6 +296,21 @@ export class ViewCamera {
 
 function clamp(value: number, low: number, high: number): number {
   return Math.min(Math.max(value, low), high);
+}
+
+/** Of the upper edge of a picture against its middle. */
+function slopeOf(angle: number): number {
+  return Math.tan((angle * Math.PI) / 360);
+}
+
+/** Of a lens, in lengths of the usual one: from there, it shows as much. */
+function lengthOf(angle: number): number {
+  return slopeOf(FIELD_OF_VIEW) / slopeOf(angle);
+}
+
+/** Distance at which the usual lens would show a point as large as a camera does: for what has one size in the picture. */
+export function apparentDistance(camera: PerspectiveCamera, point: Vector3): number {
+  return camera.position.distanceTo(point) / lengthOf(camera.fov);
 }
 
 /** How far from its target a view must be, in its direction, for a ball to be in its picture. */

@@ -2,8 +2,10 @@ import { effect } from "@preact/signals";
 import { type Sphere, Vector3 } from "three";
 import { handColors } from "../colors";
 import { listenToKeys } from "../keys";
-import type { Poses, SceneMessage } from "../protocol";
+import type { Point, Poses, SceneMessage } from "../protocol";
 import { currentHand, heldObject, isController, poseListeners, scene, state, variants } from "../studio";
+import { bringToWork } from "./bring_tool";
+import { cuboidsOf } from "./cuboids";
 import { DragGuides } from "./drag_guides";
 import { DetailController } from "./detail";
 import { GroupDrag } from "./group_drag";
@@ -19,9 +21,10 @@ import { Picker, type PointerAt } from "./pick";
 import { PlacementLabel } from "./placement_label";
 import { Pointers } from "./pointers";
 import { nameOf, Rings } from "./rings";
-import { areAidsFixed, cameraKind, canDraw, chosenView, contextMenu, guides, hovered, isLowDetail, type Preset } from "./signals";
+import { areAidsFixed, cameraKind, canDraw, chosenView, contextMenu, guides, hovered, isBringing, isLowDetail, type Preset } from "./signals";
 import { selected } from "./selection";
 import { Stage } from "./stage";
+import { straighteningTurn } from "./straighten";
 import { provideTestHook } from "./test_hook";
 import { ToolHint } from "./tool_hint";
 import { ViewCamera } from "./view_camera";
@@ -38,6 +41,10 @@ export interface World {
   setLowDetail(mode: "auto" | "low" | "high"): void;
   /** Of the current hand. */
   turnPlane(deltaDegrees: number): void;
+  /** What the held object would have to be turned by to be straight [degrees]; null if none is held. */
+  straighteningTurn(): Point | null;
+  /** Brings the tool in the current hand to where it can work. */
+  bringToWork(): void;
   /** The origin of an object, as it is drawn [units]; null where it is not. */
   placeOf(objectId: string): [x: number, y: number, z: number] | null;
   /** The highest point of what is under a place of the page, from which on there is room; null beside all [units]. */
@@ -53,7 +60,7 @@ export interface World {
 export function mountWorld(host: HTMLElement): World {
   canDraw.value = document.createElement("canvas").getContext("webgl2") !== null;
   if (canDraw.value) return new DrawnWorld(host);
-  return { showPreset() {}, showFirstView() {}, focus() {}, setLowDetail() {}, turnPlane() {}, placeOf: () => null, roomAt: () => null, right: [1, 0], cameraPlace: [], dispose() {} };
+  return { showPreset() {}, showFirstView() {}, focus() {}, setLowDetail() {}, turnPlane() {}, straighteningTurn: () => null, bringToWork() {}, placeOf: () => null, roomAt: () => null, right: [1, 0], cameraPlace: [], dispose() {} };
 }
 
 /** Above everything on the table [units]. */
@@ -110,8 +117,8 @@ class DrawnWorld implements World {
       () => this.redraw(),
     );
     this.dragGuides = new DragGuides(this.models, this.picker, this.rings, this.hands, this.dropShadow, () => this.redraw());
-    this.toolHint = new ToolHint(host, this.models, this.picker);
     this.placementLabel = new PlacementLabel(host, this.models, this.picker);
+    this.toolHint = new ToolHint(host, this.models, this.picker, this.placementLabel.output);
     this.pointers = new Pointers(host, this.picker, this.hands, this.camera, (at) => this.hover(at));
     const parts = [this.models, this.groupDrag, this.dragGuides, this.marks, this.markers, this.measureLines, this.toolHint];
     for (const { root } of parts) this.stage.scene.add(root);
@@ -160,6 +167,20 @@ class DrawnWorld implements World {
 
   turnPlane(deltaDegrees: number): void {
     this.hands.turnPlane(deltaDegrees);
+  }
+
+  straighteningTurn(): Point | null {
+    const cuboids = scene.value ? cuboidsOf(this.models, scene.value, new Map()) : null;
+    const own = cuboids?.get(heldObject.value ?? "none");
+    if (cuboids === null || own === undefined) return null;
+    cuboids.delete(own.object);
+    return straighteningTurn(own, [...cuboids.values()]);
+  }
+
+  bringToWork(): void {
+    if (!this.hands.canAct || isBringing.value) return;
+    isBringing.value = true;
+    void bringToWork(this.models).finally(() => (isBringing.value = false));
   }
 
   roomAt(at: { x: number; y: number }): [x: number, y: number, z: number] | null {
@@ -317,8 +338,8 @@ class DrawnWorld implements World {
     this.marks.update(this.models, this.stage.camera);
     this.measureLines.update(this.stage.camera);
     this.dragGuides.update(this.stage.camera, this.hasMoved);
-    this.toolHint.update(this.stage.camera);
     this.updatePlacementLabel(hasMoved);
+    this.toolHint.update(this.stage.camera);
     this.hasMoved = false;
     if (hasMoved) this.stage.shadowsMoved();
     this.dropShadow.draw(this.stage);

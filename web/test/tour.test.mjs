@@ -101,7 +101,7 @@ test("the tour takes no stack that was there before for the person's own", async
   await person.untilDone();
   await staysAt(page, "Put it on another");
   await person.grasp("Free");
-  await person.carryOnto("Free", [4, 1, 2.55]);
+  await person.carryOnto("Free", [4, 1, 2.5]);
   await person.release();
   await says("Undo");
 });

@@ -4,7 +4,7 @@ import { isCommandOffered, isOffered, may, when } from "../allowed";
 import { ask, notify, scene } from "../studio";
 import { texts } from "../texts";
 import { Button } from "../ui/buttons";
-import { Card, Empty, isFound, Picture, SearchField } from "../ui/card";
+import { byWordsFound, Card, Empty, isFound, Picture, SearchField } from "../ui/card";
 import { NumberField } from "../ui/number_field";
 import { layoutSwitch } from "../ui/preference";
 import { ObjectList } from "./object_list";
@@ -94,7 +94,8 @@ function SceneList() {
       </Empty>
     );
   }
-  const scenes = (sceneCatalog.value?.scenes ?? []).filter(({ name, title }) => isFound(search.value, name, title));
+  const found = (sceneCatalog.value?.scenes ?? []).filter(({ name, title }) => isFound(search.value, name, title));
+  const scenes = byWordsFound(search.value, found, ({ name, title }) => [name, title]);
   return (
     <>
       <SearchField label={words.search} text={search} />

@@ -82,8 +82,18 @@ export function SearchField(props: { label: string; text: Signal<string> }) {
 /** True when all words of `search` are in one of the texts. */
 export function isFound(search: string, ...fields: string[]): boolean {
   const text = fields.join(" ").toLowerCase();
-  return search
-    .toLowerCase()
-    .split(/\s+/)
-    .every((word) => text.includes(word));
+  return wordsOf(search).every((word) => text.includes(word));
+}
+
+/** Puts first those in whose texts a word begins with each word of `search`. */
+export function byWordsFound<T>(search: string, items: readonly T[], fieldsOf: (item: T) => string[]): T[] {
+  const begins = (item: T) => {
+    const words = fieldsOf(item).join(" ").toLowerCase().split(/[^\p{L}\p{N}]+/u);
+    return wordsOf(search).every((word) => words.some((one) => one.startsWith(word)));
+  };
+  return [...items.filter(begins), ...items.filter((item) => !begins(item))];
+}
+
+function wordsOf(search: string): string[] {
+  return search.toLowerCase().split(/\s+/);
 }

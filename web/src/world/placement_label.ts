@@ -34,6 +34,7 @@ export class PlacementLabel {
   private aligned: { center: Vector3; with: Alignment[]; turned: Turned | null } | null = null;
   /** Of what it rests on, and what stops it. */
   private lines: string[] = [];
+  private supports: readonly string[] = [];
   private said = "";
 
   constructor(
@@ -78,6 +79,7 @@ export class PlacementLabel {
       const stoppedBy = state.value?.hands[currentHand.value].stopped_by ?? [];
       const stopped = stoppedBy.length > 0 ? [words.stopped(stoppedBy.map(nameOf))] : [];
       this.lines = [...stopped, ...(rest?.object === held ? restLines(rest.supports) : [])];
+      this.supports = (rest?.object === held && rest.supports?.on) || [];
     } else if (this.object !== null) this.describeReleased(this.object);
     const ball = this.object === null ? null : Models.ballAbout(this.models.piecesOf(this.object));
     // A rail says where its object can be.
@@ -94,7 +96,9 @@ export class PlacementLabel {
     if (this.models.moved.size > 0 || state.value?.still !== true || this.restPlace !== null) return;
     this.restPlace = group.position.clone();
     const meshes = this.models.piecesOf(object).map(({ mesh }) => mesh);
-    this.lines = restLines(supportsOf(meshes, object, this.picker, 1 / metersPerUnit));
+    const supports = supportsOf(meshes, object, this.picker, 1 / metersPerUnit);
+    this.lines = restLines(supports);
+    this.supports = supports.on;
     this.aligned = this.alignmentsAt(object, null);
   }
 
@@ -119,7 +123,7 @@ export class PlacementLabel {
     const { turned } = aligned;
     return [
       ...(turned === null ? [] : [words.turned(Math.round(turned.degrees), turned.object)]),
-      ...linesOf(aligned.with, (toward) => this.picker.arrow(aligned.center, new Vector3(...toward))),
+      ...linesOf(aligned.with, this.supports, (toward) => this.picker.arrow(aligned.center, new Vector3(...toward))),
     ];
   }
 
@@ -157,7 +161,8 @@ function restLines(supports: Rest["supports"]): string[] {
   return on.length > 0 ? [words.rests(isInside, on.map(nameOf))] : [];
 }
 
-function linesOf(alignments: Alignment[], arrow: (toward: Point) => string): string[] {
+/** @param supports  what it rests on: what is missing to that is said, and to the nearest of the others */
+function linesOf(alignments: Alignment[], supports: readonly string[], arrow: (toward: Point) => string): string[] {
   const flush = alignments.flatMap((alignment) => {
     const parts = partsOf(alignment);
     return parts.length > 0 ? [words.of(parts, nameOf(alignment.object))] : [];
@@ -166,12 +171,15 @@ function linesOf(alignments: Alignment[], arrow: (toward: Point) => string): str
   const centered = those(({ isCentered }) => isCentered);
   const touched = those(({ touches }) => touches);
   const least = ({ missing }: Alignment) => Math.min(...missing.map(({ distance }) => distance));
-  const nearest = alignments.filter(({ missing }) => missing.length > 0).sort((one, other) => least(one) - least(other))[0];
+  const byDistance = alignments.filter(({ missing }) => missing.length > 0).sort((one, other) => least(one) - least(other));
+  const below = byDistance.find(({ object }) => supports.includes(object));
+  const nearest = byDistance.find((alignment) => alignment !== below);
+  const missing = [below, nearest].flatMap((alignment) => (alignment?.missing ?? []).map((one) => ({ ...one, object: alignment!.object })));
   return [
     ...(flush.length > 0 ? [words.flush(flush)] : []),
     ...(centered.length > 0 ? [words.centered(centered)] : []),
     ...(touched.length > 0 ? [words.touches(touched)] : []),
-    ...(nearest?.missing ?? []).map(({ distance, toward, to }) => words.missing(arrow(toward), Math.ceil(distance * 1000), to, nearest!.object)),
+    ...missing.map(({ distance, toward, to, object }) => words.missing(arrow(toward), Math.ceil(distance * 1000), to, object)),
   ];
 }
 

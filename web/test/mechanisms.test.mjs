@@ -64,6 +64,7 @@ test("what is turned beside a slot says by how much, and is straightened", async
   await person.grasp("Spare");
   await person.typePlace({ z: 4, x: -4.5, y: -0.5 });
   await placement.getByText(/^turned 15° from \w+: Straighten aligns it$/).waitFor();
+  await placement.getByText(/^falls \d+ mm: lower it first$/).waitFor();
   await person.press("Straighten");
   await placement.getByText("turned").waitFor({ state: "detached" });
   await witness.until(() => witness.handOf("Spare").angles.every((angle) => Math.abs(angle) < 0.1), "it is straight");

@@ -115,6 +115,7 @@ function SceneList() {
             >
               <Picture source={pictureOfScene(name)} alt="" />
               <span class="scene-title">{title}</span>
+              <span class="scene-name">{name}</span>
               {busy.value === name && <span class="spinner" />}
               {name === scene.value?.name && <span class="badge">{words.isHere}</span>}
             </button>

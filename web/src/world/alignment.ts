@@ -76,11 +76,11 @@ export function alignmentsOf(cuboid: Cuboid, others: readonly Cuboid[]): Alignme
   });
 }
 
-/** Returns the one of the others that is nearest to the middle of a cuboid, if it is within a distance; the table is none. */
-export function nearestTo(cuboid: Cuboid, others: readonly Cuboid[], most: number): Cuboid | null {
+/** Returns the upright one of the others that is nearest to the middle of a cuboid, if it is within a distance; the table is none. */
+export function nearestUpright(cuboid: Cuboid, others: readonly Cuboid[], most: number): Cuboid | null {
   let [nearest, least]: [Cuboid | null, number] = [null, most];
   for (const other of others) {
-    if (other.object === "") continue;
+    if (other.object === "" || levelAxesOf(other).length !== 2) continue;
     const apart = minus(cuboid.center, other.center);
     const outside = other.axes.map((axis, k) => Math.max(0, Math.abs(dot(axis, apart)) - other.half[k]!));
     const distance = Math.hypot(...outside);
@@ -89,15 +89,18 @@ export function nearestTo(cuboid: Cuboid, others: readonly Cuboid[], most: numbe
   return nearest;
 }
 
-/** Returns how an upright cuboid is turned from the nearest other one, if that is close enough for it to matter. */
+/** Returns how an upright cuboid is turned from the nearest upright other one, if that is close enough for it to matter. */
 export function turnedFrom(cuboid: Cuboid, others: readonly Cuboid[]): Turned | null {
-  const other = nearestTo(cuboid, others, Math.hypot(...cuboid.half) + FAR);
-  const level = (axes: Cuboid["axes"]) => axes.filter((axis) => Math.abs(axis[2]) < LEVEL);
-  const [own] = level(cuboid.axes);
-  if (other === null || own === undefined || level(cuboid.axes).length !== 2 || level(other.axes).length !== 2) return null;
-  const angles = level(other.axes).map((axis) => (Math.acos(Math.min(1, Math.abs(dot(own, axis)))) * 180) / Math.PI);
+  const other = nearestUpright(cuboid, others, Math.hypot(...cuboid.half) + FAR);
+  const level = levelAxesOf(cuboid);
+  if (other === null || level.length !== 2) return null;
+  const angles = levelAxesOf(other).map((axis) => (Math.acos(Math.min(1, Math.abs(dot(level[0]!, axis)))) * 180) / Math.PI);
   const degrees = Math.min(...angles);
   return degrees < LEAST_TURN ? null : { object: other.object, degrees };
+}
+
+function levelAxesOf({ axes }: Cuboid): Point[] {
+  return axes.filter((axis) => Math.abs(axis[2]) < LEVEL);
 }
 
 /** Null unless both are near each other and their axes are parallel, in any order. */

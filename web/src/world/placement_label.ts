@@ -1,4 +1,4 @@
-import { type Object3D, type PerspectiveCamera, Vector3 } from "three";
+import { MathUtils, type Object3D, type PerspectiveCamera, Vector3 } from "three";
 import { guideColors } from "../colors";
 import type { Point } from "../protocol";
 import { currentHand, scene, state } from "../studio";
@@ -19,6 +19,9 @@ const MARGIN = 8;
 const TOP_MARGIN = 52;
 /** A released object that has moved this far since it came to rest is no longer described [m]. */
 const FAR = 0.002;
+/** Less is not said about a release: to fall [m], and to tilt [degrees]. */
+const LEAST_FALL = 0.01;
+const LEAST_TILT = 3;
 
 /**
  * Placement label: says beside the held object what it would rest on and what it is aligned with, and after the
@@ -52,6 +55,11 @@ export class PlacementLabel {
     this.output.remove();
   }
 
+  /** The object that it says the held one is turned from. */
+  get turnedFrom(): string | null {
+    return this.aligned?.turned?.object ?? null;
+  }
+
   /** Forgets what was released. */
   forget(): void {
     this.object = null;
@@ -78,7 +86,8 @@ export class PlacementLabel {
       // While the program is finding out where it would rest, what was found last is shown.
       const stoppedBy = state.value?.hands[currentHand.value].stopped_by ?? [];
       const stopped = stoppedBy.length > 0 ? [words.stopped(stoppedBy.map(nameOf))] : [];
-      this.lines = [...stopped, ...(rest?.object === held ? restLines(rest.supports) : [])];
+      const how = rest?.object === held && rest.supports !== null ? this.fallLines(held, ghost) : [];
+      this.lines = [...stopped, ...(rest?.object === held ? restLines(rest.supports) : []), ...how];
       this.supports = (rest?.object === held && rest.supports?.on) || [];
     } else if (this.object !== null) this.describeReleased(this.object);
     const ball = this.object === null ? null : Models.ballAbout(this.models.piecesOf(this.object));
@@ -100,6 +109,18 @@ export class PlacementLabel {
     this.lines = restLines(supports);
     this.supports = supports.on;
     this.aligned = this.alignmentsAt(object, null);
+  }
+
+  /** That it would fall from here, and tilt: in the picture, neither is easily seen. */
+  private fallLines(held: string, ghost: Object3D | null): string[] {
+    const group = this.models.groupOf(held);
+    if (ghost === null || group === null || scene.value === null) return [];
+    const fall = (group.position.z - ghost.position.z) * scene.value.metersPerUnit;
+    const tilt = MathUtils.radToDeg(group.quaternion.angleTo(ghost.quaternion));
+    return [
+      ...(fall >= LEAST_FALL ? [words.drops(Math.round(fall * 1000))] : []),
+      ...(tilt >= LEAST_TILT ? [words.tilts(Math.round(tilt))] : []),
+    ];
   }
 
   private alignmentsAt(object: string, ghost: Object3D | null): typeof this.aligned {

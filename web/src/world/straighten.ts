@@ -1,16 +1,20 @@
-// Which turn makes an object straight: a right angle, the nearest one, to what is nearest to it, or to the table.
+// Which turn makes an object straight: to the next right angle to an upright object beside it, or to the table.
 
 import { Euler, MathUtils, Matrix4, Vector3 } from "three";
 import type { Point } from "../protocol";
-import { type Cuboid, nearestTo } from "./alignment";
+import { type Cuboid, nearestUpright } from "./alignment";
 
 /** What is farther away than this does not count, but the table does [m]. */
 const FAR = 0.2;
 
-/** Returns the turn about the world's x, then y, then z axis, as commands have it [degrees]. */
-export function straighteningTurn(cuboid: Cuboid, others: readonly Cuboid[]): Point {
-  const frame = nearestTo(cuboid, others, FAR)?.axes ?? [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
-  const R_WF = matrixOf(frame as Cuboid["axes"]);
+/**
+ * Returns the turn about the world's x, then y, then z axis, as commands have it [degrees].
+ * @param named  the object that people were told it is turned from; null: none, so the nearest one counts
+ */
+export function straighteningTurn(cuboid: Cuboid, others: readonly Cuboid[], named: string | null): Point {
+  const other = others.find(({ object }) => object === named) ?? nearestUpright(cuboid, others, FAR);
+  const frame: Cuboid["axes"] = other?.axes ?? [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+  const R_WF = matrixOf(frame);
   const R_WB = matrixOf(cuboid.axes);
   const R_FB = R_WF.clone().transpose().multiply(R_WB);
   const turn = R_WF.multiply(nearestRightAngle(R_FB)).multiply(R_WB.transpose());

@@ -174,7 +174,7 @@ class DrawnWorld implements World {
     const own = cuboids?.get(heldObject.value ?? "none");
     if (cuboids === null || own === undefined) return null;
     cuboids.delete(own.object);
-    return straighteningTurn(own, [...cuboids.values()]);
+    return straighteningTurn(own, [...cuboids.values()], this.placementLabel.turnedFrom);
   }
 
   bringToWork(): void {

@@ -138,7 +138,9 @@ TEST_F(SnappingTest, ALidStaysOnItsRailAndLeavesItsBoxAlone) {
 </tabletop>)xml");
   Begin();
   const Vector3 chest = PositionOf("Chest"), lid = PositionOf("Lid");
+  EXPECT_EQ(State()["snap"], Json({"rails", "faces", "edges"})) << "from the start";
   Command(R"({"do":"grasp","hand":"left","object":"Lid","point":[0,0,1.2]})");
+  EXPECT_EQ(State()["hands"]["left"]["on_rail"], true);
   // The rail is along y, across the hand's plane; the ray passes 1 unit from the start of the way.
   Command(R"({"do":"drag","hand":"left","origin":[9,-1,3],"direction":[-1,0,0]})");
   EXPECT_NEAR(State()["hands"]["left"]["goal"][0].get<double>(), 0, 1e-3);

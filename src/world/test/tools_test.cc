@@ -114,6 +114,25 @@ TEST_F(ToolsTest, ScissorsRefuseWhatIsTooFarAndWhatCannotBeCut) {
   EXPECT_EQ(Use("link0"), "'link0' is no tool");
 }
 
+TEST_F(ToolsTest, TheNearestWorkIsWhereNothingImmovableStandsInTheWay) {
+  scene::SceneSpec scene = String();
+  scene.objects.push_back(Scissors({0.09, -0.3, 1}));
+  const auto nearest = [this] { return tabletop_->NearestWork(*tabletop_->Find("Scissors")); };
+  Start(scene);
+  EXPECT_EQ(nearest()->target, "Rope between link 4 and 5");
+  // Where the scissors would cut that, with the tip at the joint.
+  const Vector3 there = Vector3(0.09, -0.3, 1) + nearest()->displacement;
+  scene.objects.push_back(ObjectAt("Post", scene::Block{{0.03, 0.03, 0.03}}, there, 0));
+  Start(scene);
+  EXPECT_EQ(nearest()->target, "Rope between link 3 and 4");
+  scene.objects.back().mass = 1;
+  Start(scene);
+  EXPECT_EQ(nearest()->target, "Rope between link 4 and 5") << "what is light gives way";
+  scene.objects.back() = ObjectAt("Wall", scene::Block{{2, 0.03, 0.03}}, there, 0);
+  Start(scene);
+  EXPECT_EQ(nearest()->target, "Rope between link 4 and 5") << "no place is free";
+}
+
 TEST_F(ToolsTest, ScissorsEndABondThatCanBeCut) {
   scene::ObjectSpec screw = Screw("Screw", {0, 0, 0.2}, "Nut_hole", 1);
   GuestPointOf(screw).can_be_cut = true;

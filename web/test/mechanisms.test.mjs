@@ -46,7 +46,7 @@ test("a drawer slides to the end of its rail, and no full hand takes another obj
 
   /** Where the mouse is over something that can be taken there: the page may just be turning to its first view. */
   async function pointedAt(place) {
-    for (;;) {
+    for (let k = 0; k < 50; ++k) {
       const at = await person.placeOnPage(place);
       await page.mouse.move(at.x + 1, at.y);
       await person.look();
@@ -54,6 +54,7 @@ test("a drawer slides to the end of its rail, and no full hand takes another obj
       await person.look();
       if (await page.evaluate(() => document.querySelector(".world").style.cursor === "pointer")) return at;
     }
+    throw new Error("nothing to take is seen there");
   }
 });
 
@@ -61,6 +62,17 @@ test("what is turned beside a slot says by how much, and is straightened", async
   const { page, witness, person } = await browser.workplace(t, { studio: [DOCK, "--no-pictures"] });
   const placement = page.getByRole("status", { name: "Placement of the object" });
   await witness.until(() => witness.state.still, "the drives stand");
+  // The view with which the scene begins is one among the others, and shows the dock from its front.
+  const isSeen = (isUpright) =>
+    page.waitForFunction((isIt) => {
+      const [low, high] = [0.5, 3].map((z) => window.smileStudio.screenPlaceOf([-5.9, -1.65, z]));
+      return low.y - high.y > 40 === isIt;
+    }, isUpright);
+  await isSeen(true);
+  await person.press("Top");
+  await isSeen(false);
+  await person.press("Scene");
+  await isSeen(true);
   await person.grasp("Spare");
   await person.typePlace({ z: 4, x: -4.5, y: -0.5 });
   await placement.getByText(/^turned 15° from \w+: Straighten aligns it$/).waitFor();

@@ -116,6 +116,7 @@ test("a take is deleted with its release, unless that is not wanted", async (t) 
   // Neither taken nor released, or released only: reported, and not done.
   await timeline.getByRole("slider", { name: "Any: GreenBlock", exact: true }).click();
   await page.getByRole("button", { name: /hand takes GreenBlock/, pressed: true }).waitFor();
+  await page.getByTitle("any hand drops GreenBlock on the table. Belongs to the selected segment").waitFor();
   await person.press("Delete", timeline);
   const pair = dialog.getByRole("switch", { name: "Also delete “any hand drops GreenBlock on the table”" });
   const both = programSays(["edit", join(studio.recordings, id), "--drop", "3-4", "--dry-run"]);

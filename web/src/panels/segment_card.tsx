@@ -15,21 +15,24 @@ export function SegmentCard(props: {
   title?: string;
   isNow: boolean;
   isChosen: boolean;
+  /** It is the other end of what the chosen segment begins, or ends. */
+  isPaired?: boolean;
   /** Absent: it can be chosen. */
   whyFixed?: string;
   onChoose: () => void;
 }) {
   const { segment } = props;
   const title = props.title ?? wordsOf(segment);
+  const why = props.whyFixed ?? (props.isPaired ? texts.timeline.pairWhy : undefined);
   return (
-    <li class={`segment ${props.isNow ? "now" : ""}`} style={{ flexGrow: Math.max(0.5, segment.seconds) }}>
+    <li class={`segment ${props.isNow ? "now" : ""} ${props.isPaired ? "paired" : ""}`} style={{ flexGrow: Math.max(0.5, segment.seconds) }}>
       <button
         type="button"
         aria-pressed={props.isChosen}
         aria-current={props.isNow ? "time" : undefined}
         aria-disabled={props.whyFixed !== undefined}
         onClick={props.onChoose}
-        title={props.whyFixed === undefined ? title : `${title}. ${props.whyFixed}`}
+        title={why === undefined ? title : `${title}. ${why}`}
       >
         <Picture source={props.picture} alt="" />
         <span class="visually-hidden">{segment.number}: </span>

@@ -1,7 +1,7 @@
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { useSignalEffect } from "@preact/signals";
-import { heldObject } from "../studio";
+import { heldObject, scene } from "../studio";
 import { texts } from "../texts";
 import { mountWorld } from "../world/world";
 import { measured, switchMeasuring } from "../world/measured";
@@ -14,6 +14,11 @@ function ViewPresets({ isForLooking }: { isForLooking: boolean }) {
   const object = heldObject.value ?? chosenObject.value;
   return (
     <div class="views" role="group" aria-label={texts.views.group}>
+      {scene.value?.view && (
+        <button type="button" title={texts.views.sceneWhy} onClick={() => world.value?.showScenesView()}>
+          {texts.views.scene}
+        </button>
+      )}
       {PRESETS.map((view) => (
         <button key={view} type="button" {...keyHint(`view.${view}`)} onClick={() => world.value?.showPreset(view)}>
           {texts.views[view]}

@@ -202,6 +202,7 @@ function OpenedTimeline({ id, timeline }: { id: string; timeline: Timeline }) {
     chosenSegment.value = number;
     void show(id, end);
   };
+  const paired = chosenSegment.value === null ? null : otherEndOfClip(timeline.segments, chosenSegment.value);
   return (
     <>
       <Scrubber
@@ -221,6 +222,7 @@ function OpenedTimeline({ id, timeline }: { id: string; timeline: Timeline }) {
             {...(timeline.segments.length === 1 ? { title: words.whole } : {})}
             isNow={now > begin && now <= end}
             isChosen={chosenSegment.value === number}
+            isPaired={paired === number}
             onChoose={() => choose(chosenSegment.value === number ? null : number, end)}
           />
         ))}

@@ -3,7 +3,8 @@ import type { Point, SceneMessage } from "../protocol";
 import type { Cuboid } from "./alignment";
 import type { Models, Piece } from "./models";
 
-interface Place {
+/** Where an object is, or is taken to be [units]. */
+export interface Place {
   position: Vector3;
   quaternion: Quaternion;
 }

@@ -4,7 +4,7 @@ import type { Point } from "../protocol";
 import { currentHand, scene, state } from "../studio";
 import { texts } from "../texts";
 import { type Alignment, alignmentsOf, type Turned, turnedFrom } from "./alignment";
-import { cuboidsOf } from "./cuboids";
+import { cuboidsOf, type Place } from "./cuboids";
 import type { Rest } from "./ghost";
 import { Models } from "./models";
 import type { Picker } from "./pick";
@@ -73,12 +73,13 @@ export class PlacementLabel {
    * @param isNew  whether anything has moved, or looks different, since the last time
    */
   update(camera: PerspectiveCamera, held: string | null, rest: Rest | null, ghost: Object3D | null, isNew: boolean): void {
-    if (!guides.value) this.object = null;
+    // What follows a rail can only be where that leads.
+    if (!guides.value || (held !== null && isOnRail.value)) this.object = null;
     else if (held !== null) {
       // The ghost follows the object a little later.
       const place = ghost === null ? "" : [...ghost.position, ...ghost.quaternion].join();
       if (isNew || place !== this.ghostPlace || held !== this.object || this.restPlace !== null) {
-        this.aligned = this.alignmentsAt(held, ghost);
+        this.aligned = this.alignmentsAt(held, this.lowered(held, ghost));
       }
       this.ghostPlace = place;
       this.restPlace = null;
@@ -91,9 +92,7 @@ export class PlacementLabel {
       this.supports = (rest?.object === held && rest.supports?.on) || [];
     } else if (this.object !== null) this.describeReleased(this.object);
     const ball = this.object === null ? null : Models.ballAbout(this.models.piecesOf(this.object));
-    // A rail says where its object can be.
-    const isFree = held === null || !isOnRail.value;
-    this.say(ball === null || !isFree ? [] : [...this.lines, ...this.alignmentLines()]);
+    this.say(ball === null ? [] : [...this.lines, ...this.alignmentLines()]);
     if (ball !== null) this.place(camera, ghost?.position ?? ball.center, ball.radius);
   }
 
@@ -111,6 +110,19 @@ export class PlacementLabel {
     this.aligned = this.alignmentsAt(object, null);
   }
 
+  /**
+   * Where the held object is once it is let down: where it would come to rest, or straight above that if the fall alone
+   * moves it sideways. People lower it first, and numbers and label then agree.
+   */
+  private lowered(held: string, ghost: Object3D | null): Place | null {
+    const group = this.models.groupOf(held);
+    if (ghost === null || group === null || scene.value === null) return ghost;
+    const aside = Math.hypot(group.position.x - ghost.position.x, group.position.y - ghost.position.y) * scene.value.metersPerUnit;
+    const tilt = MathUtils.radToDeg(group.quaternion.angleTo(ghost.quaternion));
+    if (aside > LEAST_FALL || tilt >= LEAST_TILT) return ghost;
+    return { position: group.position.clone().setZ(ghost.position.z), quaternion: group.quaternion };
+  }
+
   /** That it would fall from here, and tilt: in the picture, neither is easily seen. */
   private fallLines(held: string, ghost: Object3D | null): string[] {
     const group = this.models.groupOf(held);
@@ -123,9 +135,9 @@ export class PlacementLabel {
     ];
   }
 
-  private alignmentsAt(object: string, ghost: Object3D | null): typeof this.aligned {
+  private alignmentsAt(object: string, elsewhere: Place | null): typeof this.aligned {
     if (scene.value === null) return null;
-    const cuboids = cuboidsOf(this.models, scene.value, new Map(ghost === null ? [] : [[object, ghost]]));
+    const cuboids = cuboidsOf(this.models, scene.value, new Map(elsewhere === null ? [] : [[object, elsewhere]]));
     const own = cuboids.get(object);
     cuboids.delete(object);
     if (own === undefined) return null;

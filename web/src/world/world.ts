@@ -36,6 +36,8 @@ export interface World {
   showPreset(name: Preset): void;
   /** The view that was chosen last, or the one that suits the scene. */
   showFirstView(): void;
+  /** The view with which the scene begins. */
+  showScenesView(): void;
   /** The id of an object, or "robot". */
   focus(objectId: string): void;
   setLowDetail(mode: "auto" | "low" | "high"): void;
@@ -60,7 +62,7 @@ export interface World {
 export function mountWorld(host: HTMLElement): World {
   canDraw.value = document.createElement("canvas").getContext("webgl2") !== null;
   if (canDraw.value) return new DrawnWorld(host);
-  return { showPreset() {}, showFirstView() {}, focus() {}, setLowDetail() {}, turnPlane() {}, straighteningTurn: () => null, bringToWork() {}, placeOf: () => null, roomAt: () => null, right: [1, 0], cameraPlace: [], dispose() {} };
+  return { showPreset() {}, showFirstView() {}, showScenesView() {}, focus() {}, setLowDetail() {}, turnPlane() {}, straighteningTurn: () => null, bringToWork() {}, placeOf: () => null, roomAt: () => null, right: [1, 0], cameraPlace: [], dispose() {} };
 }
 
 /** Above everything on the table [units]. */
@@ -143,6 +145,11 @@ class DrawnWorld implements World {
     // The view from above depends on the one before.
     if (isSudden) this.camera.show(usual, true);
     this.camera.show(chosen === "default" ? usual : chosen, isSudden);
+  }
+
+  showScenesView(): void {
+    chosenView.value = "default";
+    this.showFirstView();
   }
 
   /** Those of all objects that did not fall. */

@@ -77,11 +77,11 @@ JsonShape SceneObjectShape() {
       ObjectShape({{"id", TextShape()}, {"pointable", FlagShape()}, {"within", TextShape()}});
   const JsonShape control =
       ObjectShape({{"id", TextShape()}, {"kind", TextShape()}, {"parts", TextsShape()}});
-  const JsonShape tool =
-      ObjectShape({{"point", PointShape(), true, "its tip, or the middle of its blades"},
-                   {"axis", PointShape(), true, "direction in which it goes to its work, of length 1"},
-                   {"edge", NumberShape(), true, "length of its blades along the axis, or 0"},
-                   {"turns", FlagShape(), true, "it is also used by turning it"}});
+  const JsonShape tool = ObjectShape(
+      {{"point", PointShape(), true, "its tip, or the middle of its blades"},
+       {"axis", PointShape(), true, "direction in which it goes to its work, of length 1"},
+       {"edge", NumberShape(), true, "length of its blades along the axis, or 0"},
+       {"turns", FlagShape(), true, "it is also used by turning it"}});
   return ObjectShape(
              {{"id", TextShape()},
               {"frame", NumberShape()},

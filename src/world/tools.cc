@@ -144,7 +144,8 @@ std::vector<Tools::Candidate> Tools::CutsByDistance(model::ToolIndex tool) const
   });
   for (Candidate& one : candidates) one.use.tool = tool;
   // Stable: the first one in the order of the scene wins a tie.
-  std::ranges::stable_sort(candidates, {}, [](const Candidate& one) { return one.offset.distance; });
+  std::ranges::stable_sort(candidates, {},
+                           [](const Candidate& one) { return one.offset.distance; });
   return candidates;
 }
 
@@ -158,13 +159,13 @@ std::optional<ToolUse> Tools::CutTarget(model::ToolIndex tool, Refusal* refusal)
   const Candidate& nearest = cuts.front();
   if (nearest.offset.distance > which.spec->reach) {
     const double unit = model_->scene().meters_per_unit;
-    *refusal = Say("tools.bladesAreFar",
-                   {{"tool", NameOf(which.object)},
-                    {"distance", UnitsRoundedUp(nearest.offset.distance, unit)},
-                    {"target", nearest.use.target},
-                    {"side", SideOf(nearest.offset.direction)},
-                    {"displacement", DisplacementTo(nearest.offset.direction, unit)},
-                    {"reach", RoundedUnits(which.spec->reach, unit)}});
+    *refusal =
+        Say("tools.bladesAreFar", {{"tool", NameOf(which.object)},
+                                   {"distance", UnitsRoundedUp(nearest.offset.distance, unit)},
+                                   {"target", nearest.use.target},
+                                   {"side", SideOf(nearest.offset.direction)},
+                                   {"displacement", DisplacementTo(nearest.offset.direction, unit)},
+                                   {"reach", RoundedUnits(which.spec->reach, unit)}});
     return std::nullopt;
   }
   return nearest.use;

@@ -79,8 +79,8 @@ class Tools {
   /// Returns what a tool would do if it were used now, or nullopt with the reason in `refusal`.
   /// @param loosens  direction of a tool of kind kDrive.
   std::optional<ToolUse> PlanUse(model::ToolIndex tool, bool loosens, Refusal* refusal) const;
-  /// Returns the nearest place at which nothing immovable is in the tool's way, turned as it is; the
-  /// nearest one if there is something everywhere, and nullopt if there is nothing to work on.
+  /// Returns the nearest place at which nothing immovable is in the tool's way, turned as it is;
+  /// the nearest one if there is something everywhere, and nullopt if there is nothing to work on.
   std::optional<WorkPlace> NearestWork(model::ToolIndex tool) const;
   /// Uses a tool as planned in the present state.
   void Use(const ToolUse& use);

@@ -76,8 +76,15 @@ test("what is turned beside a slot says by how much, and is straightened", async
   await person.grasp("Spare");
   await person.typePlace({ z: 4, x: -4.5, y: -0.5 });
   await placement.getByText(/^turned 15° from \w+: Straighten aligns it$/).waitFor();
-  await placement.getByText(/^falls \d+ mm: lower it first$/).waitFor();
+  await placement.getByText(/^falls \d+ mm: Lower it first$/).waitFor();
   await person.press("Straighten");
   await placement.getByText("turned").waitFor({ state: "detached" });
   await witness.until(() => witness.handOf("Spare").angles.every((angle) => Math.abs(angle) < 0.1), "it is straight");
+  await person.typePlace({ x: 0, y: -2 });
+  await placement.getByText("rests on the table", { exact: true }).waitFor();
+  await placement.getByText(/^falls/).waitFor();
+  await person.press("Lower");
+  await placement.getByText(/^falls/).waitFor({ state: "detached" });
+  await witness.until(() => Math.abs(witness.positionOf("Spare")[2] - 0.8) < 0.02, "it touches the table");
+  assert.ok(witness.isHeld("Spare"));
 });

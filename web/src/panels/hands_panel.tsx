@@ -14,7 +14,7 @@ import { DIRECTIONS, type Direction, stepAlong, STEPS, stepSize } from "./direct
 import { turnFromTo } from "./fixed_axes";
 import { keyFor, keyHint } from "./key_names";
 import { attention, mayAct, snaps } from "./derived_signals";
-import { guides, isBringing, isOnRail } from "../world/signals";
+import { fallOfHeld, guides, isBringing, isOnRail } from "../world/signals";
 import { world } from "./page";
 
 const { hands: words } = texts;
@@ -149,7 +149,16 @@ function Held() {
         onClick={releaseHeld}
       />
       {!isOnRail.value && (
-        <Button label={words.straighten} class="grow" title={words.straightenWhy} disabled={!mayAct.value} onClick={straighten} />
+        <>
+          <Button label={words.straighten} class="grow" title={words.straightenWhy} disabled={!mayAct.value} onClick={straighten} />
+          <Button
+            label={words.lower}
+            class="grow"
+            title={words.lowerWhy}
+            disabled={!mayAct.value || fallOfHeld.value === 0}
+            onClick={() => moveHeld(([x, y, z]) => [x, y, z - fallOfHeld.value])}
+          />
+        </>
       )}
       {isCommandOffered("destroy") && (
         <Button

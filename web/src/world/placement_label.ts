@@ -8,7 +8,7 @@ import { cuboidsOf, type Place } from "./cuboids";
 import type { Rest } from "./ghost";
 import { Models } from "./models";
 import type { Picker } from "./pick";
-import { guides, isOnRail } from "./signals";
+import { fallOfHeld, guides, isOnRail } from "./signals";
 import { supportsOf } from "./supports";
 
 const { placement: words } = texts;
@@ -91,6 +91,7 @@ export class PlacementLabel {
       this.lines = [...stopped, ...(rest?.object === held ? restLines(rest.supports) : []), ...how];
       this.supports = (rest?.object === held && rest.supports?.on) || [];
     } else if (this.object !== null) this.describeReleased(this.object);
+    fallOfHeld.value = this.object !== null && held !== null ? this.fallTo(held, ghost) : 0;
     const ball = this.object === null ? null : Models.ballAbout(this.models.piecesOf(this.object));
     this.say(ball === null ? [] : [...this.lines, ...this.alignmentLines()]);
     if (ball !== null) this.place(camera, ghost?.position ?? ball.center, ball.radius);
@@ -127,12 +128,20 @@ export class PlacementLabel {
   private fallLines(held: string, ghost: Object3D | null): string[] {
     const group = this.models.groupOf(held);
     if (ghost === null || group === null || scene.value === null) return [];
-    const fall = (group.position.z - ghost.position.z) * scene.value.metersPerUnit;
+    const fall = this.fallTo(held, ghost) * scene.value.metersPerUnit;
     const tilt = MathUtils.radToDeg(group.quaternion.angleTo(ghost.quaternion));
     return [
-      ...(fall >= LEAST_FALL ? [words.drops(Math.round(fall * 1000))] : []),
+      ...(fall > 0 ? [words.drops(Math.round(fall * 1000))] : []),
       ...(tilt >= LEAST_TILT ? [words.tilts(Math.round(tilt))] : []),
     ];
+  }
+
+  /** How far it would fall to its ghost [units]; 0 if that is nearly nothing. */
+  private fallTo(held: string, ghost: Object3D | null): number {
+    const group = this.models.groupOf(held);
+    if (ghost === null || group === null || scene.value === null) return 0;
+    const fall = group.position.z - ghost.position.z;
+    return fall * scene.value.metersPerUnit < LEAST_FALL ? 0 : fall;
   }
 
   private alignmentsAt(object: string, elsewhere: Place | null): typeof this.aligned {

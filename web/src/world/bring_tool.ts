@@ -4,6 +4,7 @@
 import { Vector3 } from "three";
 import { command, currentHand, heldObject, scene, state } from "../studio";
 import type { Point } from "../protocol";
+import { rounded } from "./hands";
 import type { Models } from "./models";
 
 /** From the work to the tool before it goes there along its axis; and above both ends on the way [units]. */
@@ -68,8 +69,4 @@ async function isSoon(isIt: () => boolean): Promise<boolean> {
     await new Promise((done) => setTimeout(done, POLL_MS));
   }
   return true;
-}
-
-function rounded(point: Vector3): Point {
-  return point.toArray().map((value) => Math.round(value * 1e5) / 1e5) as Point;
 }

@@ -364,7 +364,7 @@ export function isFixed(object: string): boolean {
 }
 
 /** A direction needs more digits: the eye may be far away. */
-function rounded(point: Vector3, digits = 5): Point {
+export function rounded(point: Vector3, digits = 5): Point {
   return point.toArray().map((value) => Number(value.toFixed(digits))) as Point;
 }
 

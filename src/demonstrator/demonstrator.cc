@@ -8,6 +8,7 @@
 
 #include "demonstrator/internal_tabletop_engine.h"
 #include "demonstrator/motion_plane.h"
+#include "world/overlap.h"
 #include "world/refusal_names.h"
 
 namespace smile::demonstrator {
@@ -191,13 +192,12 @@ std::optional<Refusal> Demonstrator::Use(HandName name, bool loosens, world::Too
 
 void Demonstrator::FollowWork(const world::Object& tool, const world::Object& work,
                               const Vector3& p_WW_before) {
-  // Overlap that the tool may have with other objects at its new place [m].
-  constexpr double kMaxOverlap = 0.002;
   const Vector3 moved = world_->body(work.body).pose_in_world().translation() - p_WW_before;
   if (moved == Vector3(Vector3::Zero())) return;
   const RigidTransform X_WB = world_->body(tool.body).pose_in_world();
   const RigidTransform X_there(X_WB.rotation(), X_WB.translation() + moved);
-  for (const physics::BodyId blocker : world_->OverlapsAt(tool.body, X_there, kMaxOverlap).bodies) {
+  for (const physics::BodyId blocker :
+       world_->OverlapsAt(tool.body, X_there, world::kMaxOverlap).bodies) {
     if (blocker != work.body) return;
   }
   world_->MoveAssembly(tool.body, X_there);

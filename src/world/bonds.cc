@@ -1,4 +1,5 @@
 #include "world/bonds.h"
+#include "world/overlap.h"
 #include "world/refusal_names.h"
 
 #include <algorithm>
@@ -16,8 +17,6 @@ namespace {
 
 /// Greatest distance of a guest from the host it is fastened to [units].
 constexpr double kReachUnits = 2.0;
-/// Overlap that a guest may have with other objects than its host at its new place [m].
-constexpr double kMaxOverlap = 0.002;
 
 }  // namespace
 

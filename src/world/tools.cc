@@ -8,6 +8,7 @@
 #include "base/wording.h"
 #include "math/angles.h"
 #include "physics/solid_probe.h"
+#include "world/overlap.h"
 
 // Tools. What a tool is at follows from poses only: cut tools take the nearest thing at their
 // blades, all others the nearest place of their type. Only how far a screw was turned is kept.
@@ -320,7 +321,6 @@ std::optional<ToolUse> Tools::BondTarget(model::ToolIndex tool, Refusal* refusal
 }
 
 bool Tools::HasRoom(const Candidate& cut) const {
-  constexpr double kMaxOverlap = 0.002;  // [m]
   const ObjectIndex object = model_->tool(cut.use.tool).object;
   const RigidTransform X_WB = PoseOf(object);
   const RigidTransform X_there(X_WB.rotation(), X_WB.translation() - cut.offset.direction);

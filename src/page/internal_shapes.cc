@@ -126,6 +126,8 @@ JsonShape HandShape() {
                kOptional, "the place nearest to a held tool at which it can work"},
               {"stopped_by", JsonShape::List(TextShape()), kOptional,
                "ids of what keeps the object from its target; an empty one is the table"},
+              {"slide_first", TextShape(), kOptional,
+               "id of what slides on one of these, and can go further out of the way"},
               {"on_rail", FlagShape(), kOptional, "it slides on another object"},
               {"plane", NumberShape()},
               {"angles", PointShape(), kOptional, "target orientation of the object [degrees]"}})

@@ -19,10 +19,9 @@ double Rounded(double number) { return std::round(number * 1e4) / 1e4; }
 
 Json RoundedArray(const Vector3& v) { return {Rounded(v.x()), Rounded(v.y()), Rounded(v.z())}; }
 
-/// Returns the ids of what keeps a held object from its goal, "" for the table; empty if it is
-/// there or still moves.
-std::vector<std::string> StoppedBy(const demonstrator::Hand& hand,
-                                   const sim::Simulation& simulation) {
+/// Returns what keeps a held object from its goal; empty if it is there or still moves.
+std::vector<physics::BodyId> StoppedBy(const demonstrator::Hand& hand,
+                                       const sim::Simulation& simulation) {
   constexpr double kFar = 0.005, kFarDegrees = 3;  // from the goal [m, degrees]
   constexpr double kAtRest = 0.01;                 // [m/s]
   const physics::Body& body = simulation.physics().body(hand.held);
@@ -32,12 +31,21 @@ std::vector<std::string> StoppedBy(const demonstrator::Hand& hand,
       RotationVectorBetween(X_WB.quaternion(), hand.X_WB_goal.quaternion()).norm());
   if (away < kFar && turned < kFarDegrees) return {};
   if (body.linear_velocity().norm() > kAtRest) return {};
-  std::vector<std::string> ids;
-  for (const physics::BodyId id : simulation.physics().BodiesTouching(hand.held)) {
-    const world::Object* object = simulation.tabletop().Find(id);
-    ids.push_back(object == nullptr ? "" : object->id());
+  return simulation.physics().BodiesTouching(hand.held);
+}
+
+/// Describes what stops a held object: by their ids, "" for the table; and what can be slid out of
+/// the way, such as a drawer that is half below its case.
+void DescribeStop(const demonstrator::Hand& hand, const sim::Simulation& simulation,
+                  Json* described) {
+  for (const physics::BodyId stopper : StoppedBy(hand, simulation)) {
+    const world::Object* object = simulation.tabletop().Find(stopper);
+    (*described)["stopped_by"].push_back(object == nullptr ? "" : object->id());
+    const physics::BodyId slider = FindSlidingOn(stopper, simulation.physics());
+    if (slider && slider != hand.held) {
+      (*described)["slide_first"] = simulation.tabletop().Find(slider)->id();
+    }
   }
-  return ids;
 }
 
 /// Returns the state of both hands. Positions are in units of the scene, angles in degrees.
@@ -56,8 +64,7 @@ Json DescribeHands(const sim::Simulation& simulation) {
           RoundedArray(scene::ToFileUnits(Vector3(hand.X_WB_goal * hand.p_BH), unit));
       described["place"] =
           RoundedArray(scene::ToFileUnits(Vector3(hand.X_WB_goal.translation()), unit));
-      const std::vector<std::string> stopped_by = StoppedBy(hand, simulation);
-      if (!stopped_by.empty()) described["stopped_by"] = stopped_by;
+      DescribeStop(hand, simulation, &described);
       if (IsOnRail(hand.held, simulation.physics())) described["on_rail"] = true;
       if (const auto work = simulation.tabletop().NearestWork(object)) {
         described["work"] = {{"target", work->target},

@@ -45,6 +45,7 @@ export const texts = {
     notNow: (reason: string) => say(t.notNow, { reason: capital(reason) }),
     turnBy: (axis: string, degrees: number) => say(t.hands.turnBy, { degrees, axis }),
     planeBy: (degrees: number) => say(t.hands.planeBy, { degrees }),
+    unit: (millimeters: number) => say(t.hands.unit, { millimeters }),
     bringWhy: (target: string) => say(t.hands.bringWhy, { target }),
   },
 
@@ -107,15 +108,17 @@ export const texts = {
   placement: {
     ...t.placement,
     stopped: (objects: string[]) => say(t.placement.stopped, { objects: allOf(objects) }),
+    slideFirst: (objects: string[], sliding: string) => say(t.placement.slideFirst, { objects: allOf(objects), sliding }),
     rests: (isInside: boolean, objects: string[]) => say(t.placement.rests, { inside: yes(isInside), objects: allOf(objects) }),
     flush: (faces: string[]) => say(t.placement.flush, { faces: allOf(faces) }),
     of: (parts: string[], object: string) => say(t.placement.of, { parts: allOf(parts), object }),
     ends: (number: number) => say(t.placement.ends, { number }),
     sides: (number: number) => say(t.placement.sides, { number }),
     centered: (objects: string[]) => say(t.placement.centered, { objects: allOf(objects) }),
-    drops: (millimeters: number) => say(t.placement.drops, { millimeters }),
+    drops: (millimeters: number, doesAdvise: boolean) => say(t.placement.drops, { millimeters, advice: yes(doesAdvise) }),
     tilts: (degrees: number) => say(t.placement.tilts, { degrees }),
-    turned: (degrees: number, object: string) => say(t.placement.turned, { degrees, object }),
+    turned: (degrees: number, object: string, doesAdvise: boolean) =>
+      say(t.placement.turned, { degrees, object, advice: yes(doesAdvise) }),
     touches: (objects: string[]) => say(t.placement.touches, { objects: allOf(objects) }),
     missing: (arrow: string, millimeters: number, to: Missing["to"], object: string) =>
       say(t.placement.missing, { arrow, millimeters, to, object }),

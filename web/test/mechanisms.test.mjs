@@ -58,6 +58,16 @@ test("a drawer slides to the end of its rail, and no full hand takes another obj
   }
 });
 
+test("a drive that is stopped by the case says to open its drawer first", async (t) => {
+  const { page, witness, person } = await browser.workplace(t, { studio: [DOCK, "--no-pictures"] });
+  const placement = page.getByRole("status", { name: "Placement of the object" });
+  await witness.until(() => witness.state.still, "the drives stand");
+  await page.getByRole("option", { name: /^Drive3/ }).dblclick();
+  await page.getByText("In units of 100 mm").waitFor();
+  await person.typePlace({ z: 4 });
+  await placement.getByText("stopped by DockCase: slide DockDrawer first", { exact: true }).waitFor();
+});
+
 test("what is turned beside a slot says by how much, and is straightened", async (t) => {
   const { page, witness, person } = await browser.workplace(t, { studio: [DOCK, "--no-pictures"] });
   const placement = page.getByRole("status", { name: "Placement of the object" });

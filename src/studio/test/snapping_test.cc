@@ -128,6 +128,44 @@ TEST_F(SnappingTest, AHandThatIsKeptFromItsGoalSaysByWhat) {
   EXPECT_EQ(State()["hands"]["left"]["stopped_by"], Json::array({""})) << "the table";
 }
 
+TEST_F(SnappingTest, WhatIsStoppedBelowALidIsToldToSlideTheLidFirst) {
+  WriteFile(root_ / "scenes/pair.xml",
+            R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  <sliderJoint location="(0,0,1)" rotation="(0,0,90)" max="2" init="1">
+    <composite id="Case" location="(0,0,0)" rotation="(0,0,-90)" mass="30">
+      <block xspan="3" yspan="3" zspan="0.2" location="(0,0,2)"/>
+      <block xspan="3" yspan="3" zspan="0.2" location="(0,0,-0.9)"/>
+      <block xspan="0.2" yspan="3" zspan="3" location="(-1.4,0,0.5)"/>
+    </composite>
+    <block id="Drawer" xspan="2" yspan="2" zspan="0.2" location="(0,0,0)"/>
+  </sliderJoint>
+  <block id="a" location="(0,-0.5,1.6)"/>
+</tabletop>)xml");
+  Begin();
+  TickSeconds(0.5);
+  Command(R"({"do":"grasp","hand":"left","object":"a","point":[0,-0.5,1.6]})");
+  Command(R"({"do":"move_to","hand":"left","position":[0,-0.5,4]})");
+  TickSeconds(1.5);
+  Json hand = State()["hands"]["left"];
+  EXPECT_EQ(hand["stopped_by"], Json::array({"Case"}));
+  EXPECT_EQ(hand["slide_first"], "Drawer");
+  // At the end of its rail, the drawer is no advice.
+  Command(R"({"do":"release","hand":"left"})");
+  TickSeconds(1);
+  Command(R"({"do":"grasp","hand":"right","object":"Drawer"})");
+  Command(R"({"do":"drag","hand":"right","origin":[9,-9,1],"direction":[-1,0,0]})");
+  TickSeconds(2);
+  Command(R"({"do":"release","hand":"right"})");
+  Command(R"({"do":"grasp","hand":"left","object":"a"})");
+  Command(R"({"do":"move_to","hand":"left","position":[0,-0.9,2]})");
+  TickSeconds(1);
+  Command(R"({"do":"move_to","hand":"left","position":[0,-0.9,4]})");
+  TickSeconds(1.5);
+  hand = State()["hands"]["left"];
+  EXPECT_EQ(hand["stopped_by"], Json::array({"Case"}));
+  EXPECT_FALSE(hand.contains("slide_first"));
+}
+
 TEST_F(SnappingTest, ALidStaysOnItsRailAndLeavesItsBoxAlone) {
   WriteFile(root_ / "scenes/pair.xml",
             R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">

@@ -420,6 +420,7 @@ export function HandsPanel() {
           <Card title={words.move} isOpen={isMoveOpen}>
             <NudgePad />
             {hand?.place && <Position place={hand.place} />}
+            {scene.value && <p class="hint">{words.unit(Math.round(1000 * scene.value.metersPerUnit))}</p>}
           </Card>
           {!isOnRail.value && (
             <Card title={words.turn} isOpen={isTurnOpen}>

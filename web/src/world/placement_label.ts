@@ -8,7 +8,7 @@ import { cuboidsOf, type Place } from "./cuboids";
 import type { Rest } from "./ghost";
 import { Models } from "./models";
 import type { Picker } from "./pick";
-import { fallOfHeld, guides, isOnRail } from "./signals";
+import { areAidsFixed, fallOfHeld, guides, isOnRail } from "./signals";
 import { supportsOf } from "./supports";
 
 const { placement: words } = texts;
@@ -85,8 +85,7 @@ export class PlacementLabel {
       this.restPlace = null;
       this.object = held;
       // While the program is finding out where it would rest, what was found last is shown.
-      const stoppedBy = state.value?.hands[currentHand.value].stopped_by ?? [];
-      const stopped = stoppedBy.length > 0 ? [words.stopped(stoppedBy.map(nameOf))] : [];
+      const stopped = stopLines();
       const how = rest?.object === held && rest.supports !== null ? this.fallLines(held, ghost) : [];
       this.lines = [...stopped, ...(rest?.object === held ? restLines(rest.supports) : []), ...how];
       this.supports = (rest?.object === held && rest.supports?.on) || [];
@@ -131,7 +130,7 @@ export class PlacementLabel {
     const fall = this.fallTo(held, ghost) * scene.value.metersPerUnit;
     const tilt = MathUtils.radToDeg(group.quaternion.angleTo(ghost.quaternion));
     return [
-      ...(fall > 0 ? [words.drops(Math.round(fall * 1000))] : []),
+      ...(fall > 0 ? [words.drops(Math.round(fall * 1000), !areAidsFixed.value)] : []),
       ...(tilt >= LEAST_TILT ? [words.tilts(Math.round(tilt))] : []),
     ];
   }
@@ -164,7 +163,7 @@ export class PlacementLabel {
     if (aligned === null) return [];
     const { turned } = aligned;
     return [
-      ...(turned === null ? [] : [words.turned(Math.round(turned.degrees), turned.object)]),
+      ...(turned === null ? [] : [words.turned(Math.round(turned.degrees), turned.object, !areAidsFixed.value)]),
       ...linesOf(aligned.with, this.supports, (toward) => this.picker.arrow(aligned.center, new Vector3(...toward))),
     ];
   }
@@ -196,6 +195,14 @@ export class PlacementLabel {
 }
 
 const nameOf = (object: string) => (object === "" ? words.table : object);
+
+/** What keeps the held object from where the hand pulls it, and what would help. */
+function stopLines(): string[] {
+  const { stopped_by: stoppers = [], slide_first: sliding } = state.value?.hands[currentHand.value] ?? {};
+  if (stoppers.length === 0) return [];
+  const names = stoppers.map(nameOf);
+  return [sliding === undefined ? words.stopped(names) : words.slideFirst(names, sliding)];
+}
 
 function restLines(supports: Rest["supports"]): string[] {
   if (supports === null) return [words.falls];

@@ -7,6 +7,7 @@ import { texts } from "../texts";
 import { isTouch } from "../ui/media";
 import type { Models } from "./models";
 import type { Picker } from "./pick";
+import { areAidsFixed } from "./signals";
 import { apparentDistance } from "./view_camera";
 
 const { toolHint: words } = texts;
@@ -76,7 +77,7 @@ export class ToolHint {
     const meters = way.length() * scene.value.metersPerUnit;
     if (meters > FAR) return [];
     const missing = words.missing(this.picker.arrow(from, way), Math.ceil(1000 * meters), work.target);
-    return may("command") === true ? [missing, words.bring] : [missing];
+    return may("command") === true && !areAidsFixed.value ? [missing, words.bring] : [missing];
   }
 
   /** The element stays while it is empty, and changes only with its words: screen readers then announce them once. */

@@ -126,6 +126,7 @@ JsonShape HandShape() {
                kOptional, "the place nearest to a held tool at which it can work"},
               {"stopped_by", JsonShape::List(TextShape()), kOptional,
                "ids of what keeps the object from its target; an empty one is the table"},
+              {"stopped_at", PointShape(), kOptional, "position of the object's origin there"},
               {"slide_first", TextShape(), kOptional,
                "id of what slides on one of these, and can go further out of the way"},
               {"on_rail", FlagShape(), kOptional, "it slides on another object"},

@@ -34,11 +34,16 @@ std::vector<physics::BodyId> StoppedBy(const demonstrator::Hand& hand,
   return simulation.physics().BodiesTouching(hand.held);
 }
 
-/// Describes what stops a held object: by their ids, "" for the table; and what can be slid out of
-/// the way, such as a drawer that is half below its case.
+/// Describes where a held object is stopped, by what, by ids, "" for the table; and what can be
+/// slid out of the way, such as a drawer that is half below its case.
 void DescribeStop(const demonstrator::Hand& hand, const sim::Simulation& simulation,
                   Json* described) {
-  for (const physics::BodyId stopper : StoppedBy(hand, simulation)) {
+  const std::vector<physics::BodyId> stoppers = StoppedBy(hand, simulation);
+  if (stoppers.empty()) return;
+  const Vector3 p_WB = simulation.physics().body(hand.held).pose_in_world().translation();
+  (*described)["stopped_at"] =
+      RoundedArray(scene::ToFileUnits(p_WB, simulation.scene().meters_per_unit));
+  for (const physics::BodyId stopper : stoppers) {
     const world::Object* object = simulation.tabletop().Find(stopper);
     (*described)["stopped_by"].push_back(object == nullptr ? "" : object->id());
     const physics::BodyId slider = FindSlidingOn(stopper, simulation.physics());

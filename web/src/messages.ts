@@ -76,6 +76,8 @@ export interface Hand {
   work?: { target: string; by: Point };
   /** ids of what keeps the object from its target; an empty one is the table */
   stopped_by?: string[];
+  /** position of the object's origin there */
+  stopped_at?: Point;
   /** id of what slides on one of these, and can go further out of the way */
   slide_first?: string;
   /** it slides on another object */

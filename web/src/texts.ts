@@ -45,6 +45,7 @@ export const texts = {
     notNow: (reason: string) => say(t.notNow, { reason: capital(reason) }),
     turnBy: (axis: string, degrees: number) => say(t.hands.turnBy, { degrees, axis }),
     planeBy: (degrees: number) => say(t.hands.planeBy, { degrees }),
+    step: (millimeters: number) => say(t.hands.step, { millimeters }),
     unit: (millimeters: number) => say(t.hands.unit, { millimeters }),
     bringWhy: (target: string) => say(t.hands.bringWhy, { target }),
   },

@@ -10,7 +10,7 @@ after(() => browser.close());
 
 const DOCK = new URL("../../scenes/dock.xml", import.meta.url).pathname;
 /** The middle of the drawer's handle, and how far it is pulled toward the viewer [units]. */
-const HANDLE = [-5.9, -1.65, 1.4];
+const HANDLE = [-5.9, -1.05, 1.4];
 const PULL = 1.5;
 
 test("a drawer slides to the end of its rail, and no full hand takes another object", async (t) => {
@@ -27,7 +27,7 @@ test("a drawer slides to the end of its rail, and no full hand takes another obj
   await person.pointer.moveTo({ x: target.x, y: target.y });
   await witness.until(() => Math.abs(witness.positionOf("DockDrawer")[1] - (drawer[1] - PULL)) < 0.3, "the drawer is where the mouse is");
   await person.pointer.moveTo({ x: target.x - 60, y: target.y + 160 });
-  await witness.until(() => witness.positionOf("DockDrawer")[1] < drawer[1] - 2.3, "the drawer is at its end");
+  await witness.until(() => witness.positionOf("DockDrawer")[1] < drawer[1] - 2.9, "the drawer is at its end");
   await person.pointer.lift();
   await witness.settled(() => witness.positionOf("DockDrawer"), "the drawer stays there", 300);
   const moved = Math.hypot(...witness.positionOf("DockCase").map((value, axis) => value - dockCase[axis]));
@@ -64,8 +64,16 @@ test("a drive that is stopped by the case says to open its drawer first", async 
   await witness.until(() => witness.state.still, "the drives stand");
   await page.getByRole("option", { name: /^Drive3/ }).dblclick();
   await page.getByText("In units of 100 mm").waitFor();
+  assert.deepEqual(await page.locator(".nudge-step option").allTextContents(), ["10 mm", "100 mm"]);
   await person.typePlace({ z: 4 });
   await placement.getByText("stopped by DockCase: slide DockDrawer first", { exact: true }).waitFor();
+  // The numbers are those of the drive, not of where its hand pulls, and so is what Lower does.
+  const height = page.getByRole("spinbutton", { name: "z", exact: true });
+  assert.ok(Math.abs(Number(await height.inputValue()) - witness.positionOf("Drive3")[2]) < 0.02, await height.inputValue());
+  await placement.getByText(/^falls/).waitFor();
+  await person.press("Lower");
+  await placement.getByText(/^falls/).waitFor({ state: "detached" });
+  await witness.until(() => Math.abs(witness.positionOf("Drive3")[2] - 1.3) < 0.05, "it is back in its slot");
 });
 
 test("what is turned beside a slot says by how much, and is straightened", async (t) => {
@@ -75,7 +83,7 @@ test("what is turned beside a slot says by how much, and is straightened", async
   // The view with which the scene begins is one among the others, and shows the dock from its front.
   const isSeen = (isUpright) =>
     page.waitForFunction((isIt) => {
-      const [low, high] = [0.5, 3].map((z) => window.smileStudio.screenPlaceOf([-5.9, -1.65, z]));
+      const [low, high] = [0.5, 3].map((z) => window.smileStudio.screenPlaceOf([-5.9, -1.05, z]));
       return low.y - high.y > 40 === isIt;
     }, isUpright);
   await isSeen(true);

@@ -14,7 +14,7 @@ import { DIRECTIONS, type Direction, stepAlong, STEPS, stepSize } from "./direct
 import { turnFromTo } from "./fixed_axes";
 import { keyFor, keyHint } from "./key_names";
 import { attention, mayAct, snaps } from "./derived_signals";
-import { fallOfHeld, guides, isBringing, isOnRail } from "../world/signals";
+import { guides, isBringing, isOnRail, restHeight } from "../world/signals";
 import { world } from "./page";
 
 const { hands: words } = texts;
@@ -62,15 +62,19 @@ function withNumber(numbers: Point, axis: number, value: number): Point {
   return numbers.map((old, k) => (k === axis ? value : old)) as Point;
 }
 
-/** Goals of hands refer to the point at which they took the object. */
+/** Goals of hands refer to the point at which they took the object. What is stopped is moved from where it is. */
 function moveHeld(to: (place: Point) => Point): void {
   const hand = currentHand.value;
-  const { object, goal, place } = state.value?.hands[hand] ?? {};
+  const { object, goal, place, stopped_at: stopped } = state.value?.hands[hand] ?? {};
   if (!object || !goal || !place) return;
-  wantedPlace.change(object, place, to, (_, numbers) => {
+  wantedPlace.change(object, stopped ?? place, to, (_, numbers) => {
     const position = goal.map((old, k) => old + numbers[k]! - place[k]!) as Point;
     return command({ do: "move_to", hand, position });
   });
+}
+
+function millimeters(units: number): number {
+  return Math.round(1000 * units * (scene.value?.metersPerUnit ?? 0));
 }
 
 function nudge(direction: Direction, length: number): void {
@@ -155,8 +159,8 @@ function Held() {
             label={words.lower}
             class="grow"
             title={words.lowerWhy}
-            disabled={!mayAct.value || fallOfHeld.value === 0}
-            onClick={() => moveHeld(([x, y, z]) => [x, y, z - fallOfHeld.value])}
+            disabled={!mayAct.value || restHeight.value === null}
+            onClick={() => moveHeld(([x, y, z]) => [x, y, restHeight.value ?? z])}
           />
         </>
       )}
@@ -238,7 +242,9 @@ function NudgePad() {
           onChange={(event) => (stepSize.value = event.currentTarget.value as (typeof STEPS)[number])}
         >
           {STEPS.map((step) => (
-            <option key={step}>{step}</option>
+            <option key={step} value={step}>
+              {words.step(millimeters(Number(step)))}
+            </option>
           ))}
         </select>
       </label>
@@ -419,8 +425,8 @@ export function HandsPanel() {
         <>
           <Card title={words.move} isOpen={isMoveOpen}>
             <NudgePad />
-            {hand?.place && <Position place={hand.place} />}
-            {scene.value && <p class="hint">{words.unit(Math.round(1000 * scene.value.metersPerUnit))}</p>}
+            {hand?.place && <Position place={hand.stopped_at ?? hand.place} />}
+            <p class="hint">{words.unit(millimeters(1))}</p>
           </Card>
           {!isOnRail.value && (
             <Card title={words.turn} isOpen={isTurnOpen}>

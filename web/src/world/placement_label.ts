@@ -8,7 +8,7 @@ import { cuboidsOf, type Place } from "./cuboids";
 import type { Rest } from "./ghost";
 import { Models } from "./models";
 import type { Picker } from "./pick";
-import { areAidsFixed, fallOfHeld, guides, isOnRail } from "./signals";
+import { areAidsFixed, guides, isOnRail, restHeight } from "./signals";
 import { supportsOf } from "./supports";
 
 const { placement: words } = texts;
@@ -90,7 +90,8 @@ export class PlacementLabel {
       this.lines = [...stopped, ...(rest?.object === held ? restLines(rest.supports) : []), ...how];
       this.supports = (rest?.object === held && rest.supports?.on) || [];
     } else if (this.object !== null) this.describeReleased(this.object);
-    fallOfHeld.value = this.object !== null && held !== null ? this.fallTo(held, ghost) : 0;
+    const doesFall = this.object !== null && held !== null && this.fallTo(held, ghost) > 0;
+    restHeight.value = doesFall ? ghost?.position.z ?? null : null;
     const ball = this.object === null ? null : Models.ballAbout(this.models.piecesOf(this.object));
     this.say(ball === null ? [] : [...this.lines, ...this.alignmentLines()]);
     if (ball !== null) this.place(camera, ghost?.position ?? ball.center, ball.radius);

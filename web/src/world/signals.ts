@@ -32,8 +32,8 @@ export const hasRings = signal(true);
 export const areAidsFixed = signal(false);
 /** The held object follows its rail, whatever the plane in which it is dragged. */
 export const isOnRail = computed(() => (state.value?.hands[currentHand.value].on_rail ?? false) && (state.value?.snap.includes("rails") ?? false));
-/** How far the held object would fall if it were released here [units]; 0: not at all, or that is not known. */
-export const fallOfHeld = signal(0);
+/** Height of the origin of the held object where it would come to rest [units]; null: it is there, or nobody knows. */
+export const restHeight = signal<number | null>(null);
 /** A held tool is on its way to where it can work. */
 export const isBringing = signal(false);
 export const cameraKind = signal<Preset | "free">("front");

@@ -1,8 +1,9 @@
 // Things that slide on others, in the dock for disk drives.
 
 import assert from "node:assert/strict";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { Browser } from "./workbench.mjs";
+import { Browser, replay } from "./workbench.mjs";
 
 const browser = new Browser();
 before(() => browser.start());
@@ -76,8 +77,8 @@ test("a drive that is stopped by the case says to open its drawer first", async 
   await witness.until(() => Math.abs(witness.positionOf("Drive3")[2] - 1.3) < 0.05, "it is back in its slot");
 });
 
-test("what is turned beside a slot says by how much, and is straightened", async (t) => {
-  const { page, witness, person } = await browser.workplace(t, { studio: [DOCK, "--no-pictures"] });
+test("what is turned beside a slot says by how much, and is straightened; the recording replays exactly", async (t) => {
+  const { page, studio, witness, person } = await browser.workplace(t, { studio: [DOCK, "--no-pictures"] });
   const placement = page.getByRole("status", { name: "Placement of the object" });
   await witness.until(() => witness.state.still, "the drives stand");
   // The view with which the scene begins is one among the others, and shows the dock from its front.
@@ -91,18 +92,22 @@ test("what is turned beside a slot says by how much, and is straightened", async
   await isSeen(false);
   await person.press("Scene");
   await isSeen(true);
-  await person.grasp("Spare");
-  await person.typePlace({ z: 4, x: -4.5, y: -0.5 });
-  await placement.getByText(/^turned 15° from \w+: Straighten aligns it$/).waitFor();
-  await placement.getByText(/^falls \d+ mm: Lower it first$/).waitFor();
-  await person.press("Straighten");
-  await placement.getByText("turned").waitFor({ state: "detached" });
-  await witness.until(() => witness.handOf("Spare").angles.every((angle) => Math.abs(angle) < 0.1), "it is straight");
-  await person.typePlace({ x: 0, y: -2 });
-  await placement.getByText("rests on the table", { exact: true }).waitFor();
-  await placement.getByText(/^falls/).waitFor();
-  await person.press("Lower");
-  await placement.getByText(/^falls/).waitFor({ state: "detached" });
-  await witness.until(() => Math.abs(witness.positionOf("Spare")[2] - 0.8) < 0.02, "it touches the table");
-  assert.ok(witness.isHeld("Spare"));
+  const recording = await person.record(async () => {
+    await person.grasp("Spare");
+    await person.typePlace({ z: 4, x: -4.5, y: -0.5 });
+    await placement.getByText(/^turned 15° from \w+: Straighten aligns it$/).waitFor();
+    await placement.getByText(/^falls \d+ mm: Lower it first$/).waitFor();
+    await person.press("Straighten");
+    await placement.getByText("turned").waitFor({ state: "detached" });
+    await witness.until(() => witness.handOf("Spare").angles.every((angle) => Math.abs(angle) < 0.1), "it is straight");
+    await person.typePlace({ x: 0, y: -2 });
+    await placement.getByText("rests on the table", { exact: true }).waitFor();
+    await placement.getByText(/^falls/).waitFor();
+    await person.press("Lower");
+    await placement.getByText(/^falls/).waitFor({ state: "detached" });
+    await witness.until(() => Math.abs(witness.positionOf("Spare")[2] - 0.8) < 0.02, "it touches the table");
+    assert.ok(witness.isHeld("Spare"));
+    await person.release();
+  });
+  assert.equal(replay(join(studio.recordings, recording)).identical, true);
 });

@@ -35,8 +35,11 @@ export class PlacementLabel {
   private ghostPlace = "";
   /** What it is aligned with or turned from, and its center there. */
   private aligned: { center: Vector3; with: Alignment[]; turned: Turned | null } | null = null;
-  /** Of what it rests on, and what stops it. */
+  /** Of what it rests on. */
   private lines: string[] = [];
+  /** Of the hand: what stops it, and how the object would fall from there. */
+  private stops: string[] = [];
+  private falls: string[] = [];
   private supports: readonly string[] = [];
   private said = "";
 
@@ -85,19 +88,20 @@ export class PlacementLabel {
       this.restPlace = null;
       this.object = held;
       // While the program is finding out where it would rest, what was found last is shown.
-      const stopped = stopLines();
-      const how = rest?.object === held && rest.supports !== null ? this.fallLines(held, ghost) : [];
-      this.lines = [...stopped, ...(rest?.object === held ? restLines(rest.supports) : []), ...how];
+      this.stops = stopLines();
+      this.lines = rest?.object === held ? restLines(rest.supports) : [];
+      this.falls = rest?.object === held && rest.supports !== null ? this.fallLines(held, ghost) : [];
       this.supports = (rest?.object === held && rest.supports?.on) || [];
     } else if (this.object !== null) this.describeReleased(this.object);
     const doesFall = this.object !== null && held !== null && this.fallTo(held, ghost) > 0;
     restHeight.value = doesFall ? ghost?.position.z ?? null : null;
     const ball = this.object === null ? null : Models.ballAbout(this.models.piecesOf(this.object));
-    this.say(ball === null ? [] : [...this.lines, ...this.alignmentLines()]);
+    this.say(ball === null ? [] : [...this.stops, ...this.lines, ...this.falls, ...this.alignmentLines()]);
     if (ball !== null) this.place(camera, ghost?.position ?? ball.center, ball.radius);
   }
 
   private describeReleased(object: string): void {
+    this.stops = this.falls = [];
     const group = this.models.groupOf(object);
     const { metersPerUnit } = scene.value ?? {};
     if (group === null || metersPerUnit === undefined) return this.forget();

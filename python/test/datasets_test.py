@@ -297,8 +297,9 @@ class RobomimicTest(unittest.TestCase):
     def test_pictures_and_scaled_actions_are_those_of_the_recording(self):
         recording = smile.open(ROBOT)
         tick = int(self.demo["states"][3, 0])
-        picture = recording.at(tick / 60).render("eye", SIZE).rgb
-        np.testing.assert_array_equal(self.demo["obs/eye_image"][3], picture)
+        picture = recording.at(tick / 60).render("eye", SIZE)
+        np.testing.assert_array_equal(self.demo["obs/eye_image"][3], picture.rgb)
+        np.testing.assert_allclose(self.demo["obs/eye_pose"][3].reshape(3, 4), picture.pose[:3], atol=1e-6)
         attributes = self.file["data"].attrs
         action = self.demo["actions"][:] * attributes["action_scale"] + attributes["action_offset"]
         moved = np.diff(self.demo["obs/state"][:], axis=0) * FPS

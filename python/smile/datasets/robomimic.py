@@ -90,6 +90,7 @@ class Writer:
         if "sim.object_poses" in columns:
             group["object"] = columns["sim.object_poses"].values
         for pictures in self.films.values():
+            group[f"{pictures.camera.name}_pose"] = columns[f"sim.camera_pose.{pictures.camera.name}"].values
             group.create_dataset(f"{pictures.camera.name}_image", data=np.stack(pictures.frames),
                                  compression="gzip", compression_opts=1,
                                  chunks=(1, pictures.camera.height, pictures.camera.width, 3))

@@ -3,13 +3,14 @@
     from policy import Policy
     init, step = Policy(WEIGHTS).functions()
 
-It sees its joint angles, the openings of its grippers, and the true poses of all objects (`--oracle`), which
-a real robot does not have.
+It sees its joint angles, the openings of its grippers, and either pictures or the true poses of all objects:
+see eye.py.
 """
 
 import numpy as np
 
 import network
+from eye import Eye, Told
 from smile.motion import robot_of
 
 ACTED = 5            # steps of a chunk, until the next one
@@ -27,7 +28,7 @@ class Policy:
             self.start = data["start"]
             self.nets = {name: [(data[f"{name}_weights{k}"], data[f"{name}_biases{k}"])
                                 for k in range(sum(key.startswith(f"{name}_weights") for key in data))]
-                         for name in ("decide", "turn", "move")}
+                         for name in data["nets"]}
 
     def functions(self):
         return self.init, self.step
@@ -40,17 +41,16 @@ class Policy:
         poses = [self.robot.forward(arm.name, joints) for arm, joints in zip(self.arms, self.start)]
         self.waiting = np.array([[*pose[:3, 3], network.yaw_of_tool(pose[:3, :3])] for pose in poses])
         self.yaws = self.waiting[:, 3]
-        known = aux.objectNames.split("\n")
-        self.order = [known.index(name) for name in self.names]
         self.decided = None              # arm, number of its target, and whether it holds something
         self.rising = None               # arm, and the place above its last grasp or release
         self.moved = 0.0
-        aux.channels = []
+        self.eye = Eye(self.nets, aux) if "look" in self.nets else Told(self.names, aux)
 
     def step(self, sensor, motor, aux):
         tools = self.tools(sensor.arms)
-        objects = np.array([[*pose[:3, 3], network.yaw_of_object(pose[:3, :3])]
-                            for pose in np.moveaxis(sensor.objectPoses[:, :, self.order], 2, 0)])
+        self.update(tools)
+        is_deciding = self.decided is None and self.rising is None
+        objects = self.eye.objects(sensor, tools, is_deciding)
         self.decide(tools, objects)
         for k, arm in enumerate(sensor.arms):
             chunk = self.chunk(tools, objects, k)
@@ -73,14 +73,17 @@ class Policy:
         self.yaws = [row[3] for row in rows]
         return np.array(rows)
 
-    def decide(self, tools, objects):
-        """Sets what moves, and whereto: self.goals. A decision stands until the gripper has closed or opened."""
-        self.goals, self.kinds = self.waiting.copy(), np.tile([0.0, 1.0, 0.0], (2, 1))
+    def update(self, tools):
+        """A decision stands until the gripper has closed or opened; then the tool first goes straight up."""
         if self.decided is not None and (tools[self.decided[0], 4] < network.HELD) != self.decided[2]:
             arm = self.decided[0]
             self.rising, self.decided = (arm, tools[arm, :4] + [0, 0, network.RISE, 0]), None
         if self.rising is not None and tools[self.rising[0], 2] > self.rising[1][2] - RISEN:
             self.rising = None
+
+    def decide(self, tools, objects):
+        """Sets what moves, and whereto: self.goals."""
+        self.goals, self.kinds = self.waiting.copy(), np.tile([0.0, 1.0, 0.0], (2, 1))
         if self.rising is not None:
             arm, above = self.rising
             self.goals[arm], self.kinds[arm] = above, [0, 0, 1]

@@ -6,9 +6,10 @@
 Behavior cloning with action chunks: networks look at the poses of all objects and of the tools, and say to what an
 arm moves, and where its tool should be in the next second, in steps of .1 s. They are trained on growing numbers of
 demonstrations, and compared with the learner, which made them, and with a replay of the demonstrated motions, in
-layouts that none has seen. Writes into the folder OUT, where the same command continues: the demonstration `shown`,
-the generated demonstrations `made`, the dataset `data`, of each policy weights and program, the evaluation
-`compared`, curve.csv and curve.svg. docs/policy.md shows the result.
+layouts that none has seen. With --pictures, further policies are told no poses: two more networks see them in pictures
+of the robot's eye. Writes into the folder OUT, where the same command continues: the demonstration `shown`, the
+generated demonstrations `made`, the datasets `data` and `pictures`, of each policy weights and program, the
+evaluation `compared`, curve.csv and curve.svg. docs/policy.md shows the result.
 
 Action chunks: T. Zhao et al., "Learning Fine-Grained Bimanual Manipulation with Low-Cost Hardware" (2023).
 """
@@ -21,7 +22,6 @@ import os
 import subprocess
 import sys
 import time
-from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
@@ -31,17 +31,22 @@ import jax.numpy as jnp
 import numpy as np
 import optax
 
+import learning
 import network
+import pictures
+import sight
+from poses import UNIT, places
 
 FOLDER = Path(__file__).resolve().parent
 PROJECT = FOLDER.parents[1]
-UNIT = 0.1                 # [m]
+STEPS = 6000               # of training
 HIDDEN, LAYERS = 256, 3
-BATCH, LEARNING_RATE = 512, 1e-3
+BATCH = 512
 TEST_SEED = 500_001        # of the layouts in which policies are evaluated; demonstrations begin at 1
 START_WEIGHT = 10          # of samples where both arms wait: few, but they decide
 REFERENCE_REACH = 1.6      # how far from an object others are put, middle to middle [units]
 ORACLE = ("--oracle", "--size", "64x48")
+PICTURE = f"{sight.SIZE[1]}x{sight.SIZE[0]}"
 
 
 class Samples(NamedTuple):
@@ -67,35 +72,24 @@ def smile(options, *arguments):
 
 
 def make_data(options):
-    """Demonstrates, generates and exports what is not there yet. Returns the dataset."""
-    shown, made, data = (options.out / name for name in ("shown", "made", "data"))
+    """Demonstrates and generates what is not there yet. Returns the generated demonstrations."""
+    shown, made = options.out / "shown", options.out / "made"
     if not shown.exists():
         smile(options, "run", PROJECT / f"scenes/{options.task}.xml", "--kinematic", "--commands",
               PROJECT / f"examples/{options.task}.jsonl", "--record", shown)
     smile(options, "generate", shown, "--scene", PROJECT / f"scenes/{options.task}_robot.xml", *ORACLE, "--brain",
           PROJECT / "python/examples/agents/true_poses.py", "--count", max(options.counts), "--jobs", options.jobs,
           "--out", made)
+    return made
+
+
+def export(options, made, name, camera, fps):
+    """Exports what is not there yet. Returns the dataset."""
+    data = options.out / name
     if not data.exists():
-        smile(options, "export", made, "--to", "robomimic", "--camera", "none", "--fps", 60 // network.STEP_TICKS,
-              "--no-extras", "--out", data)
+        smile(options, "export", made, "--to", "robomimic", "--camera", camera, "--fps", fps, "--no-extras",
+              "--out", data)
     return data / "demo.hdf5"
-
-
-def rotations(quaternions):
-    """(…, 3, 3) of (…, 4): w x y z."""
-    w, x, y, z = np.moveaxis(np.asarray(quaternions, float), -1, 0)
-    rows = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
-    return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
-
-
-def places(poses, yaw_of):
-    """(frames, N, 4): x y z [units] and yaw of poses, (frames, 7 N)."""
-    poses = np.asarray(poses).reshape(len(poses), -1, 7)
-    turned = rotations(poses[..., 3:])
-    yaws = np.array([[yaw_of(one) for one in frame] for frame in turned])
-    return np.concatenate([poses[..., :3] / UNIT, yaws[..., None]], axis=-1)
 
 
 def is_moving(tools, wanted):
@@ -241,34 +235,6 @@ def move_loss(layers, key, s):
     return (weight[:, None, None] * errors).mean()
 
 
-def train(loss, inputs, outputs, samples, steps, seed):
-    """Returns the layers of a network, averaged over the last steps."""
-    schedule = optax.warmup_cosine_decay_schedule(0, LEARNING_RATE, steps // 10, steps)
-    optimizer = optax.chain(optax.clip_by_global_norm(1.0), optax.adamw(schedule, weight_decay=1e-3))
-    key = jax.random.key(seed)
-    sizes = [inputs, *[HIDDEN] * LAYERS, outputs]
-    layers = [(jax.random.normal(jax.random.fold_in(key, k), (a, b)) * (2 / a)**0.5 * (0.1 if k == LAYERS else 1),
-               jnp.zeros(b)) for k, (a, b) in enumerate(zip(sizes, sizes[1:]))]
-
-    @partial(jax.jit, donate_argnums=0)
-    def some_steps(carry, keys, samples):
-        def one_step(carry, key):
-            layers, state, mean = carry
-            chosen = jax.random.randint(key, (BATCH,), 0, len(samples.own))
-            error, slope = jax.value_and_grad(loss)(layers, key, Samples(*(part[chosen] for part in samples)))
-            change, state = optimizer.update(slope, state, layers)
-            layers = optax.apply_updates(layers, change)
-            return (layers, state, jax.tree.map(lambda m, p: m + 0.002 * (p - m), mean, layers)), error
-        return jax.lax.scan(one_step, carry, keys)
-
-    carry = (layers, optimizer.init(layers), jax.tree.map(jnp.copy, layers))
-    for k in range(0, steps, 500):
-        keys = jax.random.split(jax.random.fold_in(key, 1000 + k), min(500, steps - k))
-        carry, errors = some_steps(carry, keys, samples)
-    print(f"{loss.__name__} {float(errors.mean()):.4f}", flush=True)
-    return carry[2]
-
-
 def train_all(samples, steps, seed):
     """Returns the layers of the three networks."""
     one = Samples(*(part[:1] for part in samples))
@@ -280,16 +246,20 @@ def train_all(samples, steps, seed):
                "move": network.STEPS * (network.OUTPUTS + network.SHARES)}
     losses = {"decide": decide_loss, "turn": turn_loss, "move": move_loss}
     samples = Samples(*map(jnp.asarray, samples))
-    return {name: train(losses[name], inputs[name], outputs[name], samples,
-                        steps // 2 if name == "turn" else steps, seed) for name in inputs}
+    nets = {}
+    for name, loss in losses.items():
+        widths = [inputs[name], *[HIDDEN] * LAYERS, outputs[name]]
+        nets[name] = learning.train(loss, list(zip(widths, widths[1:])), samples,
+                                    steps // 2 if name == "turn" else steps, seed, BATCH)
+    return nets
 
 
 def write_policy(path, nets, names, start):
     """Weights, and a program that acts with them."""
     arrays = {f"{net}_{kind}{k}": np.asarray(it) for net, layers in nets.items() for k, both in enumerate(layers)
               for kind, it in zip(("weights", "biases"), both)}
-    np.savez(path.with_suffix(".npz"), names=names, start=start, **arrays)
-    used = (path.with_suffix(".npz"), FOLDER / "policy.py", FOLDER / "network.py")
+    np.savez(path.with_suffix(".npz"), names=names, start=start, nets=list(nets), **arrays)
+    used = (path.with_suffix(".npz"), *(FOLDER / f"{name}.py" for name in ("policy", "network", "eye", "sight")))
     identity = hashlib.sha256(b"".join(it.read_bytes() for it in used)).hexdigest()
     path.with_suffix(".py").write_text(
         # `evaluate` keeps the finished runs of a program that has not changed.
@@ -301,8 +271,8 @@ def evaluate(options, policies):
     """Returns the summary of each brain, by its name."""
     brains = [*policies, PROJECT / "python/learner/learner.py", PROJECT / "python/examples/agents/replay.py"]
     smile(options, "evaluate", options.out / "shown", "--scene", PROJECT / f"scenes/{options.task}_robot.xml",
-          "--oracle", "--scenes", options.layouts, "--seed", TEST_SEED, "--seconds", options.seconds,
-          "--jobs", options.jobs, "--out", options.out / "compared",
+          "--oracle", "--size", PICTURE, "--scenes", options.layouts, "--seed", TEST_SEED,
+          "--seconds", options.seconds, "--jobs", options.jobs, "--out", options.out / "compared",
           *(part for brain in brains for part in ("--brain", brain)))
     found = json.loads((options.out / "compared/evaluation.json").read_text())["brains"]
     return {one["name"]: one["summary"] for one in found}
@@ -335,7 +305,8 @@ def main():
     parser.add_argument("out", type=Path)
     parser.add_argument("--task", choices=("tower", "row"), default="tower")
     parser.add_argument("--counts", type=int, nargs="+", default=[50, 200, 750], help="of demonstrations")
-    parser.add_argument("--steps", type=int, default=6000, help="of training, of each policy")
+    parser.add_argument("--pictures", action="store_true", help="train policies that see pictures, too")
+    parser.add_argument("--steps", type=int, default=STEPS, help="of training, of each policy")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--layouts", type=int, default=40)
     parser.add_argument("--seconds", type=int, default=60, help="limit of a run")
@@ -344,7 +315,12 @@ def main():
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
 
-    episodes, names, start = read(make_data(options))
+    made = make_data(options)
+    episodes, names, start = read(export(options, made, "data", "none", 60 // network.STEP_TICKS))
+    views = []
+    if options.pictures:
+        seen = export(options, made, "pictures", f"eye:{PICTURE}", 1)
+        views = pictures.read(seen, max(options.counts))
     policies = []
     for count in options.counts:
         begun = time.monotonic(), time.process_time()
@@ -354,6 +330,12 @@ def main():
         write_policy(policies[-1], nets, names, start)
         print(f"{count} demonstrations, {len(samples.own)} samples: {time.monotonic() - begun[0]:.0f} s, "
               f"{time.process_time() - begun[1]:.0f} s of CPU time", flush=True)
+        if options.pictures:
+            nets |= pictures.train_sight(views[:count], options.steps / STEPS, options.seed)
+            policies.append(options.out / f"pictures_{count}.py")
+            write_policy(policies[-1], nets, names, start)
+            print(f"with the networks that see: {time.monotonic() - begun[0]:.0f} s, "
+                  f"{time.process_time() - begun[1]:.0f} s of CPU time", flush=True)
     summaries = evaluate(options, policies)
     write_curve(options.out, summaries)
     for name, each in summaries.items():

@@ -45,16 +45,17 @@ class TrainingTest(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder) / "out"
             command = [PYTHON, PROJECT / "examples/policy/train.py", out, "--counts", "1", "2", "--steps", "40",
-                       "--layouts", "1", "--seconds", "40", "--smile", os.environ["SMILE"]]
+                       "--pictures", "--layouts", "1", "--seconds", "40", "--smile", os.environ["SMILE"]]
             done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
             self.assertEqual(done.returncode, 0, done.stdout)
             self.assertRegex(done.stdout, r"2 demonstrations, \d+ samples: \d+ s, \d+ s of CPU time")
             rows = [line.split(",") for line in (out / "curve.csv").read_text().split()]
-            self.assertEqual([row[0] for row in rows], ["brain", "state_1", "state_2", "learner", "replay"])
-            self.assertEqual(rows[3][1:3], ["1", "1"])
+            self.assertEqual([row[0] for row in rows],
+                             ["brain", "state_1", "pictures_1", "state_2", "pictures_2", "learner", "replay"])
+            self.assertEqual(rows[5][1:3], ["1", "1"])
             self.assertIn(">state_2</text>", (out / "curve.svg").read_text())
             brains = json.loads((out / "compared/evaluation.json").read_text())["brains"]
-            self.assertLessEqual({cause for brain in brains[:2] for cause in brain["summary"]["causes"]},
+            self.assertLessEqual({cause for brain in brains[:4] for cause in brain["summary"]["causes"]},
                                  {"time_up", "never_taken", "misplaced", "toppled", "fell_off_table"})
 
 

@@ -1,0 +1,98 @@
+"""Reads the pictures of a dataset, and trains the networks of sight.py on them."""
+
+import json
+from typing import NamedTuple
+
+import h5py
+import jax
+import jax.numpy as jnp
+import numpy as np
+import optax
+
+import learning
+import network
+import sight
+from poses import UNIT, places
+
+FIND_STEPS, LOOK_STEPS = 1500, 5000
+FIND_BATCH, LOOK_BATCH = 16, 64
+HELD_WITHIN = 0.6    # greatest distance of what a closed gripper holds from its tool [units]
+MARGIN = 8           # by which pieces are cut out larger than what is looked at, to displace it [px]
+
+
+class Views(NamedTuple):
+    """Objects as they are seen, a picture in each row."""
+
+    cells: np.ndarray    # (rows, columns, 3), 0 to 255
+    cell: np.ndarray     # (N,) in which the middle of each object is
+    pieces: np.ndarray   # (N, side, side, 3) about the pixels `middles`, 0 to 255, side = PIECE + 2 MARGIN
+    middles: np.ndarray  # (N, 2) in the middles of cells
+    wanted: np.ndarray   # (N, OUTPUTS): what `look` should say, its shift from `middles`
+    is_free: np.ndarray  # (N,) 1 unless a gripper holds it
+
+
+def read_views(demo, intrinsics):
+    """Returns the Views of an episode."""
+    objects = places(demo["obs/object"], network.yaw_of_object)
+    pixels = sight.pixels_of(np, UNIT * objects[..., :3], demo["obs/eye_pose"][0].reshape(3, 4), intrinsics)
+    # What is beyond an edge is looked for in the nearest cell.
+    height, width = sight.SIZE
+    inside = np.clip(pixels, 0, [width - 1, height - 1]).astype(int) // sight.CELL
+    cell = inside[..., 1] * (width // sight.CELL) + inside[..., 0]
+    middles = sight.middles_of(np, cell)
+    wanted = np.concatenate([(pixels - middles) / sight.SHIFT_SCALE, objects[..., 2:3],
+                             *network.angles(np, objects[..., 3:4], 4)], axis=-1)
+    pictures = demo["obs/eye_image"][:]
+    cells = sight.cells_of(pictures.astype(np.float32)).astype(np.uint8)
+    return Views(cells, cell, pieces_of(pictures, middles.astype(int)),
+                 *(it.astype(np.float32) for it in (middles, wanted, ~are_held(demo, objects))))
+
+
+def are_held(demo, objects):
+    """(frames, N): whether a gripper holds them; fingers hide what they hold, and it goes with its tool."""
+    tools = places(demo["obs/tool_poses"], network.yaw_of_tool)
+    is_closed = demo["obs/state"][:][:, [7, 15]] / UNIT < network.HELD
+    away = np.linalg.norm(objects[:, :, None, :3] - tools[:, None, :, :3], axis=-1)
+    return ((away < HELD_WITHIN) & is_closed[:, None]).any(axis=-1)
+
+
+def pieces_of(pictures, middles):
+    """(frames, N, side, side, 3): cut out of the pictures, black beyond their edges."""
+    reach = sight.PIECE // 2 + MARGIN
+    padded = np.pad(pictures, [(0, 0), (reach, reach), (reach, reach), (0, 0)])
+    return np.array([[picture[v:v + 2 * reach, u:u + 2 * reach] for u, v in each]
+                     for picture, each in zip(padded, middles)])
+
+
+def read(dataset, count):
+    """Returns the Views of the first `count` episodes."""
+    about = json.loads((dataset.parent / "smile.json").read_text())
+    intrinsics = np.array(about["intrinsics"]["eye"])
+    with h5py.File(dataset) as file:
+        return [read_views(file[f"data/demo_{k}"], intrinsics) for k in range(count)]
+
+
+def find_loss(layers, key, s):
+    scores = sight.find(jnp, layers, s.cells / 255)
+    errors = optax.softmax_cross_entropy_with_integer_labels(jnp.moveaxis(scores, -1, -2), s.cell)
+    return (s.is_free * errors).mean()
+
+
+def look_loss(layers, key, s):
+    """`find` may be a cell off, so pieces are displaced."""
+    count = s.cell.shape
+    moves = jax.random.randint(key, (*count, 2), -MARGIN, MARGIN + 1)
+    cut = jax.vmap(jax.vmap(lambda piece, at: jax.lax.dynamic_slice(
+        piece, (at[1] + MARGIN, at[0] + MARGIN, 0), (sight.PIECE, sight.PIECE, 3))))
+    said = sight.look(jnp, layers, cut(s.pieces, moves) / 255, s.middles + moves)
+    wanted = s.wanted.at[..., :2].add(-moves / sight.SHIFT_SCALE)
+    return (s.is_free[..., None] * jnp.abs(said - wanted)).mean()
+
+
+def train_sight(views, scale, seed):
+    """Returns the layers of both networks. scale: of the numbers of steps."""
+    views = Views(*(jnp.asarray(np.concatenate(parts)) for parts in zip(*views)))
+    objects = views.cell.shape[1]
+    steps = [max(1, int(scale * it)) for it in (FIND_STEPS, LOOK_STEPS)]
+    return {"find": learning.train(find_loss, sight.sizes_of_find(objects), views, steps[0], seed, FIND_BATCH),
+            "look": learning.train(look_loss, sight.sizes_of_look(objects), views, steps[1], seed, LOOK_BATCH)}

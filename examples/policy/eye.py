@@ -50,7 +50,7 @@ class Eye:
         chances = np.exp(scores - scores.max(axis=0))
         is_sure = chances.max(axis=0) / chances.sum(axis=0) > SURE
         middles = sight.middles_of(np, scores.argmax(axis=0))
-        pieces = np.array([sight.piece_of(np, picture, middle) for middle in middles])
+        pieces = sight.pieces_of(picture, middles, sight.PIECE)
         said = sight.look(np, self.nets["look"], pieces, middles)
         pixels = middles + sight.SHIFT_SCALE * said[:, :2]
         places = sight.points_of(np, pixels, said[:, 2], pose, self.intrinsics)

@@ -34,7 +34,7 @@ class Views(NamedTuple):
 def read_views(demo, intrinsics):
     """Returns the Views of an episode."""
     objects = places(demo["obs/object"], network.yaw_of_object)
-    pixels = sight.pixels_of(np, UNIT * objects[..., :3], demo["obs/eye_pose"][0].reshape(3, 4), intrinsics)
+    pixels = sight.pixels_of(UNIT * objects[..., :3], demo["obs/eye_pose"][0].reshape(3, 4), intrinsics)
     # What is beyond an edge is looked for in the nearest cell.
     height, width = sight.SIZE
     inside = np.clip(pixels, 0, [width - 1, height - 1]).astype(int) // sight.CELL
@@ -44,8 +44,8 @@ def read_views(demo, intrinsics):
                              *network.angles(np, objects[..., 3:4], 4)], axis=-1)
     pictures = demo["obs/eye_image"][:]
     cells = sight.cells_of(pictures.astype(np.float32)).astype(np.uint8)
-    return Views(cells, cell, pieces_of(pictures, middles.astype(int)),
-                 *(it.astype(np.float32) for it in (middles, wanted, ~are_held(demo, objects))))
+    pieces = np.array([sight.pieces_of(*both, sight.PIECE + 2 * MARGIN) for both in zip(pictures, middles)])
+    return Views(cells, cell, pieces, *(it.astype(np.float32) for it in (middles, wanted, ~are_held(demo, objects))))
 
 
 def are_held(demo, objects):
@@ -54,14 +54,6 @@ def are_held(demo, objects):
     is_closed = demo["obs/state"][:][:, [7, 15]] / UNIT < network.HELD
     away = np.linalg.norm(objects[:, :, None, :3] - tools[:, None, :, :3], axis=-1)
     return ((away < HELD_WITHIN) & is_closed[:, None]).any(axis=-1)
-
-
-def pieces_of(pictures, middles):
-    """(frames, N, side, side, 3): cut out of the pictures, black beyond their edges."""
-    reach = sight.PIECE // 2 + MARGIN
-    padded = np.pad(pictures, [(0, 0), (reach, reach), (reach, reach), (0, 0)])
-    return np.array([[picture[v:v + 2 * reach, u:u + 2 * reach] for u, v in each]
-                     for picture, each in zip(padded, middles)])
 
 
 def read(dataset, count):

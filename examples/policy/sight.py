@@ -7,6 +7,8 @@ Pictures are (…, height, width, 3), colors from 0 to 1; pixels (…, 2) are u 
 first one at 0.5, 0.5. xp is numpy or jax.numpy.
 """
 
+import numpy as np
+
 SIZE = 240, 320    # of a picture, height and width [px]
 CELL = 4           # `find` sees the picture in cells of so many pixels
 PIECE = 32         # side of what `look` sees [px]
@@ -75,15 +77,14 @@ def middles_of(xp, cells):
     return (xp.stack([cells % columns, cells // columns], axis=-1) + 0.5) * CELL
 
 
-def piece_of(xp, picture, middle):
-    """(PIECE, PIECE, 3) about a pixel, black beyond the edges of the picture."""
-    half = PIECE // 2
-    u, v = (int(it) for it in middle)
-    padded = xp.pad(picture, [(half, half), (half, half), (0, 0)])
-    return padded[v:v + PIECE, u:u + PIECE]
+def pieces_of(picture, middles, side):
+    """(N, side, side, 3): cut out of a picture about pixels (N, 2), black beyond its edges."""
+    half = side // 2
+    padded = np.pad(picture, [(half, half), (half, half), (0, 0)])
+    return np.array([padded[v:v + side, u:u + side] for u, v in middles.astype(int)])
 
 
-def pixels_of(xp, points, pose, intrinsics):
+def pixels_of(points, pose, intrinsics):
     """(…, 2): where a camera with a pose (4, 4) or (3, 4) in the world and intrinsics (3, 3) sees points (…, 3)."""
     seen = (points - pose[:3, 3]) @ pose[:3, :3] @ intrinsics.T
     return seen[..., :2] / seen[..., 2:]

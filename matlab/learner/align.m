@@ -12,7 +12,7 @@ function [score, alignment] = align(surface, picture, eye, mask)
   points = zeros(0, 3);
   for pixel = referencePixels(picture, mask)
     color = reshape(picture(pixel(1), pixel(2), :), 1, 3);
-    of_color = surface.points(isAlike(repmat(color, rows(surface.colors), 1), surface.colors), :);
+    of_color = surface.points(isAlike(color, surface.colors), :);
     for point = of_color(1:max(1, floor(rows(of_color) / c.num_points)):end, :)'
       [x, y] = ontoPlane(pixel(1), pixel(2), eye, point(3));
       near = surfaceAround(surface, point, c.radius, c.num_coarse);
@@ -49,5 +49,5 @@ function [found, shares] = turnsAbout(surface, point, place, picture, eye)
   z = repmat(surface.points(:, 3), 1, numel(angles));
   [pixels, inside] = pixelsOf([x(:), y(:), z(:)], eye, size(picture));
   is_alike = isAlike(colorsOf(picture, pixels), repmat(surface.colors, numel(angles), 1)) & inside;
-  shares = mean(reshape(is_alike, size(x)), 1)';
+  shares = sum(reshape(is_alike, size(x)), 1)' / rows(x);
 end

@@ -3,12 +3,17 @@ function points = armPoints(arm, q)
 % turns, the point that is closest to the one before. They follow from the Jacobian: a joint with axis w
 % moves the tool by v = w x r, r from the axis to the tool.
   pose = smileForward(arm.robot, arm.name, q);
-  tool = pose(1:3, 4)';
-  points = tool;
-  columns = fliplr(smileJacobian(arm.robot, arm.name, q))';
+  point = pose(1:3, 4)';
+  points = point;
+  columns = smileJacobian(arm.robot, arm.name, q)(:, end:-1:1)';
+  v = columns(:, 1:3);
   axes = columns(:, 4:6);
-  on_axes = tool - cross(columns(:, 1:3), axes, 2);
+  % v x w; Octave's own `cross` takes as long as all else here.
+  on_axes = point - (v(:, [2, 3, 1]) .* axes(:, [3, 1, 2]) - v(:, [3, 1, 2]) .* axes(:, [2, 3, 1]));
   for k = find(any(axes, 2))'
-    points(end + 1, :) = on_axes(k, :) + axes(k, :) * ((points(end, :) - on_axes(k, :)) * axes(k, :)');
+    axis = axes(k, :);
+    on_axis = on_axes(k, :);
+    point = on_axis + axis * ((point - on_axis) * axis');
+    points(end + 1, :) = point;
   end
 end

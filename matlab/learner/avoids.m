@@ -1,11 +1,17 @@
 function yes = avoids(surroundings, arm, path, load)
 % Returns true if an arm, from its fingers on, and its load pass over its surroundings (see surroundingsOf) on a path.
 %   load  as from loadOf; omitted for none
+  samples = samplesOf(path)';
+  tools = cell(1, columns(samples));
+  % What an arm carries is more often in the way than the arm itself, and is tested faster.
   yes = true;
-  for q = samplesOf(path)'
-    tool = smileForward(arm.robot, arm.name, q');
-    if nargin > 3, yes = isSkylineBelow(surroundings.ofLoad, load * tool(1:3, 1:3)' + tool(1:3, 4)'); end
-    yes = yes && isSkylineBelow(surroundings.ofArm, handAndForearm(arm, q', tool));
+  for k = 1:numel(tools)
+    tools{k} = smileForward(arm.robot, arm.name, samples(:, k)');
+    if nargin > 3, yes = isSkylineBelow(surroundings.ofLoad, load * tools{k}(1:3, 1:3)' + tools{k}(1:3, 4)'); end
+    if ~yes, return; end
+  end
+  for k = 1:numel(tools)
+    yes = isSkylineBelow(surroundings.ofArm, handAndForearm(arm, samples(:, k)', tools{k}));
     if ~yes, return; end
   end
 end

@@ -25,8 +25,9 @@ function [gains, is_light] = gainsOf(color, other, c)
 % Returns the factors that make one color to another one, and whether they differ little enough. A channel that is dark
 % or saturated has the mean factor of the others.
   is_clear = color > c.dark & other < c.saturated;
-  gains = repmat(mean(other(is_clear) ./ color(is_clear)), 1, 3);
-  gains(is_clear) = other(is_clear) ./ color(is_clear);
+  known = other(is_clear) ./ color(is_clear);
+  gains = [1, 1, 1] * (sum(known) / numel(known));
+  gains(is_clear) = known;
   is_light = any(is_clear) && c.range(1) < min(gains) && max(gains) < min(c.range(2), c.max_tint * min(gains));
 end
 

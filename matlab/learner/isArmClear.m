@@ -7,10 +7,7 @@ function yes = isArmClear(arm, q, blocks)
   ends = armPoints(arm, q);
   from_tool = sqrt(sum((ends - ends(1, :)) .^ 2, 2));
   ends = ends(find(from_tool > c.min_wrist_distance, 1):end, :);
-  points = zeros(0, 3);
-  for k = 1:rows(ends) - 1
-    points = [points; ends(k, :) + linspace(0, 1, c.points_per_link)' * (ends(k + 1, :) - ends(k, :))];
-  end
+  points = pointsBetween(ends, c.points_per_link);
   is_over = overlap([points(:, 1:2), zeros(rows(points), 3)], footprint(blocks, c.arm_radius));
   yes = ~any(any(is_over & tops > points(:, 3)' - c.arm_radius));
 end

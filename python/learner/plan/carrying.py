@@ -18,13 +18,14 @@ class Surroundings:
 
     def avoids(self, arm, path, load=None):
         """Returns true if an arm, from its fingers on, and its load pass over them on a path."""
-        for q in samples(path):
-            tool = arm.forward(q)
-            if load and not self.of_load.is_below(load.at(tool)):
+        moments = samples(path)
+        tools = []
+        # What an arm carries is more often in the way than the arm itself, and is tested faster.
+        for q in moments:
+            tools.append(arm.forward(q))
+            if load and not self.of_load.is_below(load.at(tools[-1])):
                 return False
-            if not self.of_arm.is_below(hand_and_forearm(arm, q, tool)):
-                return False
-        return True
+        return all(self.of_arm.is_below(hand_and_forearm(arm, q, tool)) for q, tool in zip(moments, tools))
 
 
 def surroundings_of(points):

@@ -52,6 +52,8 @@ quietly() {
 # is, and of the output only what failed; elsewhere a line for each test.
 run_tests() {
   local log
+  # One more than there are cores: some tests mostly wait.
+  export CTEST_PARALLEL_LEVEL=$(($(nproc) + 1))
   if [[ ! -t 1 ]]; then
     ctest --preset "$@"
     return

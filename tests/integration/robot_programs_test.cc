@@ -115,8 +115,6 @@ INSTANTIATE_TEST_SUITE_P(
         RobotProgram{"python/examples/scissors/scissors.py", "scissors_robot", 7,
                      TheWeightIsInTheBox},
         RobotProgram{"matlab/examples/scissors", "scissors_robot", 8, TheWeightIsInTheBox},
-        RobotProgram{"python/examples/cover/cover.py", "cover_robot", 7,
-                     TheHousingIsClosedOverTheGoodFuse},
         RobotProgram{"matlab/examples/cover", "cover_robot", 8, TheHousingIsClosedOverTheGoodFuse}),
     [](const auto& parameter) { return NameOf(parameter.param); });
 

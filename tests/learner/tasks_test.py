@@ -1,7 +1,7 @@
 """The learner does tasks beyond those of `smile experiment`: equal colors that touch at several heights,
 half heights and several sizes, what the demonstration did not move, what began on something, what must make room
-first, what is built and in the way of the next grasp, discs, a ball, a lid, an L, a cross and a ring, a plank that must be turned, a switch and drives of several colors, a pair of scissors,
-and a cover that screws hold.
+first, what is built and in the way of the next grasp, discs, a ball, a lid, an L, a cross and a ring, a plank that must
+be turned, a switch and drives of several colors, a pair of scissors, and a cover that screws hold.
 What it claims at the end is right.
 
     tasks_test.py SMILE SOURCE
@@ -17,21 +17,18 @@ import tempfile
 from pathlib import Path
 
 PYTHON, OCTAVE = "python/learner/learner.py", "matlab/learner"
-# Task, brain, and layout of the robot's scene; in the last one a block is out of reach.
+# Task, brain, and layout of the robot's scene; in the last one a block is out of reach. The twins take turns: that both decide
+# alike is the claim of decisions_test.py.
 CASES = [("pyramid", PYTHON, ["--seed", "1"]), ("bricks", OCTAVE, ["--seed", "1"]),
-         ("pieces", PYTHON, ["--seed", "1"]), ("pieces", OCTAVE, ["--seed", "2"]),
-         ("sizes", PYTHON, ["--seed", "1"]), ("unstack", OCTAVE, ["--seed", "1", "--level", "fixtures"]),
+         ("pieces", OCTAVE, ["--seed", "2"]), ("sizes", PYTHON, ["--seed", "1"]),
+         ("unstack", OCTAVE, ["--seed", "1", "--level", "fixtures"]),
          ("pedestal", PYTHON, ["--seed", "2", "--level", "fixtures"]),
          ("swap", PYTHON, ["--seed", "1", "--level", "fixtures"]),
-         ("hanoi", PYTHON, ["--seed", "1", "--level", "fixtures"]), ("ball", PYTHON, ["--seed", "1"]),
-         ("lid", PYTHON, ["--seed", "1", "--level", "piles"]), ("plank", PYTHON, ["--seed", "1"]),
-         ("hanoi", OCTAVE, ["--seed", "2", "--level", "fixtures"]),
-         ("lid", OCTAVE, ["--seed", "2", "--level", "piles"]),
+         ("hanoi", OCTAVE, ["--seed", "2", "--level", "fixtures"]), ("ball", PYTHON, ["--seed", "1"]),
+         ("lid", PYTHON, ["--seed", "1", "--level", "piles"]), ("plank", OCTAVE, ["--seed", "2"]),
          ("drive", PYTHON, ["--seed", "1", "--level", "fixtures"]),
-         ("scissors", PYTHON, ["--seed", "2", "--level", "fixtures"]),
-         ("cover", PYTHON, ["--seed", "1", "--level", "fixtures"]),
-         ("plank", OCTAVE, ["--seed", "2"]), ("drive", OCTAVE, ["--seed", "41", "--level", "fixtures"]),
          ("scissors", OCTAVE, ["--seed", "31", "--level", "fixtures"]),
+         ("cover", PYTHON, ["--seed", "1", "--level", "fixtures"]),
          ("bridge", OCTAVE, ["--seed", "1067"]),
          ("pedestal", OCTAVE, [])]
 

@@ -15,7 +15,6 @@ Action chunks: T. Zhao et al., "Learning Fine-Grained Bimanual Manipulation with
 """
 
 import argparse
-import csv
 import hashlib
 import json
 import os
@@ -31,6 +30,7 @@ import jax.numpy as jnp
 import numpy as np
 import optax
 
+import curve
 import learning
 import network
 import pictures
@@ -278,33 +278,11 @@ def evaluate(options, policies):
     return {one["name"]: one["summary"] for one in found}
 
 
-def write_curve(out, summaries):
-    """curve.csv and curve.svg: success against the number of demonstrations."""
-    rows = [(name, each["successes"], each["runs"], *each["success_interval"]) for name, each in summaries.items()]
-    with open(out / "curve.csv", "w", newline="") as file:
-        csv.writer(file).writerows([("brain", "successes", "runs", "low", "high"), *rows])
-    parts = []
-    for k in range(5):
-        parts.append(f'<path d="M60 {220 - 45 * k}H480" stroke="#8884"/>'
-                     f'<text x="52" y="{224 - 45 * k}" text-anchor="end">{25 * k}%</text>')
-    for k, (name, successes, runs, low, high) in enumerate(rows):
-        x, y = 60 + 420 * (k + 0.5) / len(rows), 220 - 180 * successes / max(1, runs)
-        parts.append(f'<path d="M{x:.0f} {220 - 180 * low:.1f}V{220 - 180 * high:.1f}" stroke="#1a7fc1" '
-                     'stroke-width="2"/>'
-                     f'<circle cx="{x:.0f}" cy="{y:.1f}" r="4" fill="#1a7fc1"/>'
-                     f'<text x="{x:.0f}" y="242" text-anchor="middle">{name}</text>')
-    (out / "curve.svg").write_text(
-        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 520 260" width="520" height="260" role="img">'
-        "<title>Success in new layouts</title><style>text{font:13px sans-serif;fill:#333}"
-        "@media(prefers-color-scheme:dark){text{fill:#ddd}}</style>"
-        f'<text x="60" y="22">Success in new layouts</text>{"".join(parts)}</svg>\n')
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("out", type=Path)
     parser.add_argument("--task", choices=("tower", "row"), default="tower")
-    parser.add_argument("--counts", type=int, nargs="+", default=[50, 200, 750], help="of demonstrations")
+    parser.add_argument("--counts", type=int, nargs="+", default=[50, 200, 1000], help="of demonstrations")
     parser.add_argument("--pictures", action="store_true", help="train policies that see pictures, too")
     parser.add_argument("--steps", type=int, default=STEPS, help="of training, of each policy")
     parser.add_argument("--seed", type=int, default=1)
@@ -337,7 +315,7 @@ def main():
             print(f"with the networks that see: {time.monotonic() - begun[0]:.0f} s, "
                   f"{time.process_time() - begun[1]:.0f} s of CPU time", flush=True)
     summaries = evaluate(options, policies)
-    write_curve(options.out, summaries)
+    curve.write(options.out, summaries)
     for name, each in summaries.items():
         low, high = each["success_interval"]
         print(f"{name}: {each['successes']} of {each['runs']}, 95 %: {100 * low:.1f} to {100 * high:.1f} %")

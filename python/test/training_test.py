@@ -53,7 +53,7 @@ class TrainingTest(unittest.TestCase):
             self.assertEqual([row[0] for row in rows],
                              ["brain", "state_1", "pictures_1", "state_2", "pictures_2", "learner", "replay"])
             self.assertEqual(rows[5][1:3], ["1", "1"])
-            self.assertIn(">state_2</text>", (out / "curve.svg").read_text())
+            self.assertIn(">from pictures</text>", (out / "curve.svg").read_text())
             brains = json.loads((out / "compared/evaluation.json").read_text())["brains"]
             self.assertLessEqual({cause for brain in brains[:4] for cause in brain["summary"]["causes"]},
                                  {"time_up", "never_taken", "misplaced", "toppled", "fell_off_table"})

@@ -25,13 +25,10 @@ function extent = visibleExtent(points, eye)
   size_px = 2 * eye.intrinsics(1:2, 3)';
   margin = c.parked_margin * size_px;
   extent = 0;
-  for k = 1:size(points, 1) - 1
-    for fraction = linspace(0, 1, c.points_per_link)
-      at = points(k, :) + fraction * (points(k + 1, :) - points(k, :));
-      if (at - eye.pose(1:3, 4)') * eye.pose(1:3, 3) > 0  % in front of the eye
-        pixel = toPixel(at, eye);
-        extent = extent + max(0, min([pixel + margin, size_px + margin - pixel]));
-      end
+  for point = pointsBetween(points, c.points_per_link)'
+    if (point' - eye.pose(1:3, 4)') * eye.pose(1:3, 3) > 0  % in front of the eye
+      pixel = toPixel(point', eye);
+      extent = extent + max(0, min([pixel + margin, size_px + margin - pixel]));
     end
   end
   extent = round(extent);

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from act.arms import points_between
 from constants import MOTION_PLANNING as C
 from things.areas import footprint, overlap
 
@@ -16,12 +17,10 @@ def is_arm_clear(arm, q, blocks):
     points = arm.points(q)
     from_tool = np.linalg.norm(points - points[0], axis=1)
     points = points[np.argmax(from_tool > C.min_wrist_distance):]
-    fractions = np.linspace(0, 1, C.points_per_link)[:, None]
-    for one, other in zip(points, points[1:]):
-        for x, y, z in one + fractions * (other - one):
-            below = footprint([block for block in blocks if block.top > z - radius], radius)
-            if overlap([x, y, 0, 0, 0], below).any():
-                return False
+    for x, y, z in points_between(points, C.points_per_link):
+        below = footprint([block for block in blocks if block.top > z - radius], radius)
+        if overlap([x, y, 0, 0, 0], below).any():
+            return False
     return True
 
 

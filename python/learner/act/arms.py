@@ -66,3 +66,11 @@ class Arm:
         """Returns true if the arm touches neither the robot nor the table."""
         still = self.robot.move_joints(self.name, [q])
         return self.robot.first_invalid(still, table=C.table) is None
+
+
+def points_between(ends, number):
+    """Returns a number of points, at equal distances, on each of the straight lines from one end to the next: Nx3 for the
+    ends Mx3."""
+    fractions = np.linspace(0, 1, number)[:, None]
+    lines = [one + fractions * (other - one) for one, other in zip(ends, ends[1:])]
+    return np.concatenate([np.empty((0, 3)), *lines])

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from act.arms import points_between
 from constants import ARMS as C, numbers_of
 from see.eye import to_pixel
 
@@ -40,13 +41,11 @@ def visible_extent(points, eye):
     """Returns how much of the lines between points is in the eye's picture: the sum of the
     distances of points on them from its border [pixels]. Beyond the border, thick links may still
     be visible."""
-    fractions = np.linspace(0, 1, C.points_per_link)[:, None]
     size = 2 * eye.intrinsics[:2, 2]
     margin = C.parked_margin * size
     extent = 0
-    for one, other in zip(points, points[1:]):
-        for at in one + fractions * (other - one):
-            if (at - eye.pose[:3, 3]) @ eye.pose[:3, 2] > 0:  # in front of the eye
-                pixel = to_pixel(at, eye)
-                extent += max(0, min(*(pixel + margin), *(size + margin - pixel)))
+    for at in points_between(points, C.points_per_link):
+        if (at - eye.pose[:3, 3]) @ eye.pose[:3, 2] > 0:  # in front of the eye
+            pixel = to_pixel(at, eye)
+            extent += max(0, min(*(pixel + margin), *(size + margin - pixel)))
     return round(extent)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from act.arm_clearance import samples
+from act.arms import points_between
 from constants import MOTION_PLANNING, SKYLINE as C
 from plan.skyline import Skyline, skyline_of
 
@@ -39,8 +40,6 @@ def hand_and_forearm(arm, q, tool):
 
     tool: its pose there, 4x4
     """
-    fractions = np.linspace(0, 1, MOTION_PLANNING.points_per_link)[:, None]
-    points = arm.points(q)
-    links = [one + fractions * (other - one) for one, other in zip(points, points[1:])]
     fingers = tool[:3, 3] + np.array([[arm.reach], [0]]) * tool[:3, 2]
-    return np.concatenate([fingers, *(link - [0, 0, MOTION_PLANNING.arm_radius] for link in links)])
+    links = points_between(arm.points(q), MOTION_PLANNING.points_per_link)
+    return np.concatenate([fingers, links - [0, 0, MOTION_PLANNING.arm_radius]])

@@ -88,6 +88,7 @@ class WebServer::Impl {
 
   std::string link() const { return access_.link(); }
   std::string origin() const { return access_.origin(); }
+  int port() const { return listening_.port; }
   bool is_loopback() const { return listening_.is_loopback; }
 
   void Resume() {
@@ -179,6 +180,7 @@ WebServer::~WebServer() = default;
 
 std::string WebServer::link() const { return impl_->link(); }
 std::string WebServer::origin() const { return impl_->origin(); }
+int WebServer::port() const { return impl_->port(); }
 bool WebServer::is_loopback() const { return impl_->is_loopback(); }
 void WebServer::Resume() { impl_->Resume(); }
 

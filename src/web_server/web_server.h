@@ -27,6 +27,8 @@ class WebServer {
   std::string link() const;
   /// Returns the beginning of all links: `http://127.0.0.1:8470`.
   std::string origin() const;
+  /// Returns the port at which it listens on this machine; behind a proxy links do not contain it.
+  int port() const;
   /// Returns true if no other machine can connect.
   bool is_loopback() const;
   /// Asks the handler for messages, and if paused clients may send again. May be called from any

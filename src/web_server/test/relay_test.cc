@@ -13,9 +13,8 @@ class RelayTest : public WebServerTest {
   RelayTest() {
     inner_options_.files = folder_ / "page";
     inner_.emplace(inner_options_, &inner_handler_);
-    const std::string link = inner_->link();
-    const int port = std::stoi(link.substr(link.rfind(':') + 1));
-    options_.relay = [port](const std::string& path) -> std::optional<RelayTarget> {
+    options_.relay = [port =
+                          inner_->port()](const std::string& path) -> std::optional<RelayTarget> {
       constexpr std::string_view kPrefix = "/p/secret/";
       if (!path.starts_with(kPrefix)) return std::nullopt;
       return RelayTarget{port, "/" + path.substr(kPrefix.size())};

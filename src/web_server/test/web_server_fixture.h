@@ -108,7 +108,7 @@ class WebServerTest : public ::testing::Test {
     if (!server_) server_.emplace(options_, &handler_);
     return *server_;
   }
-  int port() { return std::stoi(server().link().substr(server().link().rfind(':') + 1)); }
+  int port() { return server().port(); }
   WebClient Connect() { return WebClient(port()); }
   /// A WebSocket.
   WebClient Join() {

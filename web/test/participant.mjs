@@ -61,7 +61,8 @@ export class Participant {
     const link = new URL(door);
     this.whenClosed = [];
     const witness = await Witness.of({ door: `ws://${link.host}${link.pathname}/session/ws`, whenClosed: this.whenClosed });
-    await witness.until(() => witness.state.recording !== null, "a recording");
+    // A recording that begins has a scene of its own, whose poses come after it.
+    await witness.until(() => witness.state.recording !== null && witness.poses.size > 0, "a recording");
     await this.page.waitForFunction(() => window.smileStudio?.stats().isShown);
     return new Person(this.page, witness);
   }

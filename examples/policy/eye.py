@@ -2,10 +2,12 @@
 
 import numpy as np
 
+import alike
 import network
 import sight
 
 SURE = 0.3       # least probability of the cell of an object, below which it stays where it was seen last
+APART = 4        # cells between the middles of two objects that look alike, at least
 NEAR = 0.8       # distance from the tool of what a closed gripper holds, at most [units]
 
 
@@ -27,34 +29,58 @@ class Told:
 class Eye:
     """Pictures of the robot's eye, at which it looks when it decides; what it holds goes with the tool."""
 
-    def __init__(self, nets, aux):
+    def __init__(self, nets, looks, aux):
         if tuple(np.ravel(aux.cameraSize)) != sight.SIZE:
             height, width = sight.SIZE
             raise ValueError(f"this policy sees pictures of another size: use --size {width}x{height}")
-        self.nets, self.intrinsics = nets, aux.cameraIntrinsics
+        self.nets, self.looks, self.intrinsics = nets, looks, aux.cameraIntrinsics
         self.seen = None
         self.held = [None, None]  # of each arm: number of an object, and where it is from the tool
         aux.channels, aux.imageSeconds = ["rgb"], 0
 
     def objects(self, sensor, tools, is_deciding):
         if self.seen is None or is_deciding:
-            found, is_sure = self.look(sensor.rgbVision / 255, sensor.cameraPose)
-            self.seen = found if self.seen is None else np.where(is_sure[:, None], found, self.seen)
+            found, chances = self.look(sensor.rgbVision / 255, sensor.cameraPose)
+            self.seen = found if self.seen is None else self.updated(found, chances)
         for arm, tool in enumerate(tools):
             self.follow(arm, tool)
         return self.seen.copy()
 
     def look(self, picture, pose):
-        """Returns all objects, and which of them are surely where they seem to be."""
-        scores = sight.find(np, self.nets["find"], sight.cells_of(picture))
-        chances = np.exp(scores - scores.max(axis=0))
-        is_sure = chances.max(axis=0) / chances.sum(axis=0) > SURE
-        middles = sight.middles_of(np, scores.argmax(axis=0))
+        """Returns all objects, and how sure it is of each; of those that look alike, the leftmost first."""
+        cells, chances = self.find(picture)
+        middles = sight.middles_of(np, cells)
         pieces = sight.pieces_of(picture, middles, sight.PIECE)
         said = sight.look(np, self.nets["look"], pieces, middles)
         pixels = middles + sight.SHIFT_SCALE * said[:, :2]
         places = sight.points_of(np, pixels, said[:, 2], pose, self.intrinsics)
-        return np.column_stack([places, np.arctan2(said[:, 3], said[:, 4]) / 4]), is_sure
+        return np.column_stack([places, np.arctan2(said[:, 3], said[:, 4]) / 4]), chances
+
+    def find(self, picture):
+        """Returns the cells (N,) of all objects, and their probabilities."""
+        scores = sight.find(np, self.nets["find"], sight.cells_of(picture))
+        chances = np.exp(scores - scores.max(axis=0))
+        chances /= chances.sum(axis=0)
+        columns = sight.SIZE[1] // sight.CELL
+        row, column = np.divmod(np.arange(len(chances)), columns)
+        cells, best = np.zeros(len(self.looks), int), np.zeros(len(self.looks))
+        for look in set(self.looks):
+            # It sees only what is near a cell, so it says of none of those that look alike which of them it is.
+            group = np.flatnonzero(self.looks == look)
+            rest, found = chances[:, group].sum(axis=1), []
+            for _ in group:
+                cell = int(rest.argmax())
+                found.append((column[cell], cell, rest[cell]))
+                rest[np.maximum(abs(row - row[cell]), abs(column - column[cell])) < APART] = 0
+            for k, (_, cell, chance) in zip(group, sorted(found)):
+                cells[k], best[k] = cell, chance
+        return cells, best
+
+    def updated(self, found, chances):
+        """What was seen before, with what is surely found now."""
+        order = alike.order_as_before(self.looks, found, self.seen)
+        found, is_sure = found[order], chances[order] > SURE
+        return np.where(is_sure[:, None], found, self.seen)
 
     def follow(self, arm, tool):
         """Moves what an arm holds with its tool (5,)."""

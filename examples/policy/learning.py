@@ -9,11 +9,11 @@ import optax
 LEARNING_RATE = 1e-3
 
 
-def train(loss, sizes, samples, steps, seed, batch):
+def train(name, loss, sizes, samples, steps, seed, batch):
     """Returns the layers of a network, averaged over the last steps.
 
-    loss(layers, key, some samples): a number; sizes: (inputs, outputs) of the layers; samples: a NamedTuple of
-    arrays, whose first axes are as long.
+    name: of the network; loss(layers, key, some samples): a number; sizes: (inputs, outputs) of the layers;
+    samples: a NamedTuple of arrays, whose first axes are as long.
     """
     schedule = optax.warmup_cosine_decay_schedule(0, LEARNING_RATE, steps // 10, steps)
     optimizer = optax.chain(optax.clip_by_global_norm(1.0), optax.adamw(schedule, weight_decay=1e-3))
@@ -37,5 +37,5 @@ def train(loss, sizes, samples, steps, seed, batch):
     for k in range(0, steps, 500):
         keys = jax.random.split(jax.random.fold_in(key, 1000 + k), min(500, steps - k))
         carry, errors = some_steps(carry, keys, samples)
-    print(f"{loss.__name__} {float(errors.mean()):.4f}", flush=True)
+    print(f"{name}: loss {float(errors.mean()):.4f}", flush=True)
     return carry[2]

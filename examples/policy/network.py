@@ -1,6 +1,7 @@
 """The networks that the policy consists of: for training with JAX and for acting with numpy.
 
     decide  which arm moves now, and to what: to an object, to the table, or to where it waits
+    place   where on the table it puts down what it holds
     turn    with which of the quarter turns it arrives there
     move    where its tool is in the next second
 
@@ -10,6 +11,8 @@ the yaw in which the tool arrives. xp is numpy or jax.numpy.
 """
 
 import math
+
+import numpy as np
 
 STEPS = 10       # of .1 s in a chunk
 STEP_TICKS = 6   # of the simulator in a step
@@ -29,7 +32,7 @@ def run(xp, layers, x):
 
 
 def see(xp, own, other, objects, side):
-    """(…, n): what `decide` gets. own, other: (…, 5); objects: (…, N, 4); side: (…, 1) 0 or 1, of the arm."""
+    """(…, n): what `decide` and `place` get. own, other: (…, 5); objects: (…, N, 4); side: (…, 1) 0 or 1, of the arm."""
     parts = [*tool(xp, own), *tool(xp, other), side]
     for k in range(objects.shape[-2]):
         for reference in (own, other, *(objects[..., before, :] for before in range(k))):
@@ -89,6 +92,14 @@ def angles(xp, yaw, symmetry):
 def mirrored(xp, rows):
     """Tools or objects in a mirror: x and yaw change their signs."""
     return rows * xp.asarray([-1, 1, 1, -1, 1][:rows.shape[-1]], rows.dtype)
+
+
+def seen_by(tools, objects, arm):
+    """The world as an arm sees it: its own tool, the other one, objects, and its side."""
+    own, other = tools[arm], tools[1 - arm]
+    if arm == 1:
+        own, other, objects = (mirrored(np, it) for it in (own, other, objects))
+    return own, other, objects, np.array([float(arm)])
 
 
 def upright(yaw):

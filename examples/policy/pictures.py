@@ -9,6 +9,7 @@ import jax.numpy as jnp
 import numpy as np
 import optax
 
+import alike
 import learning
 import network
 import sight
@@ -31,10 +32,13 @@ class Views(NamedTuple):
     is_free: np.ndarray  # (N,) 1 unless a gripper holds it
 
 
-def read_views(demo, intrinsics):
+def read_views(demo, intrinsics, looks):
     """Returns the Views of an episode."""
     objects = places(demo["obs/object"], network.yaw_of_object)
     pixels = sight.pixels_of(UNIT * objects[..., :3], demo["obs/eye_pose"][0].reshape(3, 4), intrinsics)
+    # Which is which of those that look alike cannot be seen: they are counted from left to right.
+    order = alike.order_by(np, looks, pixels[..., 0])[..., None]
+    objects, pixels = (np.take_along_axis(it, order, axis=1) for it in (objects, pixels))
     # What is beyond an edge is looked for in the nearest cell.
     height, width = sight.SIZE
     inside = np.clip(pixels, 0, [width - 1, height - 1]).astype(int) // sight.CELL
@@ -56,12 +60,12 @@ def are_held(demo, objects):
     return ((away < HELD_WITHIN) & is_closed[:, None]).any(axis=-1)
 
 
-def read(dataset, count):
-    """Returns the Views of the first `count` episodes."""
+def read(dataset, count, looks):
+    """Returns the Views of the first `count` episodes. looks: as of alike.looks_of."""
     about = json.loads((dataset.parent / "smile.json").read_text())
     intrinsics = np.array(about["intrinsics"]["eye"])
     with h5py.File(dataset) as file:
-        return [read_views(file[f"data/demo_{k}"], intrinsics) for k in range(count)]
+        return [read_views(file[f"data/demo_{k}"], intrinsics, looks) for k in range(count)]
 
 
 def find_loss(layers, key, s):
@@ -86,5 +90,5 @@ def train_sight(views, scale, seed):
     views = Views(*(jnp.asarray(np.concatenate(parts)) for parts in zip(*views)))
     objects = views.cell.shape[1]
     steps = [max(1, int(scale * it)) for it in (FIND_STEPS, LOOK_STEPS)]
-    return {"find": learning.train(find_loss, sight.sizes_of_find(objects), views, steps[0], seed, FIND_BATCH),
-            "look": learning.train(look_loss, sight.sizes_of_look(objects), views, steps[1], seed, LOOK_BATCH)}
+    return {"find": learning.train("find", find_loss, sight.sizes_of_find(objects), views, steps[0], seed, FIND_BATCH),
+            "look": learning.train("look", look_loss, sight.sizes_of_look(objects), views, steps[1], seed, LOOK_BATCH)}

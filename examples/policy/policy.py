@@ -10,12 +10,12 @@ see eye.py.
 import numpy as np
 
 import network
+from deciding import Deciding
 from eye import Eye, Told
 from smile.motion import robot_of
 
 ACTED = 5            # steps of a chunk, until the next one
 GRIP_SPEED = 2.0     # [units/s]
-RISEN = 0.1          # below the place above where it rises no further [units]
 PATIENCE = 3.0       # seconds without a motion after which it ends
 
 
@@ -24,8 +24,8 @@ class Policy:
 
     def __init__(self, file):
         with np.load(file) as data:
-            self.names = data["names"].tolist()
-            self.start = data["start"]
+            self.names, self.looks = data["names"].tolist(), data["looks"]
+            self.start, self.sites = data["start"], data["sites"]
             self.nets = {name: [(data[f"{name}_weights{k}"], data[f"{name}_biases{k}"])
                                 for k in range(sum(key.startswith(f"{name}_weights") for key in data))]
                          for name in data["nets"]}
@@ -39,21 +39,19 @@ class Policy:
         for arm, joints in zip(self.arms, self.start):
             arm.initJoints = joints
         poses = [self.robot.forward(arm.name, joints) for arm, joints in zip(self.arms, self.start)]
-        self.waiting = np.array([[*pose[:3, 3], network.yaw_of_tool(pose[:3, :3])] for pose in poses])
-        self.yaws = self.waiting[:, 3]
-        self.decided = None              # arm, number of its target, and whether it holds something
-        self.rising = None               # arm, and the place above its last grasp or release
+        waiting = np.array([[*pose[:3, 3], network.yaw_of_tool(pose[:3, :3])] for pose in poses])
+        self.yaws = waiting[:, 3]
         self.moved = 0.0
-        self.eye = Eye(self.nets, aux) if "look" in self.nets else Told(self.names, aux)
+        self.deciding = Deciding(self.nets, self.sites, waiting)
+        self.eye = Eye(self.nets, self.looks, aux) if "look" in self.nets else Told(self.names, aux)
 
     def step(self, sensor, motor, aux):
         tools = self.tools(sensor.arms)
-        self.update(tools)
-        is_deciding = self.decided is None and self.rising is None
-        objects = self.eye.objects(sensor, tools, is_deciding)
-        self.decide(tools, objects)
+        self.deciding.update(tools, sensor.simTime)
+        objects = self.eye.objects(sensor, tools, self.deciding.is_open)
+        goals, kinds = self.deciding.goals(tools, objects, sensor.simTime)
         for k, arm in enumerate(sensor.arms):
-            chunk = self.chunk(tools, objects, k)
+            chunk = self.chunk(tools, objects, goals[k], kinds[k], k)
             velocities, openings = self.follow(k, arm, tools[k], chunk[:ACTED])
             motor.arms[k].velocities = velocities
             motor.arms[k].gripperVelocity = openings
@@ -73,52 +71,12 @@ class Policy:
         self.yaws = [row[3] for row in rows]
         return np.array(rows)
 
-    def update(self, tools):
-        """A decision stands until the gripper has closed or opened; then the tool first goes straight up."""
-        if self.decided is not None and (tools[self.decided[0], 4] < network.HELD) != self.decided[2]:
-            arm = self.decided[0]
-            self.rising, self.decided = (arm, tools[arm, :4] + [0, 0, network.RISE, 0]), None
-        if self.rising is not None and tools[self.rising[0], 2] > self.rising[1][2] - RISEN:
-            self.rising = None
-
-    def decide(self, tools, objects):
-        """Sets what moves, and whereto: self.goals."""
-        self.goals, self.kinds = self.waiting.copy(), np.tile([0.0, 1.0, 0.0], (2, 1))
-        if self.rising is not None:
-            arm, above = self.rising
-            self.goals[arm], self.kinds[arm] = above, [0, 0, 1]
-            return
-        spots = np.array([*objects, np.zeros(4)])
-        if self.decided is None:
-            self.decided = self.next_decision(tools, objects, spots)
-        if self.decided is None:
-            return
-        arm, target, _ = self.decided
-        # The object may turn a little, not by a quarter.
-        self.yaw += network.upright(spots[target, 3] - self.yaw)
-        self.goals[arm], self.kinds[arm] = [*spots[target, :3], self.yaw], [target == len(objects), 0, 0]
-
-    def next_decision(self, tools, objects, spots):
-        """Returns arm, number of its target, and whether it holds something; None if both are to wait."""
-        says = [network.run(np, self.nets["decide"], network.see(np, *seen(tools, objects, k))) for k in range(2)]
-        # The right arm's view names itself first.
-        middle = 1 + len(spots)
-        other = np.concatenate([says[1][:1], says[1][middle:], says[1][1:middle]])
-        choice = int((says[0] + other).argmax())
-        if choice == 0:
-            return None
-        arm, target = divmod(choice - 1, len(spots))
-        own, _, _, side = seen(tools, objects, arm)
-        spot = network.mirrored(np, spots[target]) if arm == 1 else spots[target]
-        turn = network.run(np, self.nets["turn"], network.aim(np, own, spot, side)).argmax() - network.TURNS
-        self.yaw = spots[target, 3] + np.pi / 2 * (-turn if arm == 1 else turn)
-        return arm, target, tools[arm, 4] < network.HELD
-
-    def chunk(self, tools, objects, k):
+    def chunk(self, tools, objects, goal, kind, k):
         """(STEPS, OUTPUTS): where an arm's tool should be, and its opening [units]."""
-        own, _, things, side = seen(tools, objects, k)
-        goal = network.mirrored(np, self.goals[k]) if k == 1 else self.goals[k]
-        chunk = network.chunk(np, self.nets["move"], own, things, goal, self.kinds[k], side)
+        own, _, things, side = network.seen_by(tools, objects, k)
+        if k == 1:
+            goal = network.mirrored(np, goal)
+        chunk = network.chunk(np, self.nets["move"], own, things, goal, kind, side)
         if k == 1:
             chunk = network.mirrored(np, chunk)
         chunk[:, 4] = chunk[:, 4] / network.OPENING_SCALE + network.OPENING
@@ -154,11 +112,3 @@ class Policy:
             change = jacobian.T @ np.linalg.solve(jacobian @ jacobian.T + 1e-3 * np.eye(6), error)
             joints = np.clip(joints + change, arm.minJoints, arm.maxJoints)
         return joints
-
-
-def seen(tools, objects, arm):
-    """The world as an arm sees it: its own tool, the other one, objects, and its side."""
-    own, other = tools[arm], tools[1 - arm]
-    if arm == 1:
-        own, other, objects = (network.mirrored(np, it) for it in (own, other, objects))
-    return own, other, objects, np.array([float(arm)])

@@ -56,7 +56,7 @@ class TrainingTest(unittest.TestCase):
             self.assertIn(">from pictures</text>", (out / "curve.svg").read_text())
             brains = json.loads((out / "compared/evaluation.json").read_text())["brains"]
             self.assertLessEqual({cause for brain in brains[:4] for cause in brain["summary"]["causes"]},
-                                 {"time_up", "never_taken", "misplaced", "toppled", "fell_off_table"})
+                                 {"time_up", "never_taken", "not_placed", "misplaced", "toppled", "fell_off_table"})
 
 
 if __name__ == "__main__":

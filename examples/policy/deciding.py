@@ -16,7 +16,7 @@ class Decision(NamedTuple):
     arm: int
     target: int
     holds: bool       # whether the arm holds something at first
-    site: np.ndarray  # (4,) where the table is the target
+    site: np.ndarray  # (4,) where the target was then: the table's is where something is put
 
 
 class Deciding:
@@ -28,7 +28,7 @@ class Deciding:
         self.rising = None               # arm, and the place above its last grasp or release
         self.since = 0.0                 # when either began
         self.yaw = 0.0                   # in which the tool arrives
-        self.taken = [None, None]        # of each arm: the number of what it holds
+        self.taken = [None, None]        # of each arm: the number of what it holds, None if it never decided on that
         self.refused = set()             # arms and targets that are not decided again until the next grasp or release
 
     @property
@@ -40,7 +40,7 @@ class Deciding:
         if self.decision is not None and (tools[self.decision.arm, 4] < network.HELD) != self.decision.holds:
             arm, target, held, _ = self.decision
             # What an arm has just put down, it does not take again.
-            self.refused = {(arm, self.taken[arm])} if held else set()
+            self.refused = {(arm, self.taken[arm])} if held and self.taken[arm] is not None else set()
             self.taken[arm] = None if held else target
             self.decision, self.rising, self.since = None, (arm, tools[arm, :4] + [0, 0, network.RISE, 0]), now
         is_long = now > self.since + ENOUGH

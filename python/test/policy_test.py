@@ -69,6 +69,12 @@ class DecidingTest(unittest.TestCase):
         self.assertIsNone(self.target_after(self.tools(OPEN, low), 2.0))
         self.assertEqual(self.target_after(self.tools(OPEN, high), 2.5), (1, 0), "the other one may")
 
+    def test_what_was_held_without_a_decision_refuses_nothing(self):
+        low, high = (-3.0, 0, 0.8), (-3.0, 0, 1.8)
+        self.assertEqual(self.target_after(self.tools(CLOSED, high), 0.0), (0, 0))
+        self.assertIsNone(self.target_after(self.tools(OPEN, low), 1.0))
+        self.assertEqual(self.target_after(self.tools(OPEN, high), 1.5), (0, 0))
+
     def test_what_leads_nowhere_is_decided_otherwise(self):
         self.assertEqual(self.target_after(self.tools(OPEN), 0.0), (0, 0))
         self.assertEqual(self.target_after(self.tools(OPEN), 7.5), (0, 0))

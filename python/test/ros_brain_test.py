@@ -130,7 +130,7 @@ class BrainGraphTest(unittest.TestCase):
 
     def test_a_brain_that_hangs_and_ctrl_c_stop_the_robot(self):
         served, record = self.serve()
-        performed = self.perform("--brain", self.brain(HANGS), "--yes", "--timeout", 1)
+        performed = self.perform("--brain", self.brain(HANGS), "--yes", "--timeout", 3)
         self.assertEqual(performed.wait(), 1, performed.output)
         self.assertRegex(performed.output, r"stopped after 0\.5\d s: the brain failed: .*brain.py")
         performed = self.perform("--brain", PROJECT / "python/examples/wave.py", "--yes")

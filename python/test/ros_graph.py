@@ -5,7 +5,6 @@ Ends the test as skipped (77) where tools/get_ros.sh installed nothing.
 
 import os
 import signal
-import socket
 import subprocess
 import sys
 import time
@@ -13,7 +12,7 @@ from pathlib import Path
 
 try:
     import actionlib  # noqa: F401
-    import rosgraph
+    import rosgraph  # noqa: F401
     import rosmaster  # noqa: F401
     import rospy  # noqa: F401
 except ImportError as error:
@@ -22,7 +21,16 @@ except ImportError as error:
 
 # A loaded machine is slow, and no test waits for it to be fast [s].
 PATIENCE = 300
-MASTER = "import rosmaster, sys; rosmaster.rosmaster_main(['rosmaster', '--core', '-p', sys.argv[1]])"
+# At a port of its own choice, which it prints: one that was free before may be taken by now.
+MASTER = """
+import time
+from rosmaster.master import Master
+master = Master(port=0)
+master.start()
+print(master.uri, flush=True)
+while master.ok():
+    time.sleep(0.1)
+"""
 
 
 class Program:
@@ -59,20 +67,13 @@ class Program:
 
 
 class Graph:
-    """A master at a free port; this process and its children use it."""
+    """A master; this process and its children use it."""
 
     def __init__(self, folder):
-        with socket.socket() as probe:
-            probe.bind(("127.0.0.1", 0))
-            port = probe.getsockname()[1]
-        self.address = f"http://127.0.0.1:{port}"
-        os.environ.update(ROS_MASTER_URI=self.address, ROS_IP="127.0.0.1", ROS_HOME=str(Path(folder) / "ros_home"))
-        self.master = Program(folder, "master", [sys.executable, "-c", MASTER, port])
-        deadline = time.monotonic() + PATIENCE
-        while not rosgraph.is_master_online():
-            if time.monotonic() > deadline:
-                raise AssertionError(f"the master does not answer: {self.master.output}")
-            time.sleep(0.05)
+        os.environ.update(ROS_IP="127.0.0.1", ROS_HOME=str(Path(folder) / "ros_home"))
+        self.master = Program(folder, "master", [sys.executable, "-c", MASTER])
+        self.master.wait_for_output("\n")
+        self.address = os.environ["ROS_MASTER_URI"] = self.master.output.splitlines()[0]
 
 
 def wait_until(condition, words):

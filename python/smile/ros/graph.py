@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import http.client
 import os
 import threading
 import time
+import xmlrpc.client
 from collections.abc import Callable
+from typing import Any
 
 import rosgraph
 import rospy
 
 _CHECK_SECONDS = 0.5
+_ANSWER_SECONDS = 1.0
 _MASTER_TIMEOUT = 3.0
 
 
@@ -34,19 +38,45 @@ def join_graph(name: str, *, anonymous: bool) -> None:
     rospy.init_node(name, anonymous=anonymous, disable_signals=True)
 
 
+class _ImpatientTransport(xmlrpc.client.Transport):
+    """Waits some seconds for an answer, not for ever."""
+
+    def make_connection(self, host: Any) -> http.client.HTTPConnection:
+        connection = super().make_connection(host)
+        connection.timeout = _ANSWER_SECONDS
+        return connection
+
+
+def _master_answers() -> bool:
+    try:
+        with xmlrpc.client.ServerProxy(os.environ["ROS_MASTER_URI"], _ImpatientTransport()) as master:
+            return int(master.getPid(rospy.get_name())[0]) == 1
+    except (OSError, http.client.HTTPException, xmlrpc.client.Error):
+        return False
+
+
 def master_is_lost() -> Callable[[], bool]:
-    """Watches the master in a thread; the function returned says whether it no longer answers.
+    """Watches the master in a thread; the function returned says whether it has not answered for some seconds, though it was
+    asked again and again.
 
     Nodes that know each other would go on without: neither could be found any more, nor stopped by others.
     """
-    last_answer = time.monotonic()
+    # Not the time of the last answer: where the whole machine stood still for a while, nothing was asked.
+    silent_since: float | None = None
 
     def watch() -> None:
-        nonlocal last_answer
+        nonlocal silent_since
         while True:
             time.sleep(_CHECK_SECONDS)
-            if rosgraph.is_master_online():
-                last_answer = time.monotonic()
+            if _master_answers():
+                silent_since = None
+            elif silent_since is None:
+                silent_since = time.monotonic()
 
     threading.Thread(target=watch, daemon=True).start()
-    return lambda: time.monotonic() - last_answer > _MASTER_TIMEOUT
+
+    def is_lost() -> bool:
+        since = silent_since
+        return since is not None and time.monotonic() - since > _MASTER_TIMEOUT
+
+    return is_lost

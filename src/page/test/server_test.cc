@@ -266,10 +266,10 @@ TEST_F(ServerTest, RequestsAreTextInUtf8) {
 }
 
 TEST_F(ServerTest, ClientsWithoutHelloHoldNoPlaceForLong) {
-  options_.limits.hello_seconds = 0.2;
+  options_.limits.hello_seconds = 1;
   WebClient silent = Connect(), polite = Join();
   EXPECT_EQ(silent.Upgrade(), 101);
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  std::this_thread::sleep_for(std::chrono::milliseconds(1200));
   server().TakeRequests();
   EXPECT_EQ(silent.CloseCode(), 1008);
   EXPECT_EQ(polite.Ask({{"do", "ping"}})["ok"], true);

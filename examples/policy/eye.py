@@ -65,12 +65,13 @@ class Eye:
         row, column = np.divmod(np.arange(len(chances)), columns)
         cells, best = np.zeros(len(self.looks), int), np.zeros(len(self.looks))
         for look in set(self.looks):
-            # It sees only what is near a cell, so it says of none of those that look alike which of them it is.
+            # It sees only what is near a cell, so it says of none of those that look alike which of them it is. When one is
+            # found, the others are where else it may be.
             group = np.flatnonzero(self.looks == look)
-            rest, found = chances[:, group].sum(axis=1), []
+            rest, found = chances[:, group].mean(axis=1), []
             for _ in group:
                 cell = int(rest.argmax())
-                found.append((column[cell], cell, rest[cell]))
+                found.append((column[cell], cell, rest[cell] / rest.sum()))
                 rest[np.maximum(abs(row - row[cell]), abs(column - column[cell])) < APART] = 0
             for k, (_, cell, chance) in zip(group, sorted(found)):
                 cells[k], best[k] = cell, chance
@@ -84,10 +85,10 @@ class Eye:
 
     def follow(self, arm, tool):
         """Moves what an arm holds with its tool (5,)."""
-        if tool[4] >= network.HELD:
-            self.held[arm] = None
-            return
+        is_open = tool[4] >= network.HELD
         if self.held[arm] is None:
+            if is_open:
+                return
             away = np.linalg.norm(self.seen[:, :3] - tool[:3], axis=-1)
             if away.min() > NEAR:
                 return
@@ -95,3 +96,6 @@ class Eye:
         number, offset = self.held[arm]
         self.seen[number] = tool[:4] + offset
         self.seen[number, 3] = network.upright(self.seen[number, 3])
+        if is_open:
+            # Here it was put down: the tool has moved since the last step.
+            self.held[arm] = None

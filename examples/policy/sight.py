@@ -45,18 +45,19 @@ def find(xp, layers, cells):
 def look(xp, layers, pieces, middles):
     """(…, N, OUTPUTS): of objects, from the pieces (…, N, PIECE, PIECE, 3) about the pixels `middles` (…, N, 2).
 
-    What is hidden in one piece may follow from the others: a tower hides its lower blocks.
+    What one piece shows is read in the same way for each object, so all learn from each other's pictures. What is hidden
+    in it may follow from the others, each in its own way: a tower hides its lower blocks.
     """
     x = pieces - 0.5
     for layer in layers[:2]:
         x = convolve(xp, x, layer, stride=2)
     x = xp.concatenate([x.reshape(*x.shape[:-3], -1), middles / 100 - 1.5], axis=-1)
     x = xp.maximum(x @ layers[2][0] + layers[2][1], 0)
+    shown = x @ layers[3][0] + layers[3][1]
     x = x.reshape(*x.shape[:-2], -1)
-    for weights, biases in layers[3:-1]:
-        x = xp.maximum(x @ weights + biases, 0)
-    y = x @ layers[-1][0] + layers[-1][1]
-    return y.reshape(*y.shape[:-1], -1, OUTPUTS)
+    x = xp.maximum(x @ layers[4][0] + layers[4][1], 0)
+    y = x @ layers[5][0] + layers[5][1]
+    return shown + y.reshape(*y.shape[:-1], -1, OUTPUTS)
 
 
 def sizes_of_find(objects):
@@ -68,7 +69,7 @@ def sizes_of_find(objects):
 def sizes_of_look(objects):
     first, second = FILTERS[0], 2 * FILTERS[0]
     seen = (PIECE // 4) ** 2 * second + 2
-    return [(27, first), (9 * first, second), (seen, 64), (64 * objects, 128), (128, OUTPUTS * objects)]
+    return [(27, first), (9 * first, second), (seen, 64), (64, OUTPUTS), (64 * objects, 128), (128, OUTPUTS * objects)]
 
 
 def middles_of(xp, cells):

@@ -6,6 +6,7 @@ Usage: policy_test.py PROJECT_FOLDER.
 import sys
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -14,7 +15,9 @@ sys.path.append(str(PROJECT / "examples/policy"))
 
 import alike  # noqa: E402
 import network  # noqa: E402
+import sight  # noqa: E402
 from deciding import Deciding  # noqa: E402
+from eye import SURE, Eye  # noqa: E402
 
 NAMES = ["Red1", "Green1", "Blue1", "Red2", "Green2", "Blue2"]
 LOOKS = np.array([0, 1, 2, 0, 1, 2])
@@ -36,6 +39,34 @@ class AlikeTest(unittest.TestCase):
         found = before[[3, 1, 2, 0, 4, 5]] + [0.3, 0, 0, 0]
         order = alike.order_as_before(LOOKS, found, before)
         np.testing.assert_allclose(found[order], before + [0.3, 0, 0, 0])
+
+
+class EyeTest(unittest.TestCase):
+    """An eye whose network finds an object by its color, in the cell that has most of it."""
+
+    def setUp(self):
+        copies = np.zeros((27, 3))
+        copies[12:15] = np.eye(3)  # of the nine cells about it, the middle one
+        colors = 20 * np.eye(3)[:, LOOKS]
+        nets = {"find": [(copies, np.full(3, 0.5)), (copies, np.zeros(3)), (colors, np.zeros(len(LOOKS)))]}
+        self.eye = Eye(nets, LOOKS, SimpleNamespace(cameraSize=sight.SIZE, cameraIntrinsics=np.eye(3)))
+
+    def test_of_those_that_look_alike_the_fainter_one_is_found_too(self):
+        picture = np.zeros((*sight.SIZE, 3))
+        for row, column, color in ((20, 40, (0, 1, 0)), (30, 10, (0, 0.5, 0)), (5, 5, (1, 0, 0)), (5, 60, (1, 0, 0)),
+                                   (50, 5, (0, 0, 1)), (50, 60, (0, 0, 1))):
+            picture[row * sight.CELL:(row + 1) * sight.CELL, column * sight.CELL:(column + 1) * sight.CELL] = color
+        cells, chances = self.eye.find(picture)
+        columns = sight.SIZE[1] // sight.CELL
+        places = [(5, 5), (30, 10), (50, 5), (5, 60), (20, 40), (50, 60)]
+        self.assertEqual(cells.tolist(), [row * columns + column for row, column in places], "from left to right")
+        self.assertGreater(chances.min(), SURE)
+
+    def test_what_is_put_down_stays_where_the_gripper_opened(self):
+        self.eye.seen = np.array([[0.0, 0, 0.5, 0], [5, 5, 0.5, 0]])
+        for tool in ([0.1, 0, 0.8, 0, OPEN], [0.1, 0, 0.8, 0, CLOSED], [3, 2, 1.8, 0, CLOSED], [3, 2, 0.8, 0, OPEN], [6, 6, 3, 0, OPEN]):
+            self.eye.follow(0, np.array(tool))
+        np.testing.assert_allclose(self.eye.seen, [[2.9, 2, 0.5, 0], [5, 5, 0.5, 0]])
 
 
 class DecidingTest(unittest.TestCase):

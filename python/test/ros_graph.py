@@ -57,6 +57,12 @@ class Program:
         """Returns the exit code."""
         return self._process.wait(PATIENCE)
 
+    def freeze(self, seconds):
+        """Stands still, as on a machine that stops for a while."""
+        self._process.send_signal(signal.SIGSTOP)
+        time.sleep(seconds)
+        self._process.send_signal(signal.SIGCONT)
+
     def interrupt(self):
         self._process.send_signal(signal.SIGINT)
 

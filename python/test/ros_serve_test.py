@@ -294,6 +294,11 @@ class GraphTest(unittest.TestCase):
         self.assertTrue(client.wait_for_result(rospy.Duration(10 * PATIENCE)))
         self.assertEqual(client.get_state(), actionlib.GoalStatus.PREEMPTED)
 
+    def test_zy_a_program_that_stood_still_has_not_lost_its_master(self):
+        before = self.message("/clock", Clock).clock
+        self.served.freeze(3.5)
+        wait_until(lambda: self.message("/clock", Clock).clock > before, "going on")
+
     def test_zz_ends_with_its_master_and_leaves_a_recording(self):
         self.graph.master.end()
         self.assertNotEqual(self.served.wait(), 0)

@@ -50,7 +50,8 @@ class _ImpatientTransport(xmlrpc.client.Transport):
 def _master_answers() -> bool:
     try:
         with xmlrpc.client.ServerProxy(os.environ["ROS_MASTER_URI"], _ImpatientTransport()) as master:
-            return int(master.getPid(rospy.get_name())[0]) == 1
+            answer: Any = master.getPid(rospy.get_name())
+            return bool(answer[0] == 1)
     except (OSError, http.client.HTTPException, xmlrpc.client.Error):
         return False
 

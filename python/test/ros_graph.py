@@ -57,10 +57,10 @@ class Program:
         """Returns the exit code."""
         return self._process.wait(PATIENCE)
 
-    def freeze(self, seconds):
-        """Stands still, as on a machine that stops for a while."""
+    def freeze(self):
         self._process.send_signal(signal.SIGSTOP)
-        time.sleep(seconds)
+
+    def thaw(self):
         self._process.send_signal(signal.SIGCONT)
 
     def interrupt(self):

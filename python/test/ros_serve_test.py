@@ -7,6 +7,7 @@ import math
 import os
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -296,7 +297,12 @@ class GraphTest(unittest.TestCase):
 
     def test_zy_a_program_that_stood_still_has_not_lost_its_master(self):
         before = self.message("/clock", Clock).clock
-        self.served.freeze(3.5)
+        for program in (self.graph.master, self.served):
+            program.freeze()
+        time.sleep(3.5)
+        self.served.thaw()
+        time.sleep(0.5)
+        self.graph.master.thaw()
         wait_until(lambda: self.message("/clock", Clock).clock > before, "going on")
 
     def test_zz_ends_with_its_master_and_leaves_a_recording(self):

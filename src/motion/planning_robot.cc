@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "base/wording.h"
+#include "motion/internal_probe_store.h"
 #include "robot/urdf_reader.h"
 #include "scene/units.h"
 
@@ -45,7 +46,9 @@ scene::Solid TableOf(double width, double depth, double meters_per_unit) {
 
 PlanningRobot::PlanningRobot(robot::RobotModel model, const Eigen::Matrix4d& base_pose,
                              double meters_per_unit)
-    : model_(std::move(model)), meters_per_unit_(CheckedUnit(meters_per_unit)) {
+    : model_(std::move(model)),
+      meters_per_unit_(CheckedUnit(meters_per_unit)),
+      probes_(std::make_shared<ProbeStore>()) {
   X_WBase_ = FromUnits(base_pose, "base");
   for (const robot::Arm& arm : model_.arms) arms_.emplace_back(model_, arm, X_WBase_);
 }
@@ -185,9 +188,9 @@ std::variant<JointTrajectory, LineFault> PlanningRobot::MoveLine(std::string_vie
   return MoveAlongLine(Find(arm), q_from, FromUnits(goal, "goal"), options);
 }
 
-const robot::Arm& PlanningRobot::ArmOf(const JointTrajectory& trajectory) const {
+std::size_t PlanningRobot::ArmOf(const JointTrajectory& trajectory) const {
   for (std::size_t i = 0; i < arms_.size(); ++i) {
-    if (arms_[i].joint_names() == trajectory.joint_names) return model_.arms[i];
+    if (arms_[i].joint_names() == trajectory.joint_names) return i;
   }
   throw std::invalid_argument("the trajectory moves " +
                               std::to_string(trajectory.joint_names.size()) +
@@ -232,13 +235,19 @@ std::optional<InvalidMoment> PlanningRobot::FirstInvalid(
       q[robot::FindJoint(model_, names[i]).value()] = q_both[i];
     }
   }
-  std::vector<scene::Solid> environment;
-  if (table) environment.push_back(TableOf(table->first, table->second, meters_per_unit_));
-  // A new probe per call, since it depends on the table and on what is held.
-  ArticulationProbe probe(
-      held ? Holding(*held, ArmOf(trajectory)) : robot::MakeArticulationSpec(model_, X_WBase_),
-      environment);
-  return motion::FirstInvalid(model_, trajectory, q, &probe);
+  const ProbeStore::Setting setting{table, held, held ? ArmOf(trajectory) : 0};
+  std::unique_ptr<ArticulationProbe> probe = probes_->Take(setting);
+  if (!probe) {
+    std::vector<scene::Solid> environment;
+    if (table) environment.push_back(TableOf(table->first, table->second, meters_per_unit_));
+    probe =
+        std::make_unique<ArticulationProbe>(held ? Holding(*held, model_.arms[setting.arm])
+                                                 : robot::MakeArticulationSpec(model_, X_WBase_),
+                                            environment);
+  }
+  auto moment = motion::FirstInvalid(model_, trajectory, q, probe.get());
+  probes_->GiveBack(setting, std::move(probe));
+  return moment;
 }
 
 PlanningRobot ReadPlanningRobot(const std::filesystem::path& urdf, const Eigen::Matrix4d& base_pose,

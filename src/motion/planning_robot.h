@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,15 +11,13 @@
 #include <vector>
 
 #include "motion/arm_moves.h"
+#include "motion/held_box.h"
 #include "motion/inverse_kinematics.h"
 #include "motion/path_check.h"
 
 namespace smile::motion {
 
-/// What an arm holds, for the check of a motion: all of a box, in the frame of the tool [units].
-struct HeldBox {
-  Vector3 lower = Vector3::Zero(), upper = Vector3::Zero();  ///< opposite corners
-};
+class ProbeStore;
 
 /// A robot for planning programs in any language: it stands in the world of a scene, and all
 /// lengths are in the scene's unit. The C++, Python and Octave interfaces all use this class, so
@@ -99,8 +98,8 @@ class PlanningRobot {
  private:
   const ArmKinematics& Find(std::string_view arm) const;
   RigidTransform FromUnits(const Eigen::Matrix4d& pose, const char* what) const;
-  /// Returns the arm all of whose joints a trajectory moves, and no others.
-  const robot::Arm& ArmOf(const JointTrajectory& trajectory) const;
+  /// Returns the index of the arm all of whose joints a trajectory moves, and no others.
+  std::size_t ArmOf(const JointTrajectory& trajectory) const;
   /// Returns the robot for a check of contacts, with a box in one hand.
   scene::ArticulationSpec Holding(const HeldBox& held, const robot::Arm& arm) const;
 
@@ -108,6 +107,7 @@ class PlanningRobot {
   double meters_per_unit_ = 1;
   RigidTransform X_WBase_;
   std::vector<ArmKinematics> arms_;  ///< as in the model
+  std::shared_ptr<ProbeStore> probes_;
 };
 
 /// Reads a robot's description from a URDF file or from the files that a brain receives.

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
 #include "arm.h"
 #include "motion/planning_robot.h"
 
@@ -52,6 +57,35 @@ TEST(FirstInvalid, FindsWhereArmsMeetUnlessTheOtherIsElsewhere) {
   EXPECT_GT(touch->seconds, 0);
   q_both[7] = -1.6;
   EXPECT_EQ(robot.FirstInvalid(move, q_both, std::nullopt), std::nullopt);
+}
+
+TEST(FirstInvalid, AnswersAsARobotThatWasAskedNothingBeforeAndToSeveralThreads) {
+  const PlanningRobot robot = AtTable();
+  const std::vector<double> q = *robot.NamedPose("left", "untucked");
+  std::vector<double> across = q;
+  across[0] -= 0.3;
+  const JointTrajectory move = robot.MoveJoints("left", std::vector{q, across});
+  const double height = robot.Forward("left", q)(2, 3);
+  // More rods, with and without the table, than probes are kept; the longer ones reach the table.
+  const auto ask = [&](const PlanningRobot& asked, int question) {
+    const Vector3 upper(0.1, 0.1, 0.2 + height * (question / 2) / 8);
+    return asked.FirstInvalid(
+        move, {}, question % 2 == 0 ? std::nullopt : std::optional(std::pair(20.0, 12.0)),
+        HeldBox{.lower = {-0.1, -0.1, 0}, .upper = upper});
+  };
+  std::vector<std::optional<InvalidMoment>> expected;
+  for (int question = 0; question < 24; ++question) expected.push_back(ask(AtTable(), question));
+  EXPECT_NE(expected.front(), expected.back()) << "not all questions have the same answer";
+  std::vector<std::thread> threads;
+  for (int thread = 0; thread < 4; ++thread) {
+    threads.emplace_back([&, thread] {
+      for (int i = 0; i < 48; ++i) {
+        const int question = (i * (2 * thread + 1)) % 24;
+        EXPECT_EQ(ask(robot, question), expected[static_cast<std::size_t>(question)]) << question;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
 }
 
 TEST(FirstInvalid, FindsWhereWhatAHandHoldsMeetsTheTableOrTheRobot) {

@@ -13,9 +13,9 @@ function actions = planHeldUse(hold, taken, load, tool, way, turn, avoided, ways
   [above, start] = hold.poses{1:2};
   put = {above, atHeight(start, start(3, 4) + c.place_height_margin), above};
   at = @(it) heldToolPose(arm, tool, hold.grasp.yaw, hold.grip, it, turn);
-  work = cellfun(at, way([1, 2, 1]), 'UniformOutput', false);
+  work = cellfun(at, way, 'UniformOutput', false);
   isClear = @(path) isUseClear(arm, path, load, avoided);
-  path = planThereAndBack(arm, taken, work, put, ways, boxAround(load), isClear);
+  path = planThereAndBack(arm, taken, work([1, 2, 1]), put, ways, boxAround(load), isClear);
   actions = {};
   if isempty(path), return; end
   move = cellfun(@(it) struct('kind', 'follow', 'arm', arm, 'path', it), path, 'UniformOutput', false);

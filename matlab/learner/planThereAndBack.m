@@ -9,12 +9,11 @@ function path = planThereAndBack(arm, taken, work, put, ways, held, isClear)
 %            height of the tool (height [units]); 0 for no such height
 %   held     box around what it holds: see isPathValid
 %   isClear  function of the first of these paths, at least up to the work: whether nothing is in the way
+  % Most ways are excluded by where the work begins or on the way there: this is looked at before the rest is planned.
+  canBegin = @(q) isPathValid(arm, moveJoints(arm, q), held);
   for way = ways
-    [there, via] = thereOn(arm, taken, work, way);
-    if isempty(there), continue; end
-    % Most ways are excluded by where the work begins or on the way there: this is looked at before the rest is planned.
-    last = moveJoints(arm, there{end}.positions(end, :));
-    if ~arePathsValid(arm, {last, there{end}}, held) || ~isClear(there), continue; end
+    [there, via] = thereOn(arm, taken, work, way, canBegin);
+    if isempty(there) || ~isPathValid(arm, there{end}, held) || ~isClear(there), continue; end
     path = backAfter(arm, moveLines(arm, there, work(2:end)), put, via);
     if isempty(path), continue; end
     path{end + 1} = moveJoints(arm, [path{end}.positions(end, :); arm.parked]);
@@ -24,12 +23,14 @@ function path = planThereAndBack(arm, taken, work, put, ways, held, isClear)
   path = {};
 end
 
-function [path, via] = thereOn(arm, taken, work, way)
+function [path, via] = thereOn(arm, taken, work, way, canBegin)
 % Returns some paths and the one that follows on a way to the first pose of some work, {} if there is none; and the joint angles
 % between which it leads, [] for a straight line.
+%   canBegin  function of joint angles: whether the work can begin there
   via = [];
   if way.is_line
     path = moveLines(arm, taken, work(1));
+    if ~isempty(path) && ~canBegin(path{end}.positions(end, :)), path = {}; end
     return
   end
   path = {};
@@ -39,8 +40,8 @@ function [path, via] = thereOn(arm, taken, work, way)
     via = [via; solvePoses(arm, over, via, 0)];
     if rows(via) == 1, return; end
   end
-  first = solvePoseSequence(arm, work, via(end, :));
-  if isempty(first), return; end
+  first = solvePoses(arm, work(1), via(end, :), 0);
+  if isempty(first) || ~canBegin(first) || rows(solvePoses(arm, work(2:end), first, 0)) < numel(work) - 1, return; end
   path = [taken, {moveJoints(arm, [via; first])}];
 end
 

@@ -30,10 +30,13 @@ def plan_there_and_back(arm, taken, work, put, ways, held, is_clear):
     held:      box around what it holds, see is_path_valid
     is_clear:  function of the first of those paths, at least up to the work: whether nothing is in the way
     """
+    # Most Ways are excluded by where the work begins or on the way there: this is looked at before the rest is planned.
+    def can_begin(q):
+        return is_path_valid(arm, move_joints(arm, [q]), held)
+
     for way in ways:
-        there, via = there_on(arm, taken, work, way)
-        # Most Ways are excluded by where the work begins or on the way there: this is looked at before the rest is planned.
-        if not there or not are_valid(arm, [end_of(arm, there), there[-1]], held) or not is_clear(there):
+        there, via = there_on(arm, taken, work, way, can_begin)
+        if not there or not is_path_valid(arm, there[-1], held) or not is_clear(there):
             continue
         path = back_after(arm, lines(arm, there, work[1:]), put, via)
         if not path:
@@ -47,8 +50,3 @@ def plan_there_and_back(arm, taken, work, put, ways, held, is_clear):
 def are_valid(arm, path, held=None):
     """Returns true if an arm can follow paths while it holds something, see is_path_valid."""
     return all(is_path_valid(arm, it, held) for it in path)
-
-
-def end_of(arm, path):
-    """Returns the path of an arm that stays where some paths end."""
-    return move_joints(arm, [path[-1].positions[-1]])

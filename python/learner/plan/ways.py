@@ -2,7 +2,7 @@
 
 from collections import namedtuple
 
-from act.reach import solve, solve_pose_sequence
+from act.reach import solve
 from act.segments import at_height, move_joints, move_line
 
 # How an arm comes from one pose to another: on a straight line, or in any way, which passes over both at a height of
@@ -10,19 +10,23 @@ from act.segments import at_height, move_joints, move_line
 Way = namedtuple("Way", "is_line height")
 
 
-def there_on(arm, taken, work, way):
+def there_on(arm, taken, work, way, can_begin):
     """Returns some paths and the one that follows on a Way to the first pose of some work, [] if there is none; and the
-    joint angles between which it leads, [] for a straight line."""
+    joint angles between which it leads, [] for a straight line. can_begin: function of joint angles, whether the work can
+    begin there"""
     if way.is_line:
-        return lines(arm, taken, work[:1]), []
+        path = lines(arm, taken, work[:1])
+        return (path if path and can_begin(path[-1].positions[-1]) else []), []
     via = [taken[-1].positions[-1]]
     if way.height:
         over = solve(arm, [at_height(it, way.height) for it in (arm.forward(via[0]), work[0])], via[0], 0)
         if not over:
             return [], []
         via += over
-    first = solve_pose_sequence(arm, work, via[-1])
-    return [*taken, move_joints(arm, [*via, first])] if first is not None else [], via
+    first = solve(arm, work[:1], via[-1], 0)
+    if not first or not can_begin(first[0]) or len(solve(arm, work[1:], first[0], 0)) < len(work) - 1:
+        return [], via
+    return [*taken, move_joints(arm, [*via, *first])], via
 
 
 def back_after(arm, path, put, via):

@@ -12,9 +12,8 @@
 
 namespace smile::motion {
 
-/// Probes of one robot, kept for the next question: to make one takes as long as tens of poses that
-/// it tests. For any number of threads: a thread has the probe that it took to itself until it
-/// gives it back.
+/// Probes of one robot, kept for the next question: to make one takes longer than to test a pose.
+/// For any number of threads: a thread has the probe that it took to itself until it gives it back.
 class ProbeStore {
  public:
   /// What the robot is tested with.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -61,21 +62,25 @@ TEST(FirstInvalid, FindsWhereArmsMeetUnlessTheOtherIsElsewhere) {
 
 TEST(FirstInvalid, AnswersAsARobotThatWasAskedNothingBeforeAndToSeveralThreads) {
   const PlanningRobot robot = AtTable();
-  const std::vector<double> q = *robot.NamedPose("left", "untucked");
-  std::vector<double> across = q;
-  across[0] -= 0.3;
-  const JointTrajectory move = robot.MoveJoints("left", std::vector{q, across});
-  const double height = robot.Forward("left", q)(2, 3);
-  // More rods, with and without the table, than probes are kept; the longer ones reach the table.
+  const auto move_of = [&](const std::string& arm) {
+    const std::vector<double> q = *robot.NamedPose(arm, "untucked");
+    return robot.MoveJoints(arm, std::vector{q, q});
+  };
+  const JointTrajectory left = move_of("left"), right = move_of("right");
+  const double height = robot.Forward("left", left.points[0].positions)(2, 3);
+  // More rods in either hand, with and without the table, than probes are kept; the longer ones
+  // reach the table.
   const auto ask = [&](const PlanningRobot& asked, int question) {
-    const Vector3 upper(0.1, 0.1, 0.2 + height * (question / 2) / 8);
+    const Vector3 upper(0.1, 0.1, 0.2 + height * (question / 4) / 4);
     return asked.FirstInvalid(
-        move, {}, question % 2 == 0 ? std::nullopt : std::optional(std::pair(20.0, 12.0)),
+        question / 2 % 2 == 0 ? left : right, {},
+        question % 2 == 0 ? std::nullopt : std::optional(std::pair(20.0, 12.0)),
         HeldBox{.lower = {-0.1, -0.1, 0}, .upper = upper});
   };
   std::vector<std::optional<InvalidMoment>> expected;
   for (int question = 0; question < 24; ++question) expected.push_back(ask(AtTable(), question));
-  EXPECT_NE(expected.front(), expected.back()) << "not all questions have the same answer";
+  EXPECT_NE(expected[0], expected[21]) << "not all questions have the same answer";
+  EXPECT_NE(expected[21], expected[23]) << "each hand has its own";
   std::vector<std::thread> threads;
   for (int thread = 0; thread < 4; ++thread) {
     threads.emplace_back([&, thread] {

@@ -6,7 +6,7 @@ function [action, motor, status, image_seconds, sensor] = executeAction(action, 
 %   sensor  with the mean of several pictures, if the observed ones have noise
 %   action.kind  'observe'  waits for pictures of the arms at rest
 %                'follow'   follows a path with an arm
-%                'press'    likewise, until something stops it
+%                'press'    likewise, until something stops it, and back
 %                'open'     brings the fingers of an arm to an opening `to` [units]
 %                'grasp'    closes the fingers on a block of a `width` [units]
   still = cellfun(@(joints) zeros(numel(joints), 1), {aux.arms.joints}, 'UniformOutput', false);
@@ -19,11 +19,12 @@ function [action, motor, status, image_seconds, sensor] = executeAction(action, 
   switch action.kind
     case 'observe'
       [action, motor.ticks, status, image_seconds, sensor] = waitForPictures(action, sensor, aux);
-    case {'follow', 'press'}
+    case 'follow'
       [action, velocities, status] = followPath(action, sensor, aux);
       motor.ticks = size(velocities, 2);
       motor.arms(action.arm.index).velocities = velocities;
-      if strcmp(action.kind, 'press') && ~strcmp(status, 'busy'), status = 'done'; end
+    case 'press'
+      [action, motor.arms(action.arm.index).velocities, status] = pressAlong(action, sensor, aux);
     case 'open'
       remaining = action.to - sensor.arms(action.arm.index).gripper;
       if abs(remaining) < c.opening_tolerance

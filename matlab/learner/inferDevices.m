@@ -39,6 +39,15 @@ function presses = inferDevices(demo, steps, appearances, needs)
   for k = find(cellfun(@isempty, {presses.tool}))
     presses(k).changed = presses(k).changed & placeOfControl(presses(k).control, presses);
   end
+  for k = 1:numel(presses)
+    presses(k).unchanged = unchangedBy(presses(k), presses);
+  end
+end
+
+function number = unchangedBy(press, presses)
+% Returns the numbers of the regions that other presses of its control changed, and it did not: HxW; 0 elsewhere.
+  of_control = {presses(strcmp({presses.control}, press.control)).changed};
+  number = largeRegions(any(cat(3, of_control{:}), 3) & ~press.changed);
 end
 
 function mask = placeOfControl(control, presses)

@@ -7,8 +7,11 @@ actions{1} = action;
 if strcmp(status, 'done')
   actions(1) = [];
   if isempty(actions)
-    num_retreats = 0;
     [actions, state] = chooseActions(state, sensor, eye, hands);
+    if num_retreats > constants().task_planning.max_retreats && isempty(state.claim)
+      state = giveUp(state, 'because the arm is stuck');
+    end
+    num_retreats = 0;
   end
 elseif ~strcmp(status, 'busy')
   state.notes(end + 1) = asNote('contradicted', status);
@@ -18,7 +21,7 @@ elseif ~strcmp(status, 'busy')
     q = sensor.arms(action.arm.index).joints(:)';
     actions = retreat(action.arm, q, num_retreats == 1);
   else
-    state = giveUp(state, 'because the arm is stuck');
+    actions = {struct('kind', 'observe')};  % all may be done already
   end
 end
 if ~isempty(state.notes)

@@ -5,6 +5,7 @@ function press = newPress(control, after, before, later, changed)
 %   before    picture of the demonstration before it, HxWx3
 %   later     and after it
 %   changed   mask of the pixels that it changed, HxW logical
+%   unchanged numbers of the regions that only other presses of the control changed, HxW; 0 elsewhere
 %   tool      that was used, a step (see newStep) where it began and ended; [] for the press of a button
 %   pose      of a tool: x y z of its center when it was used [units], and its yaw then [rad], 1x4
 %   begin     x y z of its center where its straight way to there began, 1x3 [units]
@@ -16,6 +17,6 @@ function press = newPress(control, after, before, later, changed)
 %   attempts  number of times that it was tried
 %   done      whether it is done
   press = struct('control', control, 'after', after, 'before', before, 'later', later, 'changed', changed, ...
-                 'tool', [], 'pose', [], 'begin', [], 'at', [], 'turns', [], 'height', [], 'grasp', [], ...
-                 'attempts', 0, 'done', false);
+                 'unchanged', [], 'tool', [], 'pose', [], 'begin', [], 'at', [], 'turns', [], 'height', [], ...
+                 'grasp', [], 'attempts', 0, 'done', false);
 end

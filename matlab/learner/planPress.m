@@ -20,6 +20,7 @@ function [actions, attempt, problem] = planPress(press, alignment, surface, stat
         above = atHeight(down, blockTops(button) + height + arm.reach);
         path = planPathThrough(arm, {above, down, above}, others, sensor.arms(arm.index).joints(:)');
         if isempty(path), continue; end
+        path(3) = [];  % a press goes back by itself
         moves = cellfun(@(it) struct('kind', 'follow', 'arm', arm, 'path', it), path, 'UniformOutput', false);
         moves{2}.kind = 'press';
         actions = [{struct('kind', 'open', 'arm', arm, 'to', 0)}, moves, {struct('kind', 'observe')}];

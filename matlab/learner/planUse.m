@@ -14,7 +14,7 @@ function [actions, state, problem] = planUse(use, alignment, surface, state, arm
   looks = surface.points(is_tool, :);
   around = surface.points(~is_tool, :);
   % On the straight way to its work, the tool passes as in the demonstration, and may touch what it changes.
-  fixed = around(~isChanged(use, alignment, around, state.shown), :);
+  fixed = around(~isWithin(use.changed, alignment, around, state.shown), :);
   avoided = [surroundingsOf(around), surroundingsOf(fixed)];
   problem = 'no arm brings it there and back';
   able = arms(arrayfun(@(arm) canHold(arm, tool.size(2)), arms));

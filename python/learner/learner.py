@@ -41,9 +41,7 @@ def init(aux):
                           without=vars(aux).get("without", ()), see=vars(aux).get("see"))
     aux.actions = [Action("observe")]  # the next actions, in this order
     aux.num_retreats = 0  # number of successive retreats after failed actions
-
     aux.channels = ["rgb", "depth"]
-
     # The arms start outside the picture.
     for arm in arms:
         aux.arms[arm.index].initJoints = arm.parked
@@ -59,8 +57,10 @@ def step(sensor, motor, aux):
     if status == "done":
         aux.actions.pop(0)
         if not aux.actions:
-            aux.num_retreats = 0
             aux.actions = choose_actions(aux.state, sensor, aux.eye, aux.hands)
+            if aux.num_retreats > TASK_PLANNING.max_retreats and not aux.state.claim:
+                give_up(aux.state, "because the arm is stuck")
+            aux.num_retreats = 0
     elif status != "busy":
         aux.state.notes.append(Note("contradicted", status))
         if aux.num_retreats == 0:
@@ -71,7 +71,7 @@ def step(sensor, motor, aux):
             q = sensor.arms[arm.index].joints
             aux.actions = retreat(arm, q, can_rise=aux.num_retreats == 1)
         else:
-            give_up(aux.state, "because the arm is stuck")
+            aux.actions = [Action("observe")]  # all may be done already
     tell(aux, sensor.simTime)
     if aux.state.claim:
         aux.claim = f"{'done' if aux.state.claim.done else 'gave up'}: {aux.state.claim.reason}"

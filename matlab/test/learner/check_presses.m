@@ -16,8 +16,11 @@ function check_presses()
   button = buttonOf(press, alignment, surface, eye);
   check(norm(button.position(1:2) - [1.5, -3] - rotated([0.3, -0.4], 0.4)) < 0.14, 'the raised side is the button');
   check(abs(blockTops(button) - 0.45) < 0.01, 'at its height');
+  check(abs(sin(button.yaw - 0.4)) < 0.1, 'fingers lie along its hinge');
   [picture, heights] = pictureOf(fixture(1.5, -3, 0.4, true));
   check(looksPressed(press, alignment, surfaceOf(picture, heights, eye), eye), 'another look shows that it was pressed');
+  check_two_presses(eye);
+  check_stop();
 
   state = knowColors(initialTaskState(noSteps(), [], press, eye), picture, eye, heights);
   check(isequal(state.presses.before, press.before), 'in the same light nothing changes');
@@ -47,13 +50,54 @@ function check_presses()
   check(~is_moving, 'until it looks the same several times');
 end
 
-function blocks = fixture(x, y, yaw, is_on)
-% Returns a panel with a switch on it, and a lamp, if that is on.
+function check_two_presses(eye)
+% A switch is pressed twice: the first time, both lamps go off, and the second time, one goes on.
+  picture = @(varargin) pictureOf(fixture(0, -2, 0, varargin{:}));
+  [folder, remove] = newRecording({picture(true, true), picture(false), picture(true)});
+  write(folder, '0.txt', {'0,create,Panel,shape,composite', '0,move,Panel,0.0,-2.0,0.1,0.0,0.0,0.0'});
+  write(folder, '1.txt', {'1,trigger,LeftHand,Switch'});
+  write(folder, '2.txt', {'2,trigger,LeftHand,Switch'});
+  press = inferDevices(readDemonstration(folder), noSteps(), noBlocks())(2);
+  [picture, heights] = pictureOf(fixture(1.5, -3, 0.4, false));
+  alignment = locateControl(press, picture, heights, eye, eye);
+  for is_failing = [true, false]
+    [picture, heights] = pictureOf(fixture(1.5, -3, 0.4, true, is_failing));
+    yes = looksPressed(press, alignment, surfaceOf(picture, heights, eye), eye);
+    check(yes == ~is_failing, 'a lamp that an earlier press switched off is to be off');
+  end
+end
+
+function check_stop()
+% An arm of one joint presses what is at 0.5 rad, on a path of a second to 1 rad.
+  eval('function q = smileSample(~, seconds), q = min(max(seconds(:), 0), 1); end');
+  remove = onCleanup(@() clear('-f', 'smileSample'));
+  path = struct('positions', [0; 1], 'duration', 1);
+  action = struct('kind', 'press', 'arm', struct('index', 1), 'path', path);
+  aux = struct('tickSeconds', 1 / 60, 'arms', struct('joints', {{'j1'}}));
+  q = 0;
+  status = 'busy';
+  num_ticks = 0;
+  while strcmp(status, 'busy') && num_ticks < 120
+    sensor = struct('arms', struct('joints', q), 'timeElapsed', aux.tickSeconds);
+    [action, motor, status] = executeAction(action, sensor, aux);
+    wanted = q + motor.arms.velocities * aux.tickSeconds;
+    check(motor.ticks == 1 && wanted < 0.56, 'a press does not push on');
+    q = min(wanted, 0.5);
+    num_ticks = num_ticks + 1;
+  end
+  check(strcmp(status, 'done') && abs(q) < 0.001, 'but goes back');
+  check(abs(num_ticks * aux.tickSeconds - 1) < 0.1, 'as soon as something stops the arm');
+end
+
+function blocks = fixture(x, y, yaw, is_on, is_failing)
+% Returns a panel with a switch on it, and lamps, if they are on.
+  if nargin < 5, is_failing = false; end
   at = @(dx, dy) [x, y] + rotated([dx, dy], yaw);
   part = @(color, size, at, bottom) block(color, size, at(1), at(2), bottom, yaw);
   gray = [0.5, 0.5, 0.5];
   blocks = [part([0.5, 0.3, 0.2], [3, 2.4, 0.2], [x, y], 0), part([0, 0, 1], [0.4, 1.6, 0.3], at(1.2, 0), 0.2)];
   if is_on, blocks = [blocks, part([0, 1, 0], [0.3, 0.3, 0.05], at(-0.3, 0.5), 0.2)]; end
+  if is_failing, blocks = [blocks, part([1, 0, 0], [0.3, 0.3, 0.05], at(0.3, 0.5), 0.2)]; end
   side = 0.3;
   if is_on, side = -0.3; end
   blocks = [blocks, part(gray, [1, 0.5, 0.1], at(0, -0.4), 0.2), part(gray, [0.4, 0.5, 0.15], at(side, -0.4), 0.3)];

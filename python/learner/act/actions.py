@@ -24,7 +24,7 @@ class Action:
 
     kind: str  # 'observe': waits for a picture of the arms at rest
     #            'follow': follows a path with an arm
-    #            'press': likewise, until something stops it
+    #            'press': likewise, until something stops it, and back
     #            'open': brings the fingers of an arm to an opening
     #            'grasp': closes the fingers on a block of a width
     arm: Arm = None
@@ -36,6 +36,7 @@ class Action:
     time: float = 0  # since its start [s]
     opening: float = np.inf  # at which the fingers came to rest [units]
     still_time: float = 0  # since then [s]
+    turn: float = np.inf  # time at which a press went back [s]
     pictures: list = field(default_factory=list)  # of the arms at rest
     noise: float = 0  # of the first of them
 

@@ -59,5 +59,16 @@ def follow(action, sensor, motor, aux):
 
 
 def press(action, sensor, motor, aux):
-    """Follows a path to its end, or until something stops the arm."""
-    return "busy" if follow(action, sensor, motor, aux) == "busy" else "done"
+    """Follows a path to its end, or until something stops the arm, and back to its start. Each tick has feedback: an
+    arm that pushes on slips off what it presses."""
+    q = sensor.arms[action.arm.index].joints
+    # action.time is the end of this tick.
+    time = vars(aux).get("variationSpeed", 1) * np.array([action.time - aux.tickSeconds, action.time])
+    (expected, wanted), _ = action.path.at(np.minimum(time, 2 * action.turn - time))
+    if action.turn == np.inf and (time[0] > action.path.duration or np.abs(expected - q).max() > C.stall_rad):
+        action.turn = time[0]
+    motor.arms[action.arm.index].velocities = (wanted - q) / aux.tickSeconds
+    delay = time[1] - 2 * action.turn
+    if delay > 0 and np.abs(action.path.positions[0] - q).max() < C.joint_tolerance_rad:
+        return "done"
+    return "an obstacle is in the way of the arm" if delay > C.max_delay_s else "busy"

@@ -3,7 +3,7 @@
 from constants import USES
 from explain.drives import Drive, drive_at
 from explain.needs import closed
-from explain.presses import Press, changes, place_of
+from explain.presses import Press, changes, place_of, unchanged_by
 from explain.uses import use_at
 
 
@@ -39,4 +39,6 @@ def infer_devices(demo, steps, needs=None):
             presses.append(Press(control, after, *changes(demo, frame, frame + 1, control)))
     for press in [it for it in presses if not it.tool]:
         press.changed &= place_of(press.control, presses)
+    for press in presses:
+        press.unchanged = unchanged_by(press, presses)
     return presses

@@ -20,6 +20,8 @@ class Press:
     before: np.ndarray  # picture of the demonstration before it, HxWx3
     later: np.ndarray  # and after it
     changed: np.ndarray  # mask of the pixels that it changed, HxW bool
+    unchanged: Optional[np.ndarray] = None  # numbers of the regions that only other presses of the control changed,
+    #                                         HxW int; 0 elsewhere
     tool: Optional[Step] = None  # that was used, in a Use
     attempts: int = 0
     grasp: Optional[object] = None  # of the last attempt
@@ -45,6 +47,13 @@ def place_of(control, presses):
     return mask
 
 
+def unchanged_by(press, presses):
+    """Returns the numbers of the regions that other presses of its control changed, and it did not: HxW int; 0
+    elsewhere."""
+    of_control = [it.changed for it in presses if it.control == press.control]
+    return large_regions(np.any(of_control, axis=0) & ~press.changed)
+
+
 def changes(demo, first, end, what):
     """Returns the last picture of a demonstration before a frame, the last one before a later frame, and the mask of
     the pixels that differ. what: it shows, for messages"""
@@ -54,10 +63,14 @@ def changes(demo, first, end, what):
     if not earlier or not later:
         raise ValueError(f"no picture of the demonstration shows what was done to {what}")
     before, after = (read_picture(demo, it[-1]) for it in (earlier, later))
-    number = label_regions(np.abs(after - before).max(axis=2) > C.min_change)
-    sizes = np.bincount(number.ravel())
-    # Thin rims change where something still moves a little.
-    changed = (number > 0) & (sizes[number] >= C.min_changed_pixels)
+    changed = large_regions(np.abs(after - before).max(axis=2) > C.min_change) > 0
     if not changed.any():
         raise ValueError(f"no picture of the demonstration shows what was changed at {what}")
     return before, after, changed
+
+
+def large_regions(mask):
+    """Returns the numbers of the connected regions of a mask, HxW; 0 where it is false, and at thin rims, which change
+    where something still moves a little."""
+    number = label_regions(mask)
+    return np.where(np.bincount(number.ravel())[number] < C.min_changed_pixels, 0, number)

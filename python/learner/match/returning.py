@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from match.controls import locate
 from match.landmarks import turned_about
-from match.pressing import locate
 from match.sites import NoSite
 from things.areas import rotated
 from things.kinds import is_same_kind

@@ -3,7 +3,8 @@
 from constants import PRESSES as C
 from explain.drives import Drive
 from match.alignment import agreement
-from match.pressing import locate, looks_pressed
+from match.controls import locate
+from match.pressing import looks_pressed
 from plan.drive_planning import plan_drive, was_driven
 from plan.press_planning import plan_press
 from plan.use_planning import plan_use

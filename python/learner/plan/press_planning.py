@@ -28,7 +28,7 @@ def plan_press(press, alignment, surface, state, arms, sensor):
                 above = at_height(down, button.top + height + arm.reach)
                 path = plan_path_through(arm, [above, down, above], others, sensor.arms[arm.index].joints)
                 if path:
-                    kinds = ["follow", "press", "follow", "follow"]
-                    moves = [Action(kind, arm, it) for kind, it in zip(kinds, path)]
+                    there, down, _, home = path  # a press goes back by itself
+                    moves = [Action("follow", arm, there), Action("press", arm, down), Action("follow", arm, home)]
                     return [Action("open", arm, to=0), *moves, Action("observe")], attempt, None
     return [], None, "no arm reaches it"

@@ -6,7 +6,7 @@ import numpy as np
 
 from act.grippers import can_hold, nearest_first
 from constants import USES as C
-from match.pressing import is_changed
+from match.pressing import is_within
 from match.tools import find_tool
 from plan.carrying import surroundings_of
 from plan.loads import belongs_to
@@ -29,7 +29,7 @@ def plan_use(use, alignment, surface, state, arms, sensor):
     is_tool = belongs_to(tool, surface.points)
     looks, around = surface.points[is_tool], surface.points[~is_tool]
     # On the straight way to its work, the tool passes as in the demonstration, and may touch what it changes.
-    fixed = around[~is_changed(use, alignment, around, state.shown)]
+    fixed = around[~is_within(use.changed, alignment, around, state.shown)]
     avoided = surroundings_of(around), surroundings_of(fixed)
     able = nearest_first([it for it in arms if can_hold(it, tool.size[1])], tool.position[0])
     candidates = holds(able, tool, looks, others, state.failures, sensor)

@@ -1,10 +1,12 @@
-"""Tests how the arms hold blocks, and where noisy joints are."""
+"""Tests how the arms hold and press, and where noisy joints are."""
 
 import unittest
 from types import SimpleNamespace
 
 import numpy as np
 
+from act.actions import Action
+from act.execution import execute_action
 from act.finger_room import grasp_yaws, is_grasp_blocked
 from act.joint_estimates import JointEstimates
 from scenes import BLUE, CUBE, GREEN, PLANK, RED, block
@@ -40,6 +42,34 @@ class JointEstimatesTest(unittest.TestCase):
         told = np.repeat([[0, 0], [0.2, 0]], [20, 120], axis=0)
         blocked = self.estimates_while(np.zeros((140, 2)), told, 0.01)
         self.assertLess(np.abs(blocked).max(), 0.1, "the motors were told to go to 0.4")
+
+
+class PressTest(unittest.TestCase):
+    """An arm of one joint presses what is at 0.5 rad, on a path of a second to 1 rad."""
+
+    TICK = 1 / 60  # [s]
+
+    def at(self, times):
+        angles = np.clip(times, 0, 1)[:, None]
+        return angles, np.zeros_like(angles)
+
+    def test_a_press_goes_back_as_soon_as_something_stops_the_arm(self):
+        path = SimpleNamespace(positions=np.array([[0.0], [1.0]]), duration=1.0, at=self.at)
+        action = Action("press", SimpleNamespace(index=0), path)
+        aux = SimpleNamespace(tickSeconds=self.TICK)
+        q, status, num_ticks = np.zeros(1), "busy", 0
+        while status == "busy" and num_ticks < 120:
+            sensor = SimpleNamespace(arms=[SimpleNamespace(joints=q)], timeElapsed=self.TICK)
+            motor = SimpleNamespace(arms=[SimpleNamespace()])
+            status = execute_action(action, sensor, motor, aux)
+            self.assertEqual(motor.ticks, 1)
+            wanted = q + motor.arms[0].velocities * self.TICK
+            self.assertLess(wanted[0], 0.56, "it pushes on")
+            q = np.minimum(wanted, 0.5)
+            num_ticks += 1
+        self.assertEqual(status, "done")
+        self.assertAlmostEqual(q[0], 0, delta=0.001)
+        self.assertAlmostEqual(num_ticks * self.TICK, 1, delta=0.1)
 
 
 class FingerRoomTest(unittest.TestCase):

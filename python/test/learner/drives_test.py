@@ -13,7 +13,7 @@ from explain.demonstration import read_demonstration
 from explain.devices import infer_devices
 from explain.keyframes import deed_of
 from explain.task_model import infer_task
-from match.pressing import locate
+from match.controls import locate
 from match.returning import directed, place_below, place_returning
 from plan.drive_planning import refined_at, was_driven
 from plan.driving_hands import DrivingHand

@@ -9,7 +9,8 @@ from check.other_light import know_colors
 from check.task_state import TaskState
 from explain.demonstration import read_demonstration
 from explain.devices import infer_devices
-from match.pressing import button_of, locate, looks_pressed
+from match.controls import locate
+from match.pressing import button_of, looks_pressed
 from recordings import RecordingTest
 from scenes import BLUE, BROWN, CUBE, EYE, GRAY, GREEN, RED, block, picture_of, step, thing, view_of
 from see.surfaces import surface_of
@@ -19,14 +20,15 @@ from things.areas import rotated
 class PressTest(RecordingTest):
     """A switch is pressed: its raised side changes, and a lamp goes on."""
 
-    def fixture(self, x, y, yaw, is_on):
+    def fixture(self, x, y, yaw, is_on, is_failing=False):
         def part(color, sides, dx, dy, bottom):
             dx, dy = rotated([dx, dy], yaw)
             return block(color, np.array(sides), x + dx, y + dy, bottom, yaw)
 
         side = -0.3 if is_on else 0.3
-        lamp = [part(GREEN, [0.3, 0.3, 0.05], -0.3, 0.5, 0.2)] if is_on else []
-        return [part(BROWN, [3, 2.4, 0.2], 0, 0, 0), part(BLUE, [0.4, 1.6, 0.3], 1.2, 0, 0.2), *lamp,
+        lamps = [part(GREEN, [0.3, 0.3, 0.05], -0.3, 0.5, 0.2)] if is_on else []
+        lamps += [part(RED, [0.3, 0.3, 0.05], 0.3, 0.5, 0.2)] if is_failing else []
+        return [part(BROWN, [3, 2.4, 0.2], 0, 0, 0), part(BLUE, [0.4, 1.6, 0.3], 1.2, 0, 0.2), *lamps,
                 part(GRAY, [1, 0.5, 0.1], 0, -0.4, 0.2), part(GRAY, [0.4, 0.5, 0.15], side, -0.4, 0.3)]
 
     def setUp(self):
@@ -46,8 +48,21 @@ class PressTest(RecordingTest):
         button = button_of(self.press, alignment, surface, EYE)
         np.testing.assert_allclose(button.position[:2], [x, y] + rotated([0.3, -0.4], yaw), atol=0.1)
         self.assertAlmostEqual(button.top, 0.45, delta=0.01)
+        # From finger to finger, along the hinge.
+        self.assertAlmostEqual(math.remainder(button.yaw - yaw, math.pi), 0, delta=0.1)
         surface = surface_of(*view_of(self.fixture(x, y, yaw, True)), EYE)
         self.assertTrue(looks_pressed(self.press, alignment, surface, EYE))
+
+    def test_a_lamp_that_an_earlier_press_switched_off_is_to_be_off(self):
+        self.record(*(picture_of(self.fixture(0, -2, 0, *lamps)) for lamps in [(True, True), (False, False), (True, False)]))
+        self.write(0, ["0,create,Panel,shape,composite", "0,move,Panel,0.0,-2.0,0.1,0.0,0.0,0.0"])
+        self.write(1, ["1,trigger,LeftHand,Switch"])
+        self.write(2, ["2,trigger,LeftHand,Switch"])
+        _, press = infer_devices(read_demonstration(self.folder), [])
+        alignment = locate(press, *view_of(self.fixture(1.5, -3, 0.4, False)), EYE, EYE)
+        for is_failing in True, False:
+            surface = surface_of(*view_of(self.fixture(1.5, -3, 0.4, True, is_failing)), EYE)
+            self.assertEqual(looks_pressed(press, alignment, surface, EYE), not is_failing)
 
     def test_in_another_light_the_demonstration_is_compared_as_it_would_look_there(self):
         picture, heights = view_of(self.fixture(1.5, -3, 0.4, False))

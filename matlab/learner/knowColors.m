@@ -15,7 +15,7 @@ function state = knowColors(state, picture, eye, heights)
   changes = colorChanges(unseen, tops);
   others = num2cell(state.unknownObjects);  % the wanted ones on other faces
   for k = 1:numel(others), things(end + 1) = setfield(setfield(others{k}, 'isStaying', false), 'isBox', false); end
-  for pair = find(isfinite(changes))'
+  for pair = reshape(find(isfinite(changes)), 1, [])
     [i, k] = ind2sub(size(changes), pair);
     if ~looksSo(things, unseen(i, :), tops(k, :), picture, eye, heights), changes(pair) = Inf; end
   end

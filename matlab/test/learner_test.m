@@ -26,6 +26,7 @@ try
   check_failures();
   check_parts();
   check_outlines();
+  check_light();
   check_presses();
   check_uses();
   check_drives();

@@ -57,6 +57,12 @@ class LightTest(unittest.TestCase):
         found = [it.color for it in self.state.steps]
         np.testing.assert_allclose(found, [0.7 * RED, 0.7 * BLUE], atol=0.003)
 
+    def test_others_of_nearly_its_color_are_not_taken_for_what_is_hidden(self):
+        slabs = [block(share * RED, np.array([2.4, 1.4, 1]), x, -2) for share, x in [(0.8, -3), (0.7, 3)]]
+        np.testing.assert_array_equal(self.known([block(RED, CUBE, 0, -2)], slabs), [RED])
+        know_colors(self.state, *self.look([slabs[0], block(0.7 * RED, CUBE, 3, -2)]))
+        np.testing.assert_allclose(self.state.steps[0].color, 0.7 * RED, atol=0.005)
+
     def test_the_whole_change_is_the_least(self):
         turned = [RED + [0, 0.35, 0], ORANGE + [0, 0.35, 0]]  # red becomes nearly orange, orange nearly yellow
         self.assertEqual(clear_matches(color_changes([RED, ORANGE], turned)), [0, 1])

@@ -4,12 +4,15 @@ function [actions, place, reason] = planReturning(block, step, is_back, state, a
 %   step   of the block, whose aside is in this scene
 %   place  the block where it will be
   actions = {};
+  place = block;
+  reason = 'it is put aside already';
   places = {asBlocks(step), step.aside.place};
   away = cellfun(@(it) norm(block.position - it.position), places);
-  here = places{1 + (away(2) < away(1))};
+  is_aside = away(2) < away(1);
+  if is_aside && ~is_back, return; end
+  here = places{1 + is_aside};
   there = places{2 - is_back};
   block.yaw = directed(block, here.yaw);
-  place = block;
   place.position = there.position;
   place.yaw = there.yaw;
   % Only what is as high as the fingers is in their way.

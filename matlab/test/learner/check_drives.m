@@ -19,6 +19,11 @@ function check_drives()
   cover = stepOf(demo, 1, knob, struct('object', {}, 'properties', {}));
   cover.aside = asideOf(demo, cover, appearances);
   check(max(abs(cover.aside.place.position - [3, -2, 0.95])) < 1e-9 && cover.aside.height == 2.6, 'where it was put aside');
+  for it = {cover.aside.place, cover.aside.place, asBlocks(cover); false, true, false}
+    [actions, ~, reason] = planReturning(it{1}, cover, it{2}, initialTaskState(cover, []), struct('index', {}), []);
+    is_there = it{1}.position(1) == 3 && ~it{2};
+    check(isempty(actions) && strcmp(reason, 'it is put aside already') == is_there, 'it stays aside until it comes back');
+  end
   drives = inferDevices(demo, cover, appearances);
   check(numel(drives) == 2 && isempty(drives(1).after) && isequal(drives(2).after, 1), 'two drives, before and after');
   check([drives(1).turns.number, drives(2).turns.number] == [2, 1], 'of two turns and of one');

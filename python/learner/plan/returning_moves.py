@@ -24,12 +24,12 @@ def returning_step(block, state):
 def plan_returning(block, step, is_back, state, arms, sensor):
     """Plans to put a block aside, or back. It passes over all as high as in the demonstration, and turns as there.
     Returns actions, the block where it will be, and the reason if there are no actions."""
-    here, there = step, step.aside.place
-    if np.linalg.norm(block.position - there.position) < np.linalg.norm(block.position - here.position):
-        here, there = there, here
-    block = replace(block, yaw=directed(block, here.yaw))
-    place = replace(block, position=(step if is_back else step.aside.place).position,
-                    yaw=(step if is_back else step.aside.place).yaw)
+    aside, there = step.aside.place, step if is_back else step.aside.place
+    is_aside = np.linalg.norm(block.position - aside.position) < np.linalg.norm(block.position - step.position)
+    if is_aside and not is_back:
+        return [], None, "it is put aside already"
+    block = replace(block, yaw=directed(block, aside.yaw if is_aside else step.yaw))
+    place = replace(block, position=there.position, yaw=there.yaw)
     # Only what is as high as the fingers is in their way.
     others = [it for it in state.known if it.top > min(block.top, place.top) - CLEARANCE.hand_above_top
               and not is_same_kind(it, step)]

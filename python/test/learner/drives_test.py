@@ -18,6 +18,7 @@ from match.returning import directed, place_below, place_returning
 from plan.drive_planning import refined_at, was_driven
 from plan.driving_hands import DrivingHand
 from plan.finger_depths import with_depth
+from plan.returning_moves import plan_returning
 from recordings import RecordingTest
 from scenes import BLUE, BROWN, DARK, EYE, GRAY, GREEN, LIGHT, RED, block, picture_of, view_of
 from see.surfaces import surface_of
@@ -123,6 +124,13 @@ class CoverTest(RecordingTest):
         np.testing.assert_allclose(lid.aside.place.position, [3, -2, 0.95])
         self.assertAlmostEqual(lid.aside.height, 2.6)
         self.assertIsNone(self.steps[0].aside)
+
+    def test_what_is_put_aside_stays_there_until_it_comes_back(self):
+        lid = self.steps[2]
+        reasons = [plan_returning(it, lid, is_back, TaskState(self.steps), [], None)[2]
+                   for it, is_back in [(lid.aside.place, False), (lid.aside.place, True), (lid, False)]]
+        no_arm = "no arm reaches both its place and its goal"
+        self.assertEqual(reasons, ["it is put aside already", no_arm, no_arm])
 
     def test_loosening_is_told_from_fastening_and_turns_are_counted(self):
         first, last = self.drives

@@ -3,17 +3,11 @@ function [action, velocities, status] = followPath(action, sensor, aux)
 % path, nxN, are chunks of N ticks. After its end, each tick has feedback.
   c = constants().execution;
   q = sensor.arms(action.arm.index).joints(:)';
-  status = 'busy';
   delay = action.time - action.path.duration;
   num_ticks = min(ticksWithin(-delay, aux) + 1, c.chunk_ticks);
   % action.time is the end of the first of these ticks.
   wanted = smileSample(action.path, action.time + aux.tickSeconds * (0:num_ticks - 1));
   velocities = diff([q; wanted]).' / aux.tickSeconds;
-  if delay <= 0, return; end
-  if max(abs(action.path.positions(end, :) - q)) < c.joint_tolerance_rad
-    velocities = zeros(numel(q), 1);
-    status = 'done';
-  elseif delay > c.max_delay_s
-    status = 'an obstacle is in the way of the arm';
-  end
+  status = arrival(action.path.positions(end, :), q, delay);
+  if strcmp(status, 'done'), velocities = zeros(numel(q), 1); end
 end

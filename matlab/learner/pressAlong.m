@@ -10,12 +10,6 @@ function [action, velocities, status] = pressAlong(action, sensor, aux)
     action.turn = time(1);
   end
   velocities = (on_path(2, :) - q)' / aux.tickSeconds;
-  delay = time(2) - 2 * action.turn;
-  status = 'busy';
-  if delay > 0 && max(abs(action.path.positions(1, :) - q)) < c.joint_tolerance_rad
-    velocities = zeros(numel(q), 1);
-    status = 'done';
-  elseif delay > c.max_delay_s
-    status = 'an obstacle is in the way of the arm';
-  end
+  status = arrival(action.path.positions(1, :), q, time(2) - 2 * action.turn);
+  if strcmp(status, 'done'), velocities = zeros(numel(q), 1); end
 end

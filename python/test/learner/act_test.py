@@ -2,13 +2,17 @@
 
 import unittest
 from types import SimpleNamespace
+from unittest.mock import Mock, patch
 
+import learner
 import numpy as np
 
 from act.actions import Action
 from act.execution import execute_action
 from act.finger_room import grasp_yaws, is_grasp_blocked
 from act.joint_estimates import JointEstimates
+from check.claims import Claim
+from constants import TASK_PLANNING
 from scenes import BLUE, CUBE, GREEN, PLANK, RED, block
 
 
@@ -70,6 +74,32 @@ class PressTest(unittest.TestCase):
         self.assertEqual(status, "done")
         self.assertAlmostEqual(q[0], 0, delta=0.001)
         self.assertAlmostEqual(num_ticks * self.TICK, 1, delta=0.1)
+
+
+class CaughtArmTest(unittest.TestCase):
+    """An arm is stopped, and so is each of its retreats."""
+
+    def test_one_more_picture_tells_whether_all_is_done(self):
+        for claim, word in (None, "gave up: because the arm is stuck"), (Claim(True, "as seen"), "done: as seen"):
+            state = SimpleNamespace(claim=None, notes=[])
+            arm = SimpleNamespace(index=0)
+            aux = SimpleNamespace(state=state, actions=[Action("press", arm)], num_retreats=0, joints=Mock(), tickSeconds=1 / 60,
+                                  eye=None, hands=[])
+            sensor = SimpleNamespace(simTime=1.0, arms=[SimpleNamespace(joints=np.zeros(1))])
+
+            def execute(action, *_):
+                return "done" if action.kind == "observe" else "an obstacle is in the way of the arm"
+
+            def choose(*_):
+                state.claim = claim
+                return [Action("press", arm)]
+
+            with patch.multiple(learner, execute_action=execute, choose_actions=choose, tell=Mock(), remember_failure=Mock(),
+                                retreat=lambda *_, **__: [Action("follow", arm)], print=Mock(), create=True):
+                for _ in range(TASK_PLANNING.max_retreats + 2):
+                    self.assertFalse(hasattr(aux, "claim"), "it does not look")
+                    learner.step(sensor, SimpleNamespace(), aux)
+            self.assertEqual(aux.claim, word)
 
 
 class FingerRoomTest(unittest.TestCase):

@@ -38,11 +38,11 @@ Json WorldRequests::Command(const page::RequestFields& fields) {
   if (std::holds_alternative<sim::StartRecording>(command)) {
     return {{"recording", world.recording_directory().filename().string()}};
   }
-  // Only actions have a summary; it is that of the current action, which this command began.
-  if (sim::IsAction(command)) {
-    return {{"deed", sim::ToJson(world.simulation().history().current().summary)}};
-  }
-  return Json::object();
+  if (!sim::IsAction(command)) return Json::object();
+  // The command began the current action.
+  Json answer = {{"deed", sim::ToJson(world.simulation().history().current().summary)}};
+  if (std::holds_alternative<sim::Spawn>(command)) answer["objects"] = AddedObjects();
+  return answer;
 }
 
 std::optional<texts::UserMessage> WorldRequests::TryCommand(const page::RequestFields& fields) {
@@ -62,8 +62,7 @@ Json WorldRequests::Spawn(const page::RequestFields& fields) {
   const auto spawn = sim::SpawnOf(add, simulation, &refusal);
   if (!spawn) throw page::RequestError(refusal);
   Apply(*spawn);
-  // A spawn is an action, and its event lists the ids that the objects received.
-  return {{"objects", simulation.history().current().events.front().objects}};
+  return {{"objects", AddedObjects()}};
 }
 
 Json WorldRequests::Clear(const page::RequestFields& fields) {
@@ -165,6 +164,11 @@ sim::Command WorldRequests::MeantBy(const Json& wanted, bool is_exact) {
                              : snapper_.MoveOf(world, drag, &refusal);
   if (!move) throw page::RequestError(refusal);
   return *move;
+}
+
+const std::vector<std::string>& WorldRequests::AddedObjects() const {
+  // A spawn is an action, and its event lists the ids that the objects received.
+  return states_->world().simulation().history().current().events.front().objects;
 }
 
 std::optional<texts::UserMessage> WorldRequests::RefusalInSession(

@@ -46,6 +46,8 @@ class WorldRequests {
   /// Returns the command that a page's `command` means in the present state, snapped unless it is
   /// to be exact.
   sim::Command MeantBy(const Json& wanted, bool is_exact);
+  /// Returns the ids of the objects that the last command added, a spawn.
+  const std::vector<std::string>& AddedObjects() const;
   /// Returns the reason for which the session refuses a command; the simulation may have others.
   std::optional<texts::UserMessage> RefusalInSession(const sim::Command& command) const;
   /// Returns the reason for which a command is refused, except reasons that depend on hands,

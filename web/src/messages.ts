@@ -410,7 +410,7 @@ export interface Requests {
   take_control: { fields: { by_force?: boolean }; answer: { granted: boolean } };
   keep_control: { fields: { from: number }; answer: object };
   give_control: { fields: { to?: number | null }; answer: object };
-  command: { fields: { command: Command; exact?: boolean }; answer: { recording?: string; deed?: ActionSummary } };
+  command: { fields: { command: Command; exact?: boolean }; answer: { recording?: string; deed?: ActionSummary; objects?: string[] } };
   allowed: { fields: { requests: Record<string, unknown>[] }; answer: { allowed: Allowed[] } };
   pause: { fields: object; answer: object };
   resume: { fields: object; answer: object };

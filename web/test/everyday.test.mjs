@@ -200,7 +200,6 @@ test("the camera is chosen whose pictures are recorded", async (t) => {
   const choice = page.getByRole("combobox", { name: "Recorded camera" });
   const { info } = await recordWith("eye");
   assert.equal(info.eye.camera ?? "eye", "eye");
-  await person.press("Back to the table").catch(() => undefined);
   const picture = page.locator(".eye img");
   const before = await picture.getAttribute("src");
   await choice.selectOption("in the screen");

@@ -57,8 +57,9 @@ TEST_F(SessionTest, SeveralObjectsAreMovedAndCopiedInARecordingThatReplays) {
   EXPECT_EQ(moved["deed"]["do"], "move");
   EXPECT_EQ(moved["deed"]["words"], "moved 2 objects");
   TickSeconds(0.2);
-  EXPECT_EQ(Command(R"({"do":"duplicate","objects":["a","b"]})")["deed"]["words"],
-            "added 2 objects");
+  const Json copied = Command(R"({"do":"duplicate","objects":["a","b"]})");
+  EXPECT_EQ(copied["deed"]["words"], "added 2 objects");
+  EXPECT_EQ(copied["objects"], Json({"a_2", "b_2"}));
   Command(R"({"do":"add","preset":"ball","seed":1,"place":[-5,2,0]})");
   TickSeconds(0.2);
   Command(R"({"do":"finish"})");

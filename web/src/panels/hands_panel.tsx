@@ -1,4 +1,5 @@
-import { useRef } from "preact/hooks";
+import { useEffect, useRef } from "preact/hooks";
+import { signal } from "@preact/signals";
 import { isCommandOffered, isOffered, may } from "../allowed";
 import { command, ask, currentHand, heldObject, scene, state } from "../studio";
 import { axisColors, handColors } from "../colors";
@@ -197,9 +198,16 @@ function Attention({ object }: { object: string }) {
   );
 }
 
+/** The object that was taken in the list: keys move it as soon as it is held, for users of the keyboard. */
+export const takenInList = signal<string | null>(null);
+
 /** Buttons and keys that carry the held object by small steps. */
 function NudgePad() {
   const pad = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (takenInList.value === heldObject.value) pad.current?.focus();
+    takenInList.value = null;
+  }, []);
   const length = Number(stepSize.value);
   const go = (event: KeyboardEvent) => {
     const direction = (Object.keys(DIRECTIONS) as Direction[]).find((one) => DIRECTIONS[one].key === event.key);

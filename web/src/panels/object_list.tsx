@@ -8,18 +8,21 @@ import { Button } from "../ui/buttons";
 import { Empty } from "../ui/card";
 import { select, selected, toggleSelected } from "../world/selection";
 import { holders, objectsHere } from "./derived_signals";
+import { takenInList } from "./hands_panel";
 import { chosenObject, showPanel, world } from "./page";
 import { useAllowed } from "./use_allowed";
 
 const { objects: words } = texts;
 
 async function take(object: string): Promise<void> {
+  takenInList.value = object;
   const reply = await command({ do: "grasp", hand: currentHand.value, object });
-  if (reply === null) return;
+  if (reply === null) {
+    takenInList.value = null;
+    return;
+  }
   if (reply.deed) notify(texts.action(reply.deed));
   showPanel("hands");
-  // Keys move it at once, for users of the keyboard.
-  setTimeout(() => document.getElementById("nudge")?.focus(), 100);
 }
 
 /** Clicks and keys of the list: they choose one object, with Shift a range, with Ctrl one more; Ctrl+A all. */

@@ -1,6 +1,6 @@
 import { computed, signal } from "@preact/signals";
 import type { Point } from "../protocol";
-import { command, eventListeners, scene, state } from "../studio";
+import { command, scene, state } from "../studio";
 
 /** The objects that were chosen together, in this order; some may be gone meanwhile. */
 const chosen = signal<string[]>([]);
@@ -37,14 +37,6 @@ export function copySelected(): void {
 /** Adds copies beside the copied objects; they are selected then. */
 export async function paste(): Promise<void> {
   if (copied.value.length === 0) return;
-  let added: string[] = [];
-  const listener = ({ kind, objects = [] }: { kind: string; objects?: string[] }) => {
-    if (kind === "added") added = objects;
-  };
-  eventListeners.add(listener);
   const reply = await command({ do: "duplicate", objects: copied.value });
-  // The event is sent with the next update.
-  if (reply !== null) await new Promise((resolve) => setTimeout(resolve, 100));
-  eventListeners.delete(listener);
-  if (added.length > 0) select(added);
+  if (reply?.objects) select(reply.objects);
 }

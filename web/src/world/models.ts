@@ -62,7 +62,9 @@ export class Models {
   constructor(
     private readonly prepare: (material: Material) => void,
     private readonly onChange: () => void,
-  ) {}
+  ) {
+    this.root.visible = false;
+  }
 
   /** Replaces everything. Nothing is shown until the poses are known. */
   load(scene: SceneMessage): void {

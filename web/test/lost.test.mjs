@@ -1,4 +1,4 @@
-// What the page reports when the program ends, and when it cannot execute a request.
+// What the page reports when the program ends, says nothing, or cannot execute a request.
 
 import assert from "node:assert/strict";
 import { existsSync, rmSync } from "node:fs";
@@ -79,3 +79,11 @@ async function onlyAlert(page) {
   assert.equal(await alert.count(), 1, "it stays");
   return alert;
 }
+
+test("nothing counts as shown before the program has said what there is", async (t) => {
+  const { page } = await browser.workplace(t, { studio: PLAIN });
+  await page.routeWebSocket(/\/ws/, () => {}); // a program that accepts, and says nothing
+  await page.reload();
+  await page.waitForFunction(() => window.smileStudio !== undefined);
+  assert.equal(await page.evaluate(() => window.smileStudio.stats().isShown), false);
+});

@@ -42,7 +42,7 @@ for script in examples/*.jsonl examples/scenes/*.jsonl; do
     tower) record "$name" "$name" "$script" ;;
     um | controls | screws) record "$name" "$name" "$script" --no-robot ;;
     strings | scissors) ;;  # long: shorter ones are below
-    bricks | pieces | pedestal | pyramid | sizes | unstack | swap | hanoi | ball | lid | plank) ;;  # as in row and bridge
+    bricks | pieces | pedestal | pyramid | sizes | unstack | swap | beside | hanoi | ball | lid | plank) ;;  # as in row and bridge
     dock | row) record "$name" "$name" "$script" --no-robot --no-symbols --seconds 10 ;;
     *) record "$name" "$name" "$script" --no-robot --no-symbols ;;
   esac

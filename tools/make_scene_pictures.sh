@@ -30,7 +30,7 @@ done
 "$program" run scenes/desk.xml --robot tern --brain python/examples/desk/desk.py --record "$scratch/desk" --no-pictures >"$scratch/desk.txt"
 "$program" render "$scratch/desk" --out "$pictures/desk_after.png" --camera side --size 640x400
 # and when the script that belongs to a scene is done
-for script in examples/{um,row,bridge,box,hatch,drive,scissors,cover,sizes,pyramid,bricks,pieces,pedestal,unstack,swap,hanoi,ball,lid,plank}.jsonl examples/scenes/*.jsonl; do
+for script in examples/{um,row,bridge,box,hatch,drive,scissors,cover,sizes,pyramid,bricks,pieces,pedestal,unstack,swap,beside,hanoi,ball,lid,plank}.jsonl examples/scenes/*.jsonl; do
   name=$(basename "$script" .jsonl)
   "$program" run "scenes/$name.xml" --commands "$script" --no-robot --record "$scratch/$name" >"$scratch/$name.txt"
   picture "$scratch/$name" "${name}_after"

@@ -1,7 +1,7 @@
 function [state, problem] = chooseSite(state, arms, picture, eye)
 % Chooses the site of the building and moves the steps there: steps for a container to where it is detected, dragged
-% steps to the detected object, those that take the place of another object to where that is, others to the objects that
-% the demonstration did not move, or to a free site on the table. If there is no such site, state.hasSite stays false and
+% steps to the detected object, those that take the place of another object to where that is, those with an anchor to
+% their place beside it, others to the objects that the demonstration did not move, or to a free site on the table. If there is no such site, state.hasSite stays false and
 % problem says why.
   problem = '';
   is_dragged = arrayfun(@isDragged, state.steps);
@@ -10,6 +10,8 @@ function [state, problem] = chooseSite(state, arms, picture, eye)
   carried = state.steps(~is_dragged & ~is_replacing & ~is_returning);
   if ~isempty(state.container)
     [carried, state.container, problem] = placeInContainer(carried, state.container, state.known, picture, eye);
+  elseif ~isempty(carried) && ~isempty(carried(1).anchor)
+    [carried, problem] = placeAtAnchor(carried, state.known, arms, eye);
   elseif ~isempty(carried)
     placed = placeByWhatStays(carried, state.known, arms, eye);
     if isempty(placed), [placed, problem] = placeOnTable(carried, state.known, arms, eye); end

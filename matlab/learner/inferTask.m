@@ -1,6 +1,7 @@
 function [steps, container, appearances] = inferTask(demo, attention, needs)
 % Infers from a demonstration what is to be done: a list of steps (see newStep) in the order shown, one for each
-% object that takes part, except tools that were put back. Objects that were not moved but support others come first.
+% object that takes part, except tools that were put back. Objects that were not moved but support others come first;
+% one that was not moved and tells where all others go comes last.
 %   attention    the properties of objects that matter, if the demonstrator specified some, as in aux
 %   container    the open box that objects were put into: see measureContainer
 %   appearances  of all objects: see measureObjects
@@ -44,6 +45,7 @@ function [steps, container, appearances] = inferTask(demo, attention, needs)
     end
   end
   container = measureContainer(demo, steps(cellfun(@isempty, {steps.aside})));
+  if isempty(container), steps = withAnchor(demo, steps, others); end
 end
 
 function found = supportsOf(steps, others)

@@ -12,6 +12,7 @@ function step = newStep(block, name)
 %   startSize  as size, of an object that began on another face; [] for others
 %   aside     where it was put before it came back, see asideOf; [] for others
 %   tolerance  of its position [units]
+%   anchor    name of the object, or 'the table', relative to which its place was shown; '' if it may stand anywhere
 % Its color is [] if the demonstrator specified that color does not matter.
   step = block;
   step.name = name;
@@ -25,4 +26,5 @@ function step = newStep(block, name)
   step.startSize = [];
   step.aside = [];
   step.tolerance = constants().blocks.position_tolerance;
+  step.anchor = '';
 end

@@ -22,31 +22,8 @@ end
 
 function steps = siteByAnchor(steps, known, arms, eye)
 % Returns the steps of the cheapest site at which known blocks are where steps stay, see firstWithinReach.
-  anchor = steps(find([steps.stays], 1));
-  sites = {};
-  cost = [];
-  if ~isempty(anchor)
-    turns = [0, 1, -1, 2] * pi / 2;
-    if ~hasEqualSides(anchor), turns = [0, pi]; end
-    for block = known(arrayfun(@(it) isSameKind(it, anchor), known))
-      for rotation = yawDifference(anchor, block.yaw) + turns
-        moved = turnedAbout(anchor, steps, rotation, block);
-        is_there = areInPlace(known, moved([moved.stays]));
-        if ~all(any(is_there, 2)), continue; end
-        rest = known(~any(is_there, 1));
-        turning = constants().building_site.rotated_cost * abs(rotation);
-        cost(end + 1) = turning + siteCost(moved, rest, eye);
-        sites{end + 1} = moved;
-      end
-    end
-  end
+  [sites, cost] = sitesByAnchor(steps, known, eye);
   steps = firstWithinReach(cost, sites, arms);
-end
-
-function yes = areInPlace(blocks, steps)
-% Returns which of N blocks are in the places of M steps: MxN logical.
-  yes = false(numel(steps), numel(blocks));
-  for k = 1:numel(steps), yes(k, :) = arrayfun(@(it) isInPlace(it, steps(k)), blocks); end
 end
 
 function groups = groupsOf(steps)

@@ -65,23 +65,3 @@ function yes = isTurnedTo(block, goal)
   away = heldPart(block).position - heldPart(goal).position;
   yes = abs(yawDifference(block, goal.yaw)) < c.same_yaw_rad && norm(away(1:2)) < c.same_held_distance;
 end
-
-function yes = hasLowWay(block, goal, others)
-% Returns true if there is no obstacle higher than a block around the first half of its way to a goal.
-  width = constants().motion_planning.low_way_width;
-  way = (goal.position(1:2) - block.position(1:2)) / 2;
-  area = [block.position(1:2) + way / 2, norm(way) + width, width, atan2(way(2), way(1))];
-  tops = arrayfun(@(it) it.position(3) + it.size(3) / 2, others);
-  higher = others(tops > block.position(3) + block.size(3) / 2);
-  yes = ~any(overlap(area, footprint(higher, 0)));
-end
-
-function height = transferHeight(arm, blocks, bottom, extent)
-% Returns the height of an arm's tool between two places [units]: the held block passes over all others, and
-% so do the empty fingers, also over the placed block.
-%   bottom  height of the goal's bottom [units]
-%   extent  height of the held block [units]
-  c = constants().motion_planning;
-  highest = max(arrayfun(@(block) block.position(3) + block.size(3) / 2, blocks));
-  height = max(max(highest, bottom) + extent, max(highest, bottom + extent) + arm.reach) + c.clearance;
-end

@@ -6,6 +6,8 @@ function printSteps(steps)
     else
       place = ['on ', strjoin({steps(steps(k).on).name}, ', ')];
     end
-    fprintf('shown: %d. %s %s\n', k, describeStep(steps(k)), place);
+    where = '';
+    if ~isempty(steps(k).anchor), where = [', where it is relative to ', steps(k).anchor]; end
+    fprintf('shown: %d. %s %s%s\n', k, describeStep(steps(k)), place, where);
   end
 end

@@ -19,7 +19,7 @@ struct ShippedTask {
   layout::LayoutLevel level = layout::LayoutLevel::kScattered;
 };
 
-inline constexpr std::array<ShippedTask, 20> kTasks{{{"um"},
+inline constexpr std::array<ShippedTask, 21> kTasks{{{"um"},
                                                      {"tower"},
                                                      {"row"},
                                                      {"bridge"},
@@ -33,6 +33,7 @@ inline constexpr std::array<ShippedTask, 20> kTasks{{{"um"},
                                                      {"pedestal", layout::LayoutLevel::kFixtures},
                                                      {"unstack", layout::LayoutLevel::kPiles},
                                                      {"swap", layout::LayoutLevel::kFixtures},
+                                                     {"beside", layout::LayoutLevel::kFixtures},
                                                      {"hanoi", layout::LayoutLevel::kFixtures},
                                                      {"lid", layout::LayoutLevel::kPiles},
                                                      {"hatch", layout::LayoutLevel::kFixtures},

@@ -219,6 +219,11 @@ void TheBlocksAreExchanged(const Json& end) {
   ExpectAligned(end, "BlueBlock", "DarkPlate", {0, 0, 0.6});
 }
 
+void TheBlockIsBesideTheWall(const Json& end) {
+  ExpectNear(PositionOf(end, "BlueBlock"), {0.63, -1.63, 0.5}, kMillimeter, "BlueBlock");
+  ExpectNear(RotationOf(end, "BlueBlock"), {0, 0, 15}, kOneDegree, "BlueBlock");
+}
+
 void TheTowerOfHanoiHasMoved(const Json& end) {
   ExpectAligned(end, "LargeDisc", "PlateC", {0, 0, 0.4});
   ExpectAligned(end, "MediumDisc", "PlateC", {0, 0, 1});
@@ -304,6 +309,7 @@ const std::vector<Example>& AllExamples() {
       {"pedestal", "--no-robot", TheTowerStandsOnThePedestal},
       {"unstack", "--no-robot", TheTowerIsTakenApart},
       {"swap", "--no-robot", TheBlocksAreExchanged},
+      {"beside", "--no-robot", TheBlockIsBesideTheWall},
       {"hanoi", "--no-robot", TheTowerOfHanoiHasMoved},
       {"ball", "--no-robot", TheBallIsInTheCup},
       {"lid", "--no-robot", TheBlockIsUnderTheLid},

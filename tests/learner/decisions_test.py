@@ -39,6 +39,7 @@ CASES = {
     "baxter": [("tower", ["--seed", "4", "--level", "stacked"]), ("row", ["--seed", "1"]), ("bridge", ["--seed", "3"]),
                ("box", ["--seed", "1"]), ("hatch", []), ("pyramid", []), ("bricks", []),
                ("swap", ["--seed", "1", "--level", "fixtures"]),
+               ("beside", ["--seed", "1", "--level", "fixtures"]),
                ("hanoi", ["--seed", "1", "--level", "fixtures"]), ("ball", ["--seed", "1"]), ("plank", ["--seed", "4"]),
                ("drive", ["--seed", "3", "--level", "fixtures"], 'brightness="0.8" color="#fff0d8"'),
                ("scissors", ["--seed", "1004", "--level", "fixtures"]), ("cover", ["--seed", "1", "--level", "fixtures"]),

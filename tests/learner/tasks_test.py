@@ -1,5 +1,5 @@
 """The learner does tasks beyond those of `smile experiment`: equal colors that touch at several heights,
-half heights and several sizes, what the demonstration did not move, what began on something, what must make room
+half heights and several sizes, what the demonstration did not move, or only beside it, what began on something, what must make room
 first, what is built and in the way of the next grasp, discs, a ball, a lid, an L, a cross and a ring, a plank that must
 be turned, a switch and drives of several colors, a pair of scissors, and a cover that screws hold.
 What it claims at the end is right.
@@ -24,6 +24,7 @@ CASES = [("pyramid", PYTHON, ["--seed", "1"]), ("bricks", OCTAVE, ["--seed", "1"
          ("unstack", OCTAVE, ["--seed", "1", "--level", "fixtures"]),
          ("pedestal", PYTHON, ["--seed", "2", "--level", "fixtures"]),
          ("swap", PYTHON, ["--seed", "1", "--level", "fixtures"]),
+         ("beside", OCTAVE, ["--seed", "1", "--level", "fixtures"]),
          ("hanoi", OCTAVE, ["--seed", "2", "--level", "fixtures"]), ("ball", PYTHON, ["--seed", "1"]),
          ("lid", PYTHON, ["--seed", "1", "--level", "piles"]), ("plank", OCTAVE, ["--seed", "2"]),
          ("drive", PYTHON, ["--seed", "1", "--level", "fixtures"]),

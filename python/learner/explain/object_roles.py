@@ -3,6 +3,7 @@
 import numpy as np
 
 from constants import TASK_MODEL as C
+from relate.dragging import is_composite
 
 
 def moved_objects(demo):
@@ -27,9 +28,8 @@ def carried_along(demo):
 
 def may_be_ball(demo, n):
     """Returns true unless an object was lower than at the start, where a ball lies on the table, or is of several shapes."""
-    created = next(fields for _, word, fields in demo.events if word == "create" and fields[0] == demo.ids[n])
     is_lower = demo.moves[n][:, 3].min() < demo.moves[n][0, 3] - C.max_rest_error
-    return not is_lower and "composite" not in created[1:3]
+    return not is_lower and not is_composite(demo, n)
 
 
 def former_owner(demo, step):

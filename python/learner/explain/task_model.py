@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from constants import TASK_MODEL as C
+from explain.anchor import with_anchor
 from explain.appearances import measure_objects
 from explain.asides import with_asides
 from explain.handles import measure_handle
@@ -17,28 +18,29 @@ from things.steps import is_above, is_dragged, stands_on
 def infer_task(demo, attention, needs=None):
     """Returns a list of Steps in the order shown, one for each object that takes part, and the
     Container that some of them were put into, or None. Objects that were not moved but support
-    others come first.
+    others come first; one that was not moved and tells where all others go comes last.
 
     attention: the properties of objects that matter, if the demonstrator specified some, as in aux
     needs:     what the goal needs, if it is known: Needs
     """
     moved = moved_objects(demo)
-    carried = [n for n in moved if not was_dragged(demo.moves[n])]
+    carried = [n for n in moved if not was_dragged(demo, n)]
     if demo.appearances is None:  # pictures alone have shown them already
         demo.appearances = measure_objects(demo, carried)
     appearances = demo.appearances
     moved = needed_of([n for n in moved if n not in tools_of(demo)], demo, needs)
     placed = [step_of(demo, n, appearances[n], attention) if n in carried
               else measure_handle(demo, n) for n in moved]
-    steps = supports_of(placed, [
-        replace(step_of(demo, n, appearances[n], attention), stays=True)
-        for n in range(len(demo.ids)) if n in appearances and n not in moved]) + placed
+    others = [replace(step_of(demo, n, appearances[n], attention), stays=True)
+              for n in range(len(demo.ids)) if n in appearances and n not in moved]
+    steps = supports_of(placed, others) + placed
     set_order(steps, {name for name, properties in attention.items() if "order" in properties})
     for step in steps:
         if not step.on and step.bottom > C.min_inside_bottom and not is_dragged(step):
             step.takes_place_of = former_owner(demo, step)
     steps = with_asides(demo, steps, needs)
-    return steps, measure_container(demo, [it for it in steps if not it.aside])
+    container = measure_container(demo, [it for it in steps if not it.aside])
+    return steps if container else with_anchor(demo, steps, others), container
 
 
 def set_order(steps, ordered):

@@ -23,7 +23,8 @@ def understand(aux):
     aux.notes = [f"understood: {line.strip()}" for line in page]
     for k, step in enumerate(steps):
         place = ", ".join(steps[lower].name for lower in step.on) or "the table"
-        print(f"shown: {k + 1}. {step} on {place}")
+        where = f", where it is relative to {step.anchor}" if step.anchor else ""
+        print(f"shown: {k + 1}. {step} on {place}{where}")
     for press in presses:
         before = ", ".join(steps[k].name for k in press.after) or "nothing"
         print(f"shown: {press} after {before}")

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from constants import BUILDING_SITE as C, numbers_of
+from match.anchored_places import place_at_anchor
 from match.found_places import place_dragged, place_in_container
 from match.landmarks import place_by_what_stays, place_of_other
 from match.returning import place_below, place_returning
@@ -14,8 +15,8 @@ from things.steps import is_dragged
 
 def choose_site(state, arms, picture, eye):
     """Chooses the site of the building and moves the steps there: steps for a container to where it
-    is detected, dragged steps to the detected object, others to the objects that the demonstration
-    did not move, or to a free site on the table. If there is no such site, state.has_site stays
+    is detected, dragged steps to the detected object, steps with an anchor to their place beside it,
+    others to the objects that the demonstration did not move, or to a free site on the table. If there is no such site, state.has_site stays
     false. Returns the reason, or None."""
     try:
         replacing = [step for step in state.steps if step.takes_place_of]
@@ -25,6 +26,8 @@ def choose_site(state, arms, picture, eye):
         if state.container:
             carried, state.container = place_in_container(carried, state.container, state.known,
                                                           picture, eye)
+        elif carried and carried[0].anchor:
+            carried = place_at_anchor(carried, state.known, arms, eye)
         elif carried:
             carried = (place_by_what_stays(carried, state.known, arms, eye)
                        or place_on_table(carried, state.known, arms, eye))

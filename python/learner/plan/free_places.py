@@ -8,7 +8,7 @@ import numpy as np
 
 from act.finger_room import gripper_clearance
 from constants import CLEARANCE, TASK_PLANNING as C, numbers_of
-from see.eye import to_pixel
+from see.framing import is_in_view
 from see.unexplained import is_unexplained
 from things.areas import footprint, overlap
 from things.blocks import has_equal_sides
@@ -55,14 +55,3 @@ def is_free(covered, taken):
 def is_near(place, left):
     """Returns true if a place is close to one of some others."""
     return any(np.linalg.norm(it.position - place.position) < C.near_place_distance for it in left)
-
-
-def is_in_view(place, eye):
-    """Returns true if the whole top of a block at a place is in the eye's picture."""
-    along = place.size[0] / 2 * np.array([math.cos(place.yaw), math.sin(place.yaw), 0])
-    across = place.size[1] / 2 * np.array([-math.sin(place.yaw), math.cos(place.yaw), 0])
-    middle = np.array([*place.position[:2], place.size[2]])
-    corners = [middle + a * along + b * across for a in (1, -1) for b in (1, -1)]
-    pixels = np.array([to_pixel(corner, eye) for corner in corners])
-    margin = C.picture_margin_pixels
-    return ((pixels > margin) & (pixels < 2 * eye.intrinsics[:2, 2] - margin)).all()

@@ -35,7 +35,7 @@ def facts_at(demo, container, frame, held, others):
             continue
         if name in held:
             facts.append(f"held {name} {held[name]}")
-        elif was_dragged(demo.moves[n]):
+        elif was_dragged(demo, n):
             x, y = demo.pose(n, frame)[:2] - demo.moves[n][0, 1:3]
             facts.append(f"joint {name} {hundredths(x)} {hundredths(y)}")
         elif n in demo.appearances:

@@ -10,6 +10,9 @@ from things.areas import footprint, overlap
 from things.blocks import Block
 
 
+TABLE = "the table"
+
+
 @dataclass(eq=False)
 class Step(Block):
     """A block at its place in the finished building. Its color is None where that does not
@@ -28,6 +31,8 @@ class Step(Block):
     start_size: Optional[np.ndarray] = None  # as size, of an object that began on another face
     aside: Optional[object] = None  # where it was put before it came back: an Aside
     tolerance: float = BLOCKS.position_tolerance  # of its position [units]
+    anchor: str = ""  # name of the object, or TABLE, relative to which its place was shown; empty if it may
+    #                   stand anywhere
 
     def __str__(self):
         return "%s (%.3g x %.3g x %.3g)" % (self.name, *self.size)

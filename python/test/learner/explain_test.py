@@ -76,6 +76,34 @@ class InferenceTest(RecordingTest):
         self.assertIn("1. LeftHand carries Blue (only a means: nothing of it is kept). New:", page)
         self.assertEqual(page[-1], "  Blue is on Red, at (0.00, 0.00) of Red, rotated by -95 degrees.")
 
+    def test_what_was_only_put_elsewhere_belongs_to_the_nearest_object_that_stayed(self):
+        lines = (self.folder / "0.txt").read_text().splitlines()
+        (self.folder / "2.txt").unlink()
+
+        def anchors(*events):
+            self.write(1, events)
+            steps, _ = self.infer_task()
+            return [(step.name, step.anchor, step.stays) for step in steps]
+
+        put = ["3,grasp,LeftHand,Blue", "5,move,Blue,0.0,-4.0,2.0,0.0,0.0,0.0", "6,release,LeftHand"]
+        beside = [("Blue", "Red", False), ("Red", "", True)]
+        self.assertEqual(anchors(*put, "6,move,Blue,2.0,-4.0,0.5,0.0,0.0,40.0"), beside)
+        self.assertEqual(anchors(put[0], put[2], "6,move,Blue,2.0,-4.0,0.5,0.0,0.0,0.0"), beside, "pushed")
+        self.assertEqual(anchors(*put, "6,move,Blue,3.0,-3.0,1.5,0.0,0.0,0.0"), [("Red", "", True), ("Blue", "", False)],
+                         "on Red, which determines its place")
+        # Two are exchanged: as they were, but for a rotation about the vertical; or not.
+        other = ["7,grasp,LeftHand,Red", "9,release,LeftHand"]
+        exchanged = [*put, "6,move,Blue,3.0,-3.0,0.5,0.0,0.0,0.0", *other]
+        self.assertEqual(anchors(*exchanged, "9,move,Red,1.0,-4.0,0.5,0.0,0.0,0.0"),
+                         [("Blue", "Other", False), ("Red", "Other", False), ("Other", "", True)])
+        self.assertEqual(anchors(*exchanged, "9,move,Red,1.0,-4.0,0.5,0.0,0.0,30.0"),
+                         [("Blue", "", False), ("Red", "", False)], "Red is turned relative to Blue")
+        self.assertEqual(anchors(*exchanged, "9,move,Red,1.8,-4.0,0.5,0.0,0.0,0.0"),
+                         [("Blue", "", False), ("Red", "", False)], "they are nearer to each other")
+        # Nothing else is there.
+        self.write(0, [line for line in lines if "Blue" in line])
+        self.assertEqual(anchors(*put, "6,move,Blue,2.0,-4.0,0.5,0.0,0.0,40.0"), [("Blue", "the table", False)])
+
     def test_a_recording_without_pictures_is_reported(self):
         file = self.folder / "demo.json"
         file.write_text(json.dumps(json.loads(file.read_text()) | {"eye": None}))

@@ -33,6 +33,10 @@ class LayersTest(unittest.TestCase):
             self.assertLessEqual(len(text.splitlines()), MAX_LINES, file)
             self.assertTrue(ast.get_docstring(ast.parse(text)), file)
 
+    def test_each_file_of_the_twin_is_small(self):
+        for file in (PROJECT / "matlab/learner").glob("*.m"):
+            self.assertLessEqual(len(file.read_text().splitlines()), MAX_LINES, file)
+
     def test_each_file_is_in_the_table_of_the_documentation(self):
         rows = [row.split("|") for row in (PROJECT / "docs/learner.md").read_text().splitlines() if row.startswith("| ")]
         part, listed = "", set()

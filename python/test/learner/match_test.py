@@ -9,9 +9,11 @@ import numpy as np
 
 from check.task_state import TaskState
 from match.building_site import choose_site, shifted
+from match.anchored_places import place_at_anchor
 from match.landmarks import place_by_what_stays
-from match.sites import site_cost
+from match.sites import NoSite, site_cost
 from scenes import BLUE, BROWN, CUBE, EYE, GREEN, PLANK, RED, block, step
+from things.steps import TABLE
 
 
 class SiteTest(unittest.TestCase):
@@ -36,6 +38,25 @@ class SiteTest(unittest.TestCase):
         np.testing.assert_allclose(moved[2].position, [-3, -2, 0.7])
         np.testing.assert_allclose(moved[3].position, [2 - 0.2 * math.sin(0.3),
                                                        -3 + 0.2 * math.cos(0.3), 0.7])
+
+    def test_what_was_put_beside_something_goes_beside_it(self):
+        wall = replace(step(block(BROWN, PLANK, 0, -2), []), stays=True, name="Wall")
+        beside = replace(step(block(BLUE, CUBE, 2.8, -2), []), anchor="Wall", name="Blue")
+        known = [block(BLUE, CUBE, -5, -2), block(BROWN, PLANK, -1, -3, yaw=math.pi / 2)]
+        with patch("match.sites.is_reachable", return_value=True), patch("match.sites.nearest_first"):
+            moved = place_at_anchor([beside, wall], known, [], EYE)
+            np.testing.assert_allclose(moved[0].position, [-1, -0.2, 0.5])
+            # One end is out of view: it goes beside the other one.
+            moved = place_at_anchor([beside, wall], [block(BROWN, PLANK, 6.4, -2)], [], EYE)
+            np.testing.assert_allclose(moved[0].position, [3.6, -2, 0.5])
+            for seen, words in (([known[0]], "nothing is seen that looks like Wall, beside which Blue goes"),
+                                ([block(BROWN, PLANK, 0, -8.5)], "relative to Wall, the place of Blue is out of reach or out of view")):
+                with self.assertRaisesRegex(NoSite, words):
+                    place_at_anchor([beside, wall], seen, [], EYE)
+            with self.assertRaisesRegex(NoSite, "Wall, beside which Blue goes, could not be measured in the demonstration"):
+                place_at_anchor([beside], known, [], EYE)
+            on_table = replace(beside, anchor=TABLE)
+            np.testing.assert_allclose(place_at_anchor([on_table], known, [], EYE)[0].position, beside.position)
 
     def test_a_site_must_not_hide_needed_blocks(self):
         steps = [step(block(BLUE, CUBE, 0, -2, bottom=k), []) for k in range(3)]

@@ -3,10 +3,11 @@ function [action, velocities, status] = followPath(action, sensor, aux)
 % path, nxN, are chunks of N ticks. After its end, each tick has feedback.
   c = constants().execution;
   q = sensor.arms(action.arm.index).joints(:)';
-  delay = action.time - action.path.duration;
+  speed = speedOf(aux);
+  delay = action.time - action.path.duration / speed;
   num_ticks = min(ticksWithin(-delay, aux) + 1, c.chunk_ticks);
   % action.time is the end of the first of these ticks.
-  wanted = smileSample(action.path, action.time + aux.tickSeconds * (0:num_ticks - 1));
+  wanted = smileSample(action.path, speed * (action.time + aux.tickSeconds * (0:num_ticks - 1)));
   velocities = diff([q; wanted]).' / aux.tickSeconds;
   status = arrival(action.path.positions(end, :), q, delay);
   if strcmp(status, 'done'), velocities = zeros(numel(q), 1); end

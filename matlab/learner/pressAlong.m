@@ -4,7 +4,7 @@ function [action, velocities, status] = pressAlong(action, sensor, aux)
   c = constants().execution;
   if ~isfield(action, 'turn'), action.turn = Inf; end  % time at which it went back [s]
   q = sensor.arms(action.arm.index).joints(:)';
-  time = action.time - [aux.tickSeconds, 0];  % action.time is the end of this tick
+  time = speedOf(aux) * (action.time - [aux.tickSeconds, 0]);  % action.time is the end of this tick
   on_path = smileSample(action.path, min(time, 2 * action.turn - time));
   if isinf(action.turn) && (time(1) > action.path.duration || max(abs(on_path(1, :) - q)) > c.stall_rad)
     action.turn = time(1);

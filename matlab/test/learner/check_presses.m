@@ -68,25 +68,31 @@ function check_two_presses(eye)
 end
 
 function check_stop()
-% An arm of one joint presses what is at 0.5 rad, on a path of a second to 1 rad.
+% An arm of one joint presses what is at 0.5 rad, on a path of a second to 1 rad, also with half the speed.
   eval('function q = smileSample(~, seconds), q = min(max(seconds(:), 0), 1); end');
   remove = onCleanup(@() clear('-f', 'smileSample'));
   path = struct('positions', [0; 1], 'duration', 1);
-  action = struct('kind', 'press', 'arm', struct('index', 1), 'path', path);
-  aux = struct('tickSeconds', 1 / 60, 'arms', struct('joints', {{'j1'}}));
-  q = 0;
-  status = 'busy';
-  num_ticks = 0;
-  while strcmp(status, 'busy') && num_ticks < 120
-    sensor = struct('arms', struct('joints', q), 'timeElapsed', aux.tickSeconds);
-    [action, motor, status] = executeAction(action, sensor, aux);
-    wanted = q + motor.arms.velocities * aux.tickSeconds;
-    check(motor.ticks == 1 && wanted < 0.56, 'a press does not push on');
-    q = min(wanted, 0.5);
-    num_ticks = num_ticks + 1;
+  aux = struct('tickSeconds', 1 / 60, 'maxTicks', 30, 'arms', struct('joints', {{'j1'}}));
+  for speed = [1, 0.5]
+    aux.variationSpeed = speed;
+    action = struct('kind', 'press', 'arm', struct('index', 1), 'path', path);
+    q = 0;
+    status = 'busy';
+    num_ticks = 0;
+    while strcmp(status, 'busy') && num_ticks < 240
+      sensor = struct('arms', struct('joints', q), 'timeElapsed', aux.tickSeconds);
+      [action, motor, status] = executeAction(action, sensor, aux);
+      wanted = q + motor.arms.velocities * aux.tickSeconds;
+      check(motor.ticks == 1 && wanted < 0.56, 'a press does not push on');
+      q = min(wanted, 0.5);
+      num_ticks = num_ticks + 1;
+    end
+    check(strcmp(status, 'done') && abs(q) < 0.001, 'but goes back');
+    check(abs(num_ticks * aux.tickSeconds - 1 / speed) < 0.1 / speed, 'as soon as something stops the arm');
+    action.time = aux.tickSeconds;
+    [~, velocities] = followPath(action, sensor, aux);
+    check(all(abs(velocities(2:end) - speed) < 1e-9), 'a path is followed with the speed that is asked for');
   end
-  check(strcmp(status, 'done') && abs(q) < 0.001, 'but goes back');
-  check(abs(num_ticks * aux.tickSeconds - 1) < 0.1, 'as soon as something stops the arm');
 end
 
 function blocks = fixture(x, y, yaw, is_on, is_failing)

@@ -37,9 +37,10 @@ def choose_actions(state, sensor, eye, arms):
             return []
         state.notes += plan_notes(state.steps)
 
-    used = assess_progress(state)
     if state.presses:
         forget_fixtures(state, picture, heights, eye)
+    used = assess_progress(state)
+    if state.presses:
         actions, reason = choose_device(state, arms, picture, heights, eye, sensor)
         if reason:
             give_up(state, f"at the {reason}")

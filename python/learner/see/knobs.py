@@ -20,7 +20,8 @@ def find_knobs(steps, seen, picture, eye, heights):
         for block in [it for it in seen if is_same_kind(it, step)]:
             others = detect_unknown_objects(picture, eye, seen, heights)
             on_it = [it for it in others if stands_on(it, block)]
-            step.knob = in_frame_of(block, on_it[0]) if on_it else None
+            if on_it:
+                step.knob = in_frame_of(block, on_it[0])
     add_knobs(steps, seen)
 
 

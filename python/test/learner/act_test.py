@@ -59,21 +59,22 @@ class PressTest(unittest.TestCase):
 
     def test_a_press_goes_back_as_soon_as_something_stops_the_arm(self):
         path = SimpleNamespace(positions=np.array([[0.0], [1.0]]), duration=1.0, at=self.at)
-        action = Action("press", SimpleNamespace(index=0), path)
-        aux = SimpleNamespace(tickSeconds=self.TICK)
-        q, status, num_ticks = np.zeros(1), "busy", 0
-        while status == "busy" and num_ticks < 120:
-            sensor = SimpleNamespace(arms=[SimpleNamespace(joints=q)], timeElapsed=self.TICK)
-            motor = SimpleNamespace(arms=[SimpleNamespace()])
-            status = execute_action(action, sensor, motor, aux)
-            self.assertEqual(motor.ticks, 1)
-            wanted = q + motor.arms[0].velocities * self.TICK
-            self.assertLess(wanted[0], 0.56, "it pushes on")
-            q = np.minimum(wanted, 0.5)
-            num_ticks += 1
-        self.assertEqual(status, "done")
-        self.assertAlmostEqual(q[0], 0, delta=0.001)
-        self.assertAlmostEqual(num_ticks * self.TICK, 1, delta=0.1)
+        for speed in (1, 0.5):
+            action = Action("press", SimpleNamespace(index=0), path)
+            aux = SimpleNamespace(tickSeconds=self.TICK, variationSpeed=speed)
+            q, status, num_ticks = np.zeros(1), "busy", 0
+            while status == "busy" and num_ticks < 240:
+                sensor = SimpleNamespace(arms=[SimpleNamespace(joints=q)], timeElapsed=self.TICK)
+                motor = SimpleNamespace(arms=[SimpleNamespace()])
+                status = execute_action(action, sensor, motor, aux)
+                self.assertEqual(motor.ticks, 1)
+                wanted = q + motor.arms[0].velocities * self.TICK
+                self.assertLess(wanted[0], 0.56, "it pushes on")
+                q = np.minimum(wanted, 0.5)
+                num_ticks += 1
+            self.assertEqual(status, "done")
+            self.assertAlmostEqual(q[0], 0, delta=0.001)
+            self.assertAlmostEqual(num_ticks * self.TICK, 1 / speed, delta=0.1 / speed)
 
 
 class CaughtArmTest(unittest.TestCase):

@@ -1,5 +1,6 @@
 function yes = isReachable(arm, place)
-% Returns true if an arm can bring its tool to a block's place, and 2 units above it.
+% Returns true if an arm can bring its tool to 2 and 0.3 units above the middle of the part by which a block is
+% held, at a place.
   heights = constants().motion_planning.reach_heights;
   yes = false;
   for it = heldAnyhow(place)

@@ -20,7 +20,8 @@ def solve_pose_sequence(arm, poses, q):
 
 
 def is_reachable(arm, place):
-    """Returns true if an arm can bring its tool to a block's place, and 2 units above it."""
+    """Returns true if an arm can bring its tool to 2 and 0.3 units above the middle of the part by which a block is held, at a
+    place."""
     def poses(held, across):
         x, y, z = held.position
         return [arm.tool_pose([x, y, z + height], across, held.size[1])

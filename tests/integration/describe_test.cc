@@ -60,11 +60,28 @@ TEST_F(Describe, TheCauseOfAFailureIsPrintedEvenIfAllObjectsAreInPlace) {
   EXPECT_EQ(done.exit_code, 0);
   EXPECT_TRUE(done.out.starts_with("success after ")) << done.out;
   EXPECT_EQ(std::ranges::count(done.out, '\n'), 2) << done.out;
+  // What counts is what stands two seconds after the brain's end.
+  const Answer early = Smile("imitate lifted falls.xml --brain idle.py --hold 0 --out early");
+  EXPECT_TRUE(early.out.starts_with("failure after ")) << early.out;
   const Answer failed = Smile("imitate lifted falls.xml --brain crashes.py --out crashed");
   EXPECT_EQ(failed.exit_code, 1);
   EXPECT_TRUE(failed.out.starts_with("failure after ")) << failed.out;
   const std::string cause = Json::parse(Read("crashed/result.json"))["cause"]["text"];
   EXPECT_NE(failed.out.find("\n" + cause + "\n"), std::string::npos) << failed.out;
+}
+
+TEST_F(Describe, ASceneInWhichAllIsDoneIsRefused) {
+  Write("pair.xml", PairOfBlocks());
+  Write("lift.jsonl", LiftAndPutBack());
+  ASSERT_EQ(Smile("run pair.xml --commands lift.jsonl --record lifted --no-pictures").exit_code, 0);
+  Write("idle.py", "def step(sensor, motor, aux): aux.exit = True\n");
+  const Answer answer = Smile("imitate lifted pair.xml --brain idle.py --out out");
+  EXPECT_EQ(answer.exit_code, 1);
+  EXPECT_TRUE(answer.err.ends_with(
+      "pair: is already as the demonstration left it, expected a scene in which there is something "
+      "to do\n"))
+      << answer.err;
+  EXPECT_FALSE(Exists("out"));
 }
 
 }  // namespace

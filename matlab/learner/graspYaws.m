@@ -1,6 +1,7 @@
 function yaws = graspYaws(place, others)
 % Returns the collision-free yaws of the gripper at a place: directions from finger to finger [rad], 1xN.
-% The fingers close across the longer side; no other block may be in their way.
+% The fingers stand beside the two longer sides and close across the shorter one; no other block may be in
+% their way.
 %   place   a block or a step
 %   others  obstacles, as blocks
   place = heldPart(place);

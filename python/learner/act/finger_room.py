@@ -19,8 +19,8 @@ def gripper_clearance(blocks):
 
 def grasp_yaws(place, others):
     """Returns the collision-free yaws of the gripper at a place (a Block or Step): directions from
-    finger to finger [rad], a list. The fingers close across the longer side; no other block may be
-    in their way.
+    finger to finger [rad], a list. The fingers stand beside the two longer sides and close across the
+    shorter one; no other block may be in their way.
 
     others: obstacles, as Blocks
     """

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from constants import MOTION_PLANNING, MOTION_PLANNING as C
+from constants import MOTION_PLANNING as C
 from things.held_parts import held_part
 
 
@@ -29,5 +29,5 @@ def remember_failure(state, actions):
 
 def num_failures(state, block):
     """Returns the number of failed grasps of a block at its place."""
-    return sum(np.linalg.norm(grasp.position - held_part(block).position) < MOTION_PLANNING.same_place_distance
+    return sum(np.linalg.norm(grasp.position - held_part(block).position) < C.same_place_distance
                for grasp in state.failures)

@@ -220,7 +220,7 @@ void TheBlocksAreExchanged(const Json& end) {
 }
 
 void TheBlockIsBesideTheWall(const Json& end) {
-  ExpectNear(PositionOf(end, "BlueBlock"), {0.63, -1.63, 0.5}, kMillimeter, "BlueBlock");
+  ExpectNear(PositionOf(end, "BlueBlock"), {0.63, 1.57, 0.5}, kMillimeter, "BlueBlock");
   ExpectNear(RotationOf(end, "BlueBlock"), {0, 0, 15}, kOneDegree, "BlueBlock");
 }
 

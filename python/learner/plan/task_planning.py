@@ -49,8 +49,7 @@ def choose_actions(state, sensor, eye, arms):
     steps = open_steps(state)
     if not steps:
         distance, angle = np.max([(0, 0), *state.placement_errors.values()], axis=0)
-        state.claim = Claim(True, "as seen within %.2f units and %.1f degrees" % (
-            distance, math.degrees(angle)))
+        state.claim = Claim(True, f"as seen within {distance:.2f} units and {math.degrees(angle):.1f} degrees")
         return []
     free = [block for block in state.known if block not in used and not is_driver(block, state)]
     return plan_one_of(steps, state, free, eye, arms, sensor)

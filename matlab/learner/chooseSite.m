@@ -1,8 +1,8 @@
 function [state, problem] = chooseSite(state, arms, picture, eye)
 % Chooses the site of the building and moves the steps there: steps for a container to where it is detected, dragged
 % steps to the detected object, those that take the place of another object to where that is, those with an anchor to
-% their place beside it, others to the objects that the demonstration did not move, or to a free site on the table. If there is no such site, state.hasSite stays false and
-% problem says why.
+% their place beside it, others to the objects that the demonstration did not move, or to a free site on the table.
+% If there is no such site, state.hasSite stays false and problem says why.
   problem = '';
   is_dragged = arrayfun(@isDragged, state.steps);
   is_replacing = ~cellfun(@isempty, {state.steps.takesPlaceOf});

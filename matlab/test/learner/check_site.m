@@ -23,4 +23,29 @@ function check_site()
   moved = placeByWhatStays([plates, on_plates], known, [], eye);
   errors = vertcat(moved.position) - vertcat(known.position);
   check(max(abs(errors(:))) < 1e-9, 'each object that stays determines where the steps on it go');
+  check_anchor(eye);
+end
+
+function check_anchor(eye)
+% A block was put beside a wall, or, in a scene of its own, elsewhere on the table.
+  blue = asStep(block([0, 0, 1], [1, 1, 1], 2.8, -2, 0, 0));
+  wall = asStep(block([0.5, 0.3, 0.2], [4, 1, 1], 0, -2, 0, 0));
+  [blue.name, wall.name] = deal('Blue', 'Wall');
+  wall.stays = true;
+  alone = struct('ids', {{'Blue'}}, 'start', [4, -4, 0.5, 0, 0, 30], 'final', [2.8, -2, 0.5, 0, 0, 0]);
+  steps = withAnchor(alone, blue, blue([]));
+  check(numel(steps) == 1 && strcmp(steps.anchor, 'the table'), 'without another object its place on the table counts');
+  demo = alone;
+  demo.ids = {'Blue', 'Wall'};
+  [demo.start, demo.final] = deal([demo.start; 0, -2, 0.5, 0, 0, 0], [demo.final; 0, -2, 0.5, 0, 0, 0]);
+  steps = withAnchor(demo, blue, wall);
+  check(strcmp(steps(1).anchor, 'Wall') && steps(2).stays, 'otherwise that beside what stayed');
+  [~, problem] = placeAtAnchor(steps, blue, [], eye);
+  check(~isempty(strfind(problem, 'nothing is seen that looks like Wall')), 'which must be seen');
+  [~, problem] = placeAtAnchor(steps(1), blue, [], eye);
+  check(~isempty(strfind(problem, 'could not be measured')), 'and understood');
+  [~, problem] = placeAtAnchor(steps, block([0.5, 0.3, 0.2], [4, 1, 1], 0, -8.5, 0, 0), [], eye);
+  check(~isempty(strfind(problem, 'out of reach or out of view')), 'its place must be in view');
+  demo.final(1, 3) = 1.5;
+  check(isempty(withAnchor(demo, blue, wall)(1).anchor), 'what was put higher was more than put elsewhere');
 end

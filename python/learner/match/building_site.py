@@ -16,8 +16,8 @@ from things.steps import is_dragged
 def choose_site(state, arms, picture, eye):
     """Chooses the site of the building and moves the steps there: steps for a container to where it
     is detected, dragged steps to the detected object, steps with an anchor to their place beside it,
-    others to the objects that the demonstration did not move, or to a free site on the table. If there is no such site, state.has_site stays
-    false. Returns the reason, or None."""
+    others to the objects that the demonstration did not move, or to a free site on the table. If there
+    is no such site, state.has_site stays false. Returns the reason, or None."""
     try:
         replacing = [step for step in state.steps if step.takes_place_of]
         returning = {step.name: place_returning(step, state) for step in state.steps if step.aside}

@@ -9,8 +9,7 @@ from constants import BLOCKS, TASK_MODEL as C
 from things.areas import footprint, overlap
 from things.blocks import Block
 
-
-TABLE = "the table"
+TABLE = "the table"  # the anchor of steps whose place on the table was shown
 
 
 @dataclass(eq=False)

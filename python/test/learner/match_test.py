@@ -8,8 +8,8 @@ from unittest.mock import patch
 import numpy as np
 
 from check.task_state import TaskState
-from match.building_site import choose_site, shifted
 from match.anchored_places import place_at_anchor
+from match.building_site import choose_site, shifted
 from match.landmarks import place_by_what_stays
 from match.sites import NoSite, site_cost
 from scenes import BLUE, BROWN, CUBE, EYE, GREEN, PLANK, RED, block, step

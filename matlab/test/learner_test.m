@@ -5,7 +5,7 @@
 % prints "ok" or the first wrong claim, and exits with 0 or 1. matlab/test/learner contains the tests, one file for each part;
 % python/test/learner contains the same claims about the Python twin.
 here = fileparts(mfilename('fullpath'));
-addpath(fullfile(here, '..', 'learner'), fullfile(here, 'learner'));
+addpath(genpath(fullfile(here, '..', 'learner')), fullfile(here, 'learner'));
 
 try
   check_perception();

@@ -4,7 +4,7 @@
 %
 % prints "ok" or the first wrong claim, and exits with 0 or 1.
 here = fileparts(mfilename('fullpath'));
-addpath(fullfile(here, '..', 'learner'), fullfile(here, 'learner'));
+addpath(genpath(fullfile(here, '..', 'learner')), fullfile(here, 'learner'));
 
 function block = blockAt(color, size, position, yaw)
   block = struct('color', color, 'size', size, 'position', position, 'yaw', yaw);

@@ -162,19 +162,23 @@ std::vector<Eigen::Matrix4d> PosesOf(std::size_t count, const sim::Simulation& s
 }  // namespace
 
 MayRead WhatMayBeRead(const std::filesystem::path& brain) {
-  constexpr std::size_t kMaxScriptBytes = 4u << 20;
-  std::error_code error;
+  constexpr std::uintmax_t kMaxScriptBytes = 4u << 20;
+  constexpr int kMaxEntries = 10'000;
+  std::error_code error, of_listing;
   // Python files and executables are not searched: there, these values cost little.
   if (!std::filesystem::is_directory(brain, error)) return {};
   MayRead read{.trackers = false, .arms = false};
-  for (const auto& entry : std::filesystem::directory_iterator(brain, error)) {
-    if (entry.path().extension() != ".m" || !entry.is_regular_file(error)) continue;
-    if (entry.file_size(error) > kMaxScriptBytes) return {};
-    const std::string script = ReadFile(entry.path(), kMaxScriptBytes);
+  int num_entries = 0;
+  // A brain may have its scripts in subfolders. What cannot be searched may read everything.
+  for (std::filesystem::recursive_directory_iterator it(brain, of_listing), end; it != end; it.increment(of_listing)) {
+    if (++num_entries > kMaxEntries) return {};
+    if (it->path().extension() != ".m" || !it->is_regular_file(error)) continue;
+    if (it->file_size(error) > kMaxScriptBytes) return {};
+    const std::string script = ReadFile(it->path(), kMaxScriptBytes);
     if (script.find("trackerLoc") != std::string::npos) read.trackers = true;
     if (script.find(".arms") != std::string::npos) read.arms = true;
   }
-  return read;
+  return of_listing ? MayRead() : read;
 }
 
 std::string_view ToString(BrainStatus status) {

@@ -1,6 +1,7 @@
 % Evaluates the learner's functions in Octave for the inputs of agreement_test.py; prints a number on each
 % line. octave-cli agreement.m, with matlab/learner on the path.
 1;
+addpath(genpath(fileparts(which('agentBehavior'))));  % with the folders of its parts
 
 function show(numbers)
   printf('%.17g\n', double(numbers));

@@ -1,6 +1,7 @@
 % Runs the learner in Octave for the inputs of decisions_test.py; prints a result on each line.
 % octave-cli decisions.m ROBOT CASE..., with matlab/learner, matlab/motion and smilemotion on the path.
 1;
+addpath(genpath(fileparts(which('agentBehavior'))));  % with the folders of its parts
 
 function show(word, numbers)
   printf('%s%s\n', word, sprintf(' %.9f', double(numbers)));

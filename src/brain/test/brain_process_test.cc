@@ -231,6 +231,8 @@ TEST_F(BrainProcessTest, SearchesScriptsForValuesThatTheyMayRead) {
             (MayRead{.trackers = true, .arms = false}));
   EXPECT_EQ(WhatMayBeRead(Brain("numel(aux.arms)", "")),
             (MayRead{.trackers = false, .arms = true}));
+  Program("parts/see.m", "keys(sensor.trackerLoc);");
+  EXPECT_EQ(WhatMayBeRead(Brain("", "see();")), (MayRead{.trackers = true, .arms = false}));
   EXPECT_EQ(WhatMayBeRead(Program("think.py", "")), MayRead());
 }
 

@@ -17,7 +17,7 @@ printPresses(presses, steps);
 
 arms = armsOf(aux);
 hands = armsFor(steps, arms);
-eye = struct('intrinsics', aux.cameraIntrinsics, 'pose', aux.cameraPose);
+eye = eyeOfRobot(aux);
 state = initialTaskState(steps, container, presses, demo.eye, choicesOf(aux));  % beliefs about this scene, and progress
 actions = {struct('kind', 'observe')};  % the next actions, in this order
 num_retreats = 0;                       % number of successive retreats after failed actions

@@ -23,7 +23,7 @@ from check.telling import tell
 from constants import TASK_PLANNING
 from explain.understanding import understand
 from plan.task_planning import choose_actions
-from see.eye import Eye
+from see.framing import eye_of_robot
 
 
 def init(aux):
@@ -34,7 +34,7 @@ def init(aux):
     demo, steps, container, presses = understand(aux)
     arms = arms_of(aux)
     aux.hands = arms_for(steps, arms)
-    aux.eye = Eye(aux.cameraIntrinsics, aux.cameraPose)
+    aux.eye = eye_of_robot(aux)
     # Beliefs about this scene, and progress. Agents to compare with, in python/examples/agents, set
     # what the learner does without, or another way to see.
     aux.state = TaskState(steps, container, presses=presses, shown=demo.eye, choices=choices_of(aux),

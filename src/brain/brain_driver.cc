@@ -243,6 +243,8 @@ Aux BrainDriver::Describe(const sim::Simulation& simulation) const {
   aux.sends_arms = SendsArms(model);
   aux.meters_per_unit = simulation.scene().meters_per_unit;
   aux.X_WBase = MatrixInUnits(simulation.robot()->base_pose(), simulation);
+  const scene::TableSpec& table = simulation.scene().table;
+  aux.table_size = Eigen::RowVector2d(table.x_span, table.y_span) / aux.meters_per_unit;
   aux.robot_files = simulation.model().robot_placement()->files;
   aux.robot_gripper = simulation.model().robot_placement()->gripper;
   if (options_.eye != nullptr) {

@@ -633,6 +633,7 @@ std::vector<std::byte> EncodeAux(std::uint32_t sequence, const Aux& aux, std::st
   writer.AddScalar("maxTicks", kMaxChunkTicks);
   writer.AddScalar("unit", aux.meters_per_unit);
   AddMatrix(writer, "robotBase", aux.X_WBase);
+  AddMatrix(writer, "tableSize", aux.table_size);
   if (!robot.empty()) writer.AddText("robot", robot);
   writer.AddText("robotGripper", aux.robot_gripper);
   AddLines(writer, "cameraNames", aux.camera_names);

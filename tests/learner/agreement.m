@@ -17,6 +17,7 @@ function [actions, reason] = planToPlace(varargin)
   reason = '';
 end
 
+eye.table = [20, 12];
 eye.intrinsics = [415.7, 0, 320; 0, 415.7, 240; 0, 0, 1];
 c = cos(2.55);
 s = sin(2.55);

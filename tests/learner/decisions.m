@@ -58,8 +58,10 @@ function decideOn(folder, aux)
   sensor.depthVision = fread(file, [size(sensor.rgbVision, 2), Inf], 'double')';
   fclose(file);
   eye = eyeOf(shown);
+  eye.table = [20, 12];
   aux.cameraIntrinsics = eye.intrinsics;
   aux.cameraPose = eye.pose;
+  aux.tableSize = eye.table;
   arms = armsOf(aux);
   for arm = arms
     show(['arm ', arm.name], [arm.parked, arm.reach, arm.foot]);

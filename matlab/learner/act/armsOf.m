@@ -13,7 +13,7 @@ function arms = armsOf(aux)
 %   starts    Mxn joint angles from which to search for others
 %   reach     of the fingers below the tool, when they point straight down [units]
   robot = smileRobot(aux);
-  eye = struct('intrinsics', aux.cameraIntrinsics, 'pose', aux.cameraPose);
+  eye = eyeOfRobot(aux);
   arms = struct('robot', {}, 'name', {}, 'index', {}, 'opening', {}, 'ready', {}, 'lower', {}, 'upper', {});
   counts = arrayfun(@(arm) numel(arm.joints), aux.arms);
   for k = 1:numel(aux.arms)

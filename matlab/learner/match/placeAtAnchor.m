@@ -16,12 +16,12 @@ function [steps, problem] = placeAtAnchor(steps, known, arms, eye)
     problem = sprintf('nothing is seen that looks like %s, beside which %s goes', anchor, name);
     return
   end
-  % What is put where the eye does not see it may fall from the table.
   is_visible = cellfun(@(moved) areInView(moved(~[moved.stays]), eye), sites);
   steps = firstWithinReach(cost(is_visible), sites(is_visible), arms);
   if isempty(steps), problem = sprintf('relative to %s, the place of %s is out of reach or out of view', anchor, name); end
 end
 
 function yes = areInView(steps, eye)
-  yes = all(arrayfun(@(step) isInView(footprint(step, 0), step.position(3) + step.size(3) / 2, eye), steps));
+  yes = all(arrayfun(@(step) isOnTable(footprint(step, 0), eye) && ...
+                             isInView(footprint(step, 0), step.position(3) + step.size(3) / 2, eye), steps));
 end

@@ -5,24 +5,25 @@ function places = freePlacements(arms, eye, block, taken, goal, unexplained)
 %   goal         to which it goes on from there, or []
 %   unexplained  as from unexplainedPoints
   c = constants().task_planning;
-  [x, y, yaw] = ndgrid(c.place_x(1):c.place_x(2):c.place_x(3), c.place_y(1):c.place_y(2):c.place_y(3), ...
-                       [0, pi / 2, pi / 4, -pi / 4]);
+  [x, depth, yaw] = ndgrid(c.place_x(1):c.place_x(2):c.place_x(3), ...
+                           c.place_depth(1):c.place_depth(2):c.place_depth(3), [0, pi / 2, pi / 4, -pi / 4]);
   x = x(:);
-  y = y(:);
+  y = nearEdge(eye) + depth(:);
   covered = [x, y, repmat(block.size(1:2), numel(x), 1) + c.place_margin, yaw(:)];
   free = isFree(covered, taken);
   for arm = arms
     free = free & sqrt((x - arm.foot(1)) .^ 2 + (y - arm.foot(2)) .^ 2) > c.foot_distance;
   end
   free(free) = ~isUnexplained(covered(free, :), unexplained);
-  free(free) = isInView(covered(free, :) - [0, 0, c.place_margin, c.place_margin, 0], block.size(3), eye);
+  inside = covered(free, :) - [0, 0, c.place_margin, c.place_margin, 0];
+  free(free) = isOnTable(inside, eye) & isInView(inside, block.size(3), eye);
 
   if isempty(goal)
     % The middle, where both arms reach, is for handovers.
     cost = sqrt((x - block.position(1)) .^ 2 + (y - block.position(2)) .^ 2) + ...
            max(c.handover_half_width - abs(x), 0);
   else
-    cost = abs(x) + c.handover_y_cost * abs(y - c.handover_y);
+    cost = abs(x) + c.handover_depth_cost * abs(depth(:) - c.handover_depth);
   end
   cost(~free) = Inf;
   [~, order] = sort(cost);

@@ -23,7 +23,8 @@ end
 function hidden = hiddenGround(heights, eye)
 % Returns the points of the table, in a grid, at which the eye sees something higher: Nx2 [units].
   c = constants().task_planning;
-  [y, x] = ndgrid(c.place_y(1):c.place_y(2):c.place_y(3), c.place_x(1):c.place_x(2):c.place_x(3));
+  [y, x] = ndgrid(nearEdge(eye) + (c.place_depth(1):c.place_depth(2):c.place_depth(3)), ...
+                  c.place_x(1):c.place_x(2):c.place_x(3));
   hidden = [x(:), y(:)];
   pixels = pixelAt([hidden, zeros(numel(x), 1)], eye);
   inside = all(pixels >= 1 & pixels <= [size(heights, 2), size(heights, 1)], 2);

@@ -5,4 +5,5 @@ function eye = robotEye()
   eye.intrinsics = [f, 0, 320; 0, f, 240; 0, 0, 1];
   eye.pose = [1, 0, 0, 0; 0, -sin(tilt), cos(tilt), -6.1168; 0, -cos(tilt), -sin(tilt), 11.5921; ...
               0, 0, 0, 1];
+  eye.table = [20, 12];
 end

@@ -14,14 +14,15 @@ import numpy as np
 from deeds import Action, continue_carrying, execute_action, fail, prepare
 
 from see.detection import detect_blocks
-from see.eye import Eye, height_map
+from see.eye import height_map
+from see.framing import eye_of_robot
 from things.blocks import yaw_difference
 from things.kinds import is_same_kind
 
 
 def init(aux):
     aux.shown, aux.at_start = prepare(aux)
-    aux.eye = Eye(aux.cameraIntrinsics, aux.cameraPose)
+    aux.eye = eye_of_robot(aux)
     aux.channels = ["rgb", "depth"]
     aux.look = Action("observe")
 

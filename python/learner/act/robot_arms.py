@@ -6,13 +6,13 @@ from smile.motion import robot_of
 from act.arms import Arm
 from act.postures import posture_aside
 from constants import ARMS as C
-from see.eye import Eye
+from see.framing import eye_of_robot
 
 
 def arms_of(aux):
     """Returns the Arms of a brain's robot."""
     robot = robot_of(aux)
-    eye = Eye(aux.cameraIntrinsics, aux.cameraPose)
+    eye = eye_of_robot(aux)
     arms = []
     for k, arm in enumerate(aux.arms):
         ready = robot.pose(arm.name, "ready")

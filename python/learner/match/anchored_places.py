@@ -2,7 +2,7 @@
 
 from match.landmarks import sites_by_anchor
 from match.sites import NoSite, first_within_reach
-from see.framing import is_in_view
+from see.framing import is_in_view, is_on_table
 from things.steps import TABLE
 
 
@@ -20,8 +20,8 @@ def place_at_anchor(steps, known, arms, eye):
         sites = sites_by_anchor(steps, known, eye)
     if not sites:
         raise NoSite(f"nothing is seen that looks like {anchor}, beside which {steps[0].name} goes")
-    # What is put where the eye does not see it may fall from the table.
-    visible = [site for site in sites if all(step.stays or is_in_view(step, eye) for step in site[1])]
+    visible = [site for site in sites
+               if all(step.stays or is_on_table(step, eye) and is_in_view(step, eye) for step in site[1])]
     placed = first_within_reach(visible, arms)
     if not placed:
         raise NoSite(f"relative to {anchor}, the place of {steps[0].name} is out of reach or out of view")

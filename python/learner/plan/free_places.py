@@ -8,7 +8,7 @@ import numpy as np
 
 from act.finger_room import gripper_clearance
 from constants import CLEARANCE, TASK_PLANNING as C, numbers_of
-from see.framing import is_in_view
+from see.framing import is_in_view, is_on_table
 from see.unexplained import is_unexplained
 from things.areas import footprint, overlap
 from things.blocks import has_equal_sides
@@ -18,9 +18,10 @@ def free_placements(arms, eye, block, taken, goal, unexplained=()):
     """Returns free places for a block on the table, within the eye's view, a list of up to
     max_places, the best first: with room for its fingers and for those of its neighbors, and away
     from the feet of the arms."""
-    yaw, y, x = (it.ravel() for it in np.meshgrid(
-        [0, math.pi / 2, math.pi / 4, -math.pi / 4], numbers_of(*C.place_y),
+    yaw, depth, x = (it.ravel() for it in np.meshgrid(
+        [0, math.pi / 2, math.pi / 4, -math.pi / 4], numbers_of(*C.place_depth),
         numbers_of(*C.place_x), indexing="ij"))
+    y = eye.near_edge + depth
     sides = np.ones_like(x)[:, None] * (block.size[:2] + C.place_margin)
     covered = np.column_stack([x, y, sides, yaw])
     free = is_free(covered, taken)
@@ -33,11 +34,11 @@ def free_placements(arms, eye, block, taken, goal, unexplained=()):
         cost = np.hypot(x - block.position[0], y - block.position[1])
         cost += np.maximum(C.handover_half_width - np.abs(x), 0)
     else:
-        cost = np.abs(x) + C.handover_y_cost * np.abs(y - C.handover_y)
+        cost = np.abs(x) + C.handover_depth_cost * np.abs(depth - C.handover_depth)
     best = np.argsort(np.where(free, cost, np.inf), kind="stable")[:free.sum()]
     places = (replace(block, position=np.array([x[i], y[i], block.size[2] / 2]), yaw=yaw[i])
               for i in best)
-    return list(islice((it for it in places if is_in_view(it, eye)), C.max_places))
+    return list(islice((it for it in places if is_on_table(it, eye) and is_in_view(it, eye)), C.max_places))
 
 
 def is_free(covered, taken):

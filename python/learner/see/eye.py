@@ -7,15 +7,20 @@ import numpy as np
 
 @dataclass
 class Eye:
-    """A camera at a fixed place."""
+    """A camera at a fixed place, and the table that it looks at."""
 
     intrinsics: np.ndarray  # 3x3 [pixels]
     pose: np.ndarray  # 4x4, x right, y down, z forward; translation in units
+    table: tuple = (20, 12)  # size of the table top along x and y [units]; this one if a scene does not say
+
+    @property
+    def near_edge(self):
+        """The y of the edge of the table at which the robot stands [units]."""
+        return -self.table[1] / 2
 
 
 def height_map(depth, eye):
-    """Returns the height above the table of the surface in each pixel, HxW [units]; 0 where there
-    is none.
+    """Returns the height above the table of the surface in each pixel, HxW [units]; 0 where there is none.
 
     depth: HxW, distance along the axis of the camera [units]; 0 where there is no surface
     """

@@ -33,7 +33,7 @@ def hidden_ground(heights, eye):
     """Returns the points of the table, in a grid, at which the eye sees something higher: Nx2 [units]."""
     hidden = []
     for x in numbers_of(*TASK_PLANNING.place_x):
-        for y in numbers_of(*TASK_PLANNING.place_y):
+        for y in eye.near_edge + numbers_of(*TASK_PLANNING.place_depth):
             column, row = np.floor(to_pixel([x, y, 0], eye)).astype(int)
             inside = 0 <= row < heights.shape[0] and 0 <= column < heights.shape[1]
             if inside and heights[row, column] > C.on_table:

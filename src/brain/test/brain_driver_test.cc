@@ -154,10 +154,11 @@ Motor TurningArms(const std::vector<ArmDescription>& arms) {
 }
 
 TEST_F(BrainDriverTest, DrivesAnyArms) {
-  sim::Simulation simulation(scene::SceneSpec{.name = "test"},
+  sim::Simulation simulation(scene::SceneSpec{.name = "test", .table = {.x_span = 1.6, .y_span = 2.4}},
                              sim::RobotPlacement{.model = robot::ThreeArms().Model()});
   BrainDriver driver({.may_read = {.trackers = true, .arms = false}});
   const Aux aux = std::get<Aux>(driver.NextQuestion(&simulation).value());
+  EXPECT_TRUE(aux.table_size.isApprox(Eigen::RowVector2d(16, 24))) << "in units";
   ASSERT_EQ(aux.arms.size(), 3u);
   EXPECT_TRUE(aux.sends_arms) << "there are no classic variables";
   EXPECT_EQ(aux.arms[0].name, "front");

@@ -20,8 +20,10 @@ try
   check_dragging();
   check_planning();
   check_site();
+  check_meant();
   check_clearing();
   check_making_room();
+  check_step_choice();
   check_resting();
   check_failures();
   check_parts();

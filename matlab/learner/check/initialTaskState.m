@@ -12,10 +12,13 @@ function state = initialTaskState(steps, container, presses, shown, choices)
 %   placementErrors  of each block when last seen: [units, rad], Nx2
 %   numBlocked  number of successive steps for which no plan was found
 %   firstFailure  why the first of them failed
-%   insistsOn  number of the step that comes next, for which others made room; [] if there is none
+%   intention  a step that is not done yet, and for which something was done already: step, its number, and isLastResort,
+%              whether no other step could be done either; [] if there is none
 %   left       blocks at the places from which they were put aside
+%   asides     for which step a block was put aside: step, its number, and place, the block there
 %   grasp      of the current actions, see newGrasp; its block is the last of the known
 %   failures   grasps that failed, not to be repeated
+%   meant      as from meantBlocks, once a site is chosen
 %   moved      name of the last of the known, if it was moved and not seen since then; empty if not
 %   notes      that were not told yet, see asNote
 %   presses    of switches and buttons, and uses of tools, in the demonstrated order: see newPress; optional
@@ -37,11 +40,12 @@ function state = initialTaskState(steps, container, presses, shown, choices)
   state = struct('steps', steps, 'container', {container}, 'hasSite', false, 'known', noBlocks(), ...
                  'unknownObjects', noBlocks(), 'unexplained', zeros(0, 2), 'done', false(1, n), ...
                  'attempts', zeros(1, n), 'numTemporary', 0, 'placementErrors', NaN(n, 2), 'numBlocked', 0, ...
-                 'firstFailure', '', 'insistsOn', [], 'left', noBlocks(), 'grasp', [], ...
+                 'firstFailure', '', 'intention', [], 'meant', NaN(n, 3), 'left', noBlocks(), 'asides', struct('step', {}, 'place', {}), 'grasp', [], ...
                  'failures', {struct('position', {}, 'arm', {}, 'yaw', {})}, 'moved', '', ...
                  'notes', asNote({}, {}), 'presses', presses, 'shown', shown, 'choices', choices, ...
                  'alignments', struct('angle', {}, 'place', {}, 'control', {}), 'lastPicture', [], 'numLooks', 0, ...
                  'numStill', 0, 'claim', [], 'surface', [], 'unseenColors', NaN);
+  state.unknownObjects = startSupportsOf(steps);
   % What has to be turned may lie on any of its faces.
   for step = steps(~cellfun(@isempty, {steps.startSize}))
     for sides = onEachFace(step.size)'

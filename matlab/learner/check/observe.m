@@ -8,6 +8,7 @@ function state = observe(state, picture, heights, eye)
   like = [asBlocks(state.steps), state.unknownObjects];
   for press = state.presses(~cellfun(@isempty, {state.presses.tool})), like(end + 1) = asBlocks(press.tool); end
   staying = asBlocks(state.steps([state.steps.stays] | [state.steps.hasKnob]));
+  for it = startSupportsOf(state.steps), staying(end + 1) = it; end
   seen = detectBlocks(picture, eye, like, container, heights, staying);
   [state.steps, seen] = findKnobs(state.steps, seen, picture, eye, heights);
   is_odd = rows(state.unexplained) >= constants().perception.many_unexplained;

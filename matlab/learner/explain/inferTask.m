@@ -44,6 +44,9 @@ function [steps, container, appearances] = inferTask(demo, attention, needs)
       steps(k).after = setdiff(1:k - 1, steps(k).on);
     end
   end
+  for k = 1:numel(steps)
+    steps(k).beganOn = startSupport(demo, find(strcmp(demo.ids, steps(k).name)), steps(k), appearances);
+  end
   container = measureContainer(demo, steps(cellfun(@isempty, {steps.aside})));
   if isempty(container), steps = withAnchor(demo, steps, others); end
 end

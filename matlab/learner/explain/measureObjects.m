@@ -49,6 +49,7 @@ function block = measureObject(demo, n, lower, pictures)
   end
   block = measureBall(demo, n, frames, pictures);
   if isempty(block), block = measureTopWithKnob(demo, n, frames, pictures); end
+  if isempty(block), block = measureCoveredTop(demo, n, pictures); end
   if isempty(block), block = measureParts(demo, n); end
   if isempty(block), block = measureFlatTop(demo, n, lower); end
   % What is known by less, like an outline, comes last.

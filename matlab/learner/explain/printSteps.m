@@ -8,6 +8,7 @@ function printSteps(steps)
     end
     where = '';
     if ~isempty(steps(k).anchor), where = [', where it is relative to ', steps(k).anchor]; end
+    if ~isempty(steps(k).beganOn), where = [where, '; it is the one that began on ', steps(k).beganOn.name]; end
     fprintf('shown: %d. %s %s%s\n', k, describeStep(steps(k)), place, where);
   end
 end

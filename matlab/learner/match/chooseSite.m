@@ -35,6 +35,7 @@ function [state, problem] = chooseSite(state, arms, picture, eye)
   end
   if isempty(problem), state.steps = steps; end
   state.hasSite = isempty(problem);
+  state.meant = meantBlocks(state.steps, state.known);
 end
 
 function [step, problem] = placeDragged(step, known)

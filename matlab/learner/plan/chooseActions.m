@@ -48,28 +48,3 @@ function yes = areDrivers(state)
   drives = state.presses(~cellfun(@isempty, {state.presses.turns}));
   yes = arrayfun(@(it) any(arrayfun(@(drive) isSameKind(it, drive.tool), drives)), state.known);
 end
-
-function [actions, state] = planOneOf(open, state, free, eye, arms, sensor)
-% Plans the next of some steps in the demonstrated order; while that is blocked, one of the others, next time: a 1xN cell
-% of actions; {} if all are blocked.
-%   open  their numbers
-%   free  numbers of the known blocks that are in no step's place
-  insisted = state.insistsOn;
-  state.insistsOn = [];
-  k = open(1 + mod(state.numBlocked, numel(open)));
-  if any(ismember(insisted, open)) || waitsForSupport(state, insisted), k = insisted; end
-  is_last_resort = isequal(k, insisted) || state.numBlocked >= numel(open);
-  [actions, state, reason] = planStep(state, k, free, is_last_resort, eye, arms, sensor);
-  if ~isempty(actions)
-    state.numBlocked = 0;
-    if is_last_resort && any(open == k), state.insistsOn = k; end
-    return
-  end
-  if state.numBlocked == 0, state.firstFailure = [describeStep(state.steps(k)), ': ', reason]; end
-  state.numBlocked = state.numBlocked + 1;
-  if state.numBlocked > numel(open) + 1
-    state = giveUp(state, ['at ', state.firstFailure]);
-  else
-    actions = {struct('kind', 'observe')};
-  end
-end

@@ -40,11 +40,9 @@ function [actions, place, is_temporary, reason] = planMove(state, k, move, eye, 
     sites{2} = [asBlocks(steps([find(state.done), k])), container];
   end
   is_temporary = true;
-  left = noBlocks();
-  if isempty(goal)
-    left = [state.left, block];
-    left = left(arrayfun(@(it) isSameKind(block, it), left));
-  end
+  left = state.left;
+  if isempty(goal), left(end + 1) = block; end
+  left = left(arrayfun(@(it) isSameKind(block, it), left));
   if ~isempty(move.room), sites = cellfun(@(site) [site, move.room], sites, 'UniformOutput', false); end
   [actions, place, reason] = planTemporaryPlacement(arms, eye, block, others, sites, sensor, goal, ...
                                                     state.failures, left, state.unexplained);

@@ -4,9 +4,10 @@ function moves = proposeMoves(state, k, free)
   moves = noMoves();
   step = state.steps(k);
   known = state.known;
-  fits = free(arrayfun(@(i) isSameKind(known(i), step), free));
+  fits = fitting(state.meant, k, free(arrayfun(@(i) isSameKind(known(i), step), free)), known);
   obstructing = free(overlap(gripperClearance(step), footprint(known(free), 0)));
-  blocked = free(arrayfun(@(i) isGraspBlocked(known(i), state.steps), free));
+  is_blocked = @(i) willBeBlocked(i, known, free, state.steps) && ~isAsideFor(state, k, known(i));
+  blocked = free(arrayfun(is_blocked, free));
 
   % First the blocks that later steps make hard to reach, and the closest matching ones.
   distance = arrayfun(@(i) norm(known(i).position - step.position), fits);
@@ -32,4 +33,19 @@ function moves = proposeMoves(state, k, free)
   % A block with others on top has to wait.
   is_covered = arrayfun(@(move) hasObjectsOn(known(move.block), known(free)), moves);
   moves(is_covered) = [];
+end
+
+function yes = willBeBlocked(i, known, free, steps)
+% Returns true if a known block, a number, lies where no fingers fit in once the steps are built: because of them alone, or
+% of what touches it, too, although there is room now.
+  steps = asBlocks(steps);
+  beside = known(free(arrayfun(@(other) other ~= i && isBeside(known(other), known(i)), free)));
+  yes = isGraspBlocked(known(i), steps) || ...
+        (~isempty(graspYaws(known(i), beside)) && isempty(graspYaws(known(i), [beside, steps])));
+end
+
+function yes = isAsideFor(state, k, block)
+% Returns true if a block was put aside for step k: what it blocks there has to wait, as the step would otherwise.
+  places = state.asides([state.asides.step] == k);
+  yes = ~isempty(places) && isNear(block, [places.place]);
 end

@@ -12,6 +12,7 @@ function step = newStep(block, name)
 %   startSize  as size, of an object that began on another face; [] for others
 %   aside     where it was put before it came back, see asideOf; [] for others
 %   tolerance  of its position [units]
+%   beganOn   what it stood on at the start, where that tells it from others that look the same, see startSupport; [] if not
 %   anchor    name of the object, or 'the table', relative to which its place was shown; '' if it may stand anywhere
 % Its color is [] if the demonstrator specified that color does not matter.
   step = block;
@@ -27,4 +28,5 @@ function step = newStep(block, name)
   step.aside = [];
   step.tolerance = constants().blocks.position_tolerance;
   step.anchor = '';
+  step.beganOn = [];
 end

@@ -1,6 +1,9 @@
 function state = withColor(state, color, seen)
 % Gives all that is wanted in a color another one: see knowColors.
   state.steps = recolored(state.steps, color, seen);
+  for k = find(~cellfun(@isempty, {state.steps.beganOn}))
+    state.steps(k).beganOn.like = recolored(state.steps(k).beganOn.like, color, seen);
+  end
   state.unknownObjects = recolored(state.unknownObjects, color, seen);
   state.container = recolored(state.container, color, seen);
   for k = 1:numel(state.presses), state.presses(k).tool = recolored(state.presses(k).tool, color, seen); end

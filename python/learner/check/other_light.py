@@ -12,7 +12,7 @@ from see.detection import detect_blocks
 from see.light import clear_matches, color_changes
 from see.unknown_objects import segment_top_faces
 from things.colored import different_colors, is_among, is_near, of_color, whole
-from things.steps import Container
+from things.steps import Container, start_supports_of
 
 
 def know_colors(state, picture, eye, heights):
@@ -41,8 +41,8 @@ def know_colors(state, picture, eye, heights):
 
 
 def wanted_things(state):
-    """Returns the steps, the container and the tools."""
-    things = state.steps + [it.tool for it in state.presses if it.tool]
+    """Returns the steps, what they began on, the container and the tools."""
+    things = state.steps + start_supports_of(state.steps) + [it.tool for it in state.presses if it.tool]
     return [*things, state.container] if state.container else things
 
 

@@ -1,7 +1,7 @@
 """Progress and beliefs of the learner during a task."""
 
 from dataclasses import dataclass, field
-from typing import Callable, Optional
+from typing import Callable, NamedTuple, Optional
 
 import numpy as np
 
@@ -13,7 +13,14 @@ from see.surfaces import Surface
 from things.blocks import Block
 from things.kinds import same_size
 from things.resting import on_each_face
-from things.steps import Container
+from things.steps import Container, start_supports_of
+
+
+class Intention(NamedTuple):
+    """A step that is not done yet, and for which something was done already."""
+
+    step: int  # its number
+    is_last_resort: bool  # whether no other step could be done either
 
 
 @dataclass
@@ -34,11 +41,13 @@ class TaskState:
     num_temporary: int = 0  # number of blocks that were put at a temporary place so far
     placement_errors: dict = field(default_factory=dict)  # of a step's block: [units], [rad]
     num_blocked: int = 0  # number of successive steps for which no plan was found
-    insists_on: Optional[int] = None  # number of the step that comes next, for which others made room
+    intention: Optional[Intention] = None  # the step that comes next, for which others made room
     first_failure: str = ""  # why the first of them failed
     left: list = field(default_factory=list)  # Blocks at the places from which they were put aside
+    asides: list = field(default_factory=list)  # for which step a block was put aside, its number, and the Block there
     grasp: Optional[Grasp] = None  # of the current actions; its block is the last of the known
     failures: list = field(default_factory=list)  # Grasps that failed, not to be repeated
+    meant: dict = field(default_factory=dict)  # as from meant_blocks, once a site is chosen
     moved: str = ""  # name of the last of the known, if it was moved and not seen since then
     notes: list = field(default_factory=list)  # Notes that were not told yet
     claim: Optional[Claim] = None  # about the result, at the end
@@ -56,6 +65,7 @@ class TaskState:
     def __post_init__(self):
         self.done = [False] * len(self.steps)
         self.attempts = [0] * len(self.steps)
+        self.unknown_objects += start_supports_of(self.steps)
         # What has to be turned may lie on any of its faces.
         self.unknown_objects += [
             Block(step.color, size, np.array([0, 0, size[2] / 2]), 0.0)

@@ -4,13 +4,13 @@ import math
 
 import numpy as np
 
-from constants import TASK_MODEL as C
+from explain.covered_tops import measure_covered_top, measure_top_with_knob
 from explain.flat_tops import is_side_at, measure_flat_top
 from explain.object_roles import carried_along
 from explain.outline_measuring import measure_outlined
 from explain.part_measuring import measure_parts
-from explain.shown_pictures import read_picture
-from explain.tops import measure_ball, measure_top, measure_top_with_knob
+from explain.shown_pictures import read_picture, select_frames
+from explain.tops import measure_ball, measure_top
 from things.blocks import Block
 from things.kinds import has_parts_of
 from things.steps import stands_on
@@ -64,16 +64,5 @@ def measure_object(demo, n, lower, pictures):
                 return block
     return (measure_ball(demo, n, np.array(start), frames, pictures)
             or measure_top_with_knob(demo, n, np.array(start), math.radians(degrees), frames, pictures)
+            or measure_covered_top(demo, n, np.array(start), math.radians(degrees), pictures)
             or measure_parts(demo, n) or measure_flat_top(demo, n, lower) or measure_outlined(demo, n, frames, pictures))
-
-
-def select_frames(demo, n):
-    """Returns the frames in which an object may be entirely visible, with its pose, in rows as of demo.moves: its first,
-    those where it was highest, and some in which others were moved, which may have covered it before."""
-    moves = demo.moves[n]
-    highest = np.argsort(-moves[:, 3], kind="stable")[:C.num_highest_frames]
-    frames = np.unique(np.concatenate([rows[:, 0] for rows in demo.moves]))
-    chosen = np.arange(C.num_other_frames) * (len(frames) - 1) // (C.num_other_frames - 1)
-    others = [[frame, *moves[moves[:, 0] <= frame][-1, 1:]] for frame in frames[chosen]
-              if frame >= moves[0, 0]]
-    return np.array([moves[0], *moves[highest], *others])

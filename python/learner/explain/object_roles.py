@@ -3,7 +3,7 @@
 import numpy as np
 
 from constants import TASK_MODEL as C
-from relate.dragging import is_composite
+from relate.dragging import has_shape
 
 
 def moved_objects(demo):
@@ -29,7 +29,7 @@ def carried_along(demo):
 def may_be_ball(demo, n):
     """Returns true unless an object was lower than at the start, where a ball lies on the table, or is of several shapes."""
     is_lower = demo.moves[n][:, 3].min() < demo.moves[n][0, 3] - C.max_rest_error
-    return not is_lower and not is_composite(demo, n)
+    return not is_lower and not has_shape(demo, n, "composite")
 
 
 def former_owner(demo, step):

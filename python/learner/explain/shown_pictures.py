@@ -3,7 +3,7 @@
 import numpy as np
 from PIL import Image
 
-from constants import USES as C
+from constants import TASK_MODEL, USES as C
 from see.eye import Eye, pixels_of
 
 
@@ -40,3 +40,15 @@ def mask_around(picture, eye, point):
     mask = np.zeros(picture.shape[:2], bool)
     mask[row[inside], column[inside]] = True
     return mask
+
+
+def select_frames(demo, n):
+    """Returns the frames in which an object may be entirely visible, with its pose, in rows as of demo.moves: its first,
+    those where it was highest, and some in which others were moved, which may have covered it before."""
+    moves = demo.moves[n]
+    highest = np.argsort(-moves[:, 3], kind="stable")[:TASK_MODEL.num_highest_frames]
+    frames = np.unique(np.concatenate([rows[:, 0] for rows in demo.moves]))
+    chosen = np.arange(TASK_MODEL.num_other_frames) * (len(frames) - 1) // (TASK_MODEL.num_other_frames - 1)
+    others = [[frame, *moves[moves[:, 0] <= frame][-1, 1:]] for frame in frames[chosen]
+              if frame >= moves[0, 0]]
+    return np.array([moves[0], *moves[highest], *others])

@@ -11,6 +11,7 @@ from explain.needs import needed_of
 from explain.object_roles import former_owner, moved_objects, tools_of
 from explain.placed_steps import step_of
 from explain.shown_containers import measure_container
+from explain.start_supports import with_start_supports
 from relate.dragging import was_dragged
 from things.steps import is_above, is_dragged, stands_on
 
@@ -38,7 +39,7 @@ def infer_task(demo, attention, needs=None):
     for step in steps:
         if not step.on and step.bottom > C.min_inside_bottom and not is_dragged(step):
             step.takes_place_of = former_owner(demo, step)
-    steps = with_asides(demo, steps, needs)
+    steps = with_start_supports(demo, with_asides(demo, steps, needs))
     container = measure_container(demo, [it for it in steps if not it.aside])
     return steps if container else with_anchor(demo, steps, others), container
 

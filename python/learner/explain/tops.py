@@ -1,4 +1,4 @@
-"""Measures tops and balls in the pictures of a demonstration, at known poses."""
+"""Measures whole tops and balls in the pictures of a demonstration, at known poses."""
 
 import math
 
@@ -7,8 +7,7 @@ import numpy as np
 from constants import PERCEPTION, TASK_MODEL as C
 from explain.object_roles import may_be_ball
 from see.balls import ball_color
-from see.colors import color_mask, frequent_colors, is_color_near
-from see.covered import smallest_rectangle
+from see.colors import color_mask
 from see.eye import onto_plane, pixel_at
 from see.faces import fit_face
 from see.regions import label_regions
@@ -42,37 +41,4 @@ def measure_ball(demo, n, start, frames, pictures):
         color = ball_color(picture, demo.eye, np.array(pose[:3]), radius) if picture is not None else None
         if color is not None:
             return Block(color, np.full(3, 2 * radius), start, 0.0, form="ball")
-    return None
-
-
-def measure_top_with_knob(demo, n, start, yaw, frames, pictures):
-    """Measures an object with a part in the middle of its top, like measure_object. Its height is twice that of its
-    middle where a hand put it lowest, on the table."""
-    height = 2 * demo.moves[n][:, 3].min()
-    for frame, *pose in frames if n in demo.placed else []:
-        picture = pictures[frame]
-        for color in frequent_colors(picture, PERCEPTION.min_rim_pixels) if picture is not None else []:
-            sides = sides_around(picture, demo.eye, color, pose, height)
-            if sides is not None:
-                return Block(color, np.append(sides, height), start, yaw, has_knob=True)
-    return None
-
-
-def sides_around(picture, eye, color, pose, height):
-    """Returns the sides of a top of a color at a pose, if most of it, but not its middle, is visible; or None."""
-    top = pose[:3] + np.array([0, 0, height / 2])
-    middle = pixel_at(picture, eye, top)
-    if not is_color_near(picture, color, middle):
-        return None
-    number = label_regions(color_mask(picture, color))
-    for region in np.flatnonzero(np.bincount(number.ravel()) >= PERCEPTION.min_rim_pixels):
-        if region == 0 or number[middle] == region:
-            continue
-        row, column = np.nonzero(number == region)
-        x, y, area = onto_plane(row, column, eye, top[2])
-        pixel = np.sqrt(np.median(area))
-        face = smallest_rectangle(x, y, pixel, math.radians(pose[5]))
-        is_there = np.hypot(*(face.center - top[:2])) < C.max_container_error
-        if is_there and area.sum() > C.min_top_seen * face.sides.prod():
-            return face.sides
     return None

@@ -24,6 +24,7 @@ def understand(aux):
     for k, step in enumerate(steps):
         place = ", ".join(steps[lower].name for lower in step.on) or "the table"
         where = f", where it is relative to {step.anchor}" if step.anchor else ""
+        where += f"; it is the one that began on {step.began_on.name}" if step.began_on else ""
         print(f"shown: {k + 1}. {step} on {place}{where}")
     for press in presses:
         before = ", ".join(steps[k].name for k in press.after) or "nothing"

@@ -8,8 +8,10 @@ from constants import BUILDING_SITE as C, numbers_of
 from match.anchored_places import place_at_anchor
 from match.found_places import place_dragged, place_in_container
 from match.landmarks import place_by_what_stays, place_of_other
+from match.meant import meant_blocks
 from match.returning import place_below, place_returning
 from match.sites import NoSite, first_within_reach, site_cost
+from see.framing import is_on_table
 from things.steps import is_dragged
 
 
@@ -40,6 +42,7 @@ def choose_site(state, arms, picture, eye):
     except NoSite as problem:
         return str(problem)
     state.has_site = True
+    state.meant = meant_blocks(state.steps, state.known)
     return None
 
 
@@ -48,13 +51,14 @@ def place_on_table(steps, known, arms, eye):
     demonstrated = np.array([step.position[:2] for step in steps])
     center = (demonstrated.min(axis=0) + demonstrated.max(axis=0)) / 2
     sites = []
-    for y in numbers_of(*C.y):
+    for depth in numbers_of(*C.depth):
         for x in numbers_of(*C.x):
-            moved = shifted(steps, [x, y] - center)
+            moved = shifted(steps, [x, eye.near_edge + depth] - center)
             # Far from the robot the building occludes little; close to it the arms reach more.
-            cost = C.far_cost * abs(y - C.best_y)
+            cost = C.far_cost * abs(depth - C.best_depth)
             cost += C.side_cost * abs(x) + site_cost(moved, known, eye)
-            sites.append((cost, moved))
+            if all(is_on_table(step, eye) for step in moved):
+                sites.append((cost, moved))
     moved = first_within_reach(sites, arms)
     if not moved:
         raise NoSite("the building is not within reach anywhere on the table")

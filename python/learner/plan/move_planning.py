@@ -54,9 +54,8 @@ def plan_move(state, step, move, eye, arms, sensor):
         return actions, place, True, reason
     elif is_obstructing(move.block, step):
         sites.append(standing + [step])
-    left = []
-    if not move.goal:
-        left = [it for it in [*state.left, move.block] if is_same_kind(move.block, it)]
+    left = state.left if move.goal else [*state.left, move.block]
+    left = [it for it in left if is_same_kind(move.block, it)]
     if move.room:
         sites = [site + [move.room] for site in sites]
     actions, place, reason = plan_temporary_placement(arms, eye, move.block, others, sites, sensor,

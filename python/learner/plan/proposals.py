@@ -2,10 +2,13 @@
 
 import numpy as np
 
-from act.finger_room import is_grasp_blocked
+from act.finger_room import grasp_yaws, is_grasp_blocked
 from constants import PERCEPTION, TASK_PLANNING as C
+from match.meant import fitting
+from plan.free_places import is_near
 from plan.moves import Move, distinct
 from plan.obstruction import has_objects_on, is_obstructing
+from relate.relations import is_beside
 from things.kinds import is_same_kind, same_color
 from things.resting import turns_between
 
@@ -15,9 +18,9 @@ def propose_moves(state, step, free):
 
     free: the known blocks that are in no step's place
     """
-    fits = [block for block in free if is_same_kind(block, step)]
+    fits = fitting(state.meant, state.steps.index(step), [block for block in free if is_same_kind(block, step)])
     obstructing = [block for block in free if is_obstructing(block, step)]
-    blocked = [block for block in free if is_grasp_blocked(block, state.steps)]
+    blocked = [block for block in free if will_be_blocked(block, free, state.steps) and not is_aside_for(state, step, block)]
 
     # First the blocks that later steps make hard to reach, and the closest matching ones.
     def distance(block):
@@ -53,3 +56,16 @@ def turning_moves(step, free, opening):
         moves += [Move(block, turns=tuple(turns))] if turns else []
     moves.sort(key=lambda move: len(move.turns))
     return moves + [Move(move.block) for move in moves]
+
+
+def will_be_blocked(block, free, steps):
+    """Returns true if a block lies where no fingers fit in once the steps are built: because of them alone, or of what
+    touches it, too, although there is room now."""
+    beside = [it for it in free if it is not block and is_beside(it, block)]
+    return is_grasp_blocked(block, steps) or bool(grasp_yaws(block, beside)) and not grasp_yaws(block, beside + steps)
+
+
+def is_aside_for(state, step, block):
+    """Returns true if a block was put aside for a step: what it blocks there has to wait, as the step would
+    otherwise."""
+    return any(state.steps[k] is step and is_near(block, [place]) for k, place in state.asides)

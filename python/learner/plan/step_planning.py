@@ -4,6 +4,7 @@ from check.failures import num_failures
 from check.notes import action_note, name_of
 from check.progress import waits_for_support
 from constants import ARMS, TASK_PLANNING as C
+from match.meant import follow_meant
 from plan.clearing import clearing_moves, uncovering_moves
 from plan.making_room import room_moves
 from plan.moves import Move
@@ -64,8 +65,11 @@ def begin(state, k, move, place, is_temporary, actions):
     if is_temporary:
         state.num_temporary += 1
         state.left.append(move.block)
+        if not move.goal:
+            state.asides.append((k, place))
     else:
         state.attempts[k] += 1
+    follow_meant(state.meant, move.block, place)
     state.known.remove(move.block)
     state.known.append(place)
     grasp = next(action for action in actions if action.kind == "grasp")

@@ -8,12 +8,12 @@ from act.actions import Action
 from check.claims import Claim, give_up
 from check.looking import is_moving, observe
 from check.notes import plan_notes
-from check.progress import assess_progress, open_steps, waits_for_support
+from check.progress import assess_progress, open_steps
 from match.building_site import choose_site
 from match.returning import locate_asides
 from plan.device_planning import choose_device, forget_fixtures, locate_controls
 from plan.drive_planning import is_driver
-from plan.step_planning import plan_step
+from plan.step_choice import plan_one_of
 from see.eye import height_map
 from see.surfaces import surface_of
 
@@ -53,27 +53,3 @@ def choose_actions(state, sensor, eye, arms):
         return []
     free = [block for block in state.known if block not in used and not is_driver(block, state)]
     return plan_one_of(steps, state, free, eye, arms, sensor)
-
-
-def plan_one_of(steps, state, free, eye, arms, sensor):
-    """Plans the next of some steps in the demonstrated order; while that is blocked, one of the others, next time.
-    Returns actions; [] if all are blocked.
-
-    steps: their numbers
-    free:  the known blocks that are in no step's place
-    """
-    insisted, state.insists_on = state.insists_on, None
-    is_next = insisted in steps or waits_for_support(state, insisted)
-    k = insisted if is_next else steps[state.num_blocked % len(steps)]
-    is_last_resort = k == insisted or state.num_blocked >= len(steps)
-    actions, reason = plan_step(state, k, free, is_last_resort, eye, arms, sensor)
-    if actions:
-        state.num_blocked = 0
-        state.insists_on = k if is_last_resort and k in steps else None
-        return actions
-    if state.num_blocked == 0:
-        state.first_failure = f"{state.steps[k]}: {reason}"
-    state.num_blocked += 1
-    if state.num_blocked > len(steps) + 1:
-        give_up(state, f"at {state.first_failure}")
-    return [] if state.claim else [Action("observe")]

@@ -11,10 +11,10 @@ def was_dragged(demo, n):
     moves = demo.moves[n]
     distance = np.hypot(*(moves[-1, 1:3] - moves[0, 1:3]))
     deviation = np.abs(moves[:, 3:] - moves[0, 3:]).max()
-    return is_composite(demo, n) and distance > C.min_drag_distance and deviation < C.max_drag_deviation
+    return has_shape(demo, n, "composite") and distance > C.min_drag_distance and deviation < C.max_drag_deviation
 
 
-def is_composite(demo, n):
-    """Returns true if an object is of several shapes, as the texts of a recording say."""
+def has_shape(demo, n, shape):
+    """Returns true if an object is of a shape, like `block`, or `composite` for several, as the texts of a recording say."""
     created = next(fields for _, word, fields in demo.events if word == "create" and fields[0] == demo.ids[n])
-    return "composite" in created[1:3]
+    return shape in created[1:3]

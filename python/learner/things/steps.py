@@ -1,7 +1,7 @@
 """Steps of a task: blocks at their places in the finished building, and open boxes around them."""
 
 from dataclasses import dataclass, field
-from typing import Optional
+from typing import NamedTuple, Optional
 
 import numpy as np
 
@@ -10,6 +10,14 @@ from things.areas import footprint, overlap
 from things.blocks import Block
 
 TABLE = "the table"  # the anchor of steps whose place on the table was shown
+
+
+class StartSupport(NamedTuple):
+    """What an object stood on at the start of the demonstration."""
+
+    like: Optional[Block]  # a Step for what looks like it; None: the table
+    name: str  # of it in the demonstration, for messages
+    away: np.ndarray  # x y of it, from the middle of all objects that look like it [units]
 
 
 @dataclass(eq=False)
@@ -32,6 +40,7 @@ class Step(Block):
     tolerance: float = BLOCKS.position_tolerance  # of its position [units]
     anchor: str = ""  # name of the object, or TABLE, relative to which its place was shown; empty if it may
     #                   stand anywhere
+    began_on: Optional[StartSupport] = None  # where that tells it from others that look the same
 
     def __str__(self):
         return "%s (%.3g x %.3g x %.3g)" % (self.name, *self.size)
@@ -63,3 +72,8 @@ def is_above(upper, lower):
     [one] = footprint([upper], -C.min_above)
     is_higher = upper.bottom > lower.top - C.max_support_gap
     return is_higher and overlap(one, footprint([lower], 0)).any()
+
+
+def start_supports_of(steps):
+    """Returns what tells the objects of steps from others by being below them at the start: Steps."""
+    return [step.began_on.like for step in steps if step.began_on and step.began_on.like]

@@ -1,5 +1,6 @@
 """Tests which moves are proposed, and where blocks are put."""
 
+import math
 import unittest
 from dataclasses import replace
 from types import SimpleNamespace
@@ -16,9 +17,10 @@ from plan.making_room import room_moves
 from plan.moves import Move
 from plan.pick_and_place import plan_pick_and_place
 from plan.proposals import propose_moves, turning_moves
+from plan.step_choice import plan_one_of
 from plan.temporary_places import blocks_grasps
 from scenes import BLUE, BROWN, CUBE, EYE, GREEN, RED, block, step
-from see.eye import to_pixel
+from see.eye import Eye, to_pixel
 
 
 class MovesTest(unittest.TestCase):
@@ -38,6 +40,37 @@ class MovesTest(unittest.TestCase):
         state.known.remove(obstructing)
         moves = propose_moves(state, self.steps[0], state.known)
         self.assertEqual(moves, [Move(far, self.steps[0]), Move(on_near)])
+
+    def test_what_touches_another_is_taken_before_the_building_leaves_no_room_beside_it(self):
+        beside, right = block(GREEN, CUBE, 0, -0.7), block(GREEN, CUBE, 1, -0.7)
+        steps = [step(block(RED, CUBE, 0, -1.95, yaw=math.pi / 2), []), step(block(GREEN, CUBE, -3, -4), [])]
+        state = TaskState(steps)
+        self.assertEqual(propose_moves(state, steps[0], [beside, right]), [Move(beside)])
+        self.assertEqual(propose_moves(state, steps[0], [beside]), [], "fingers fit in on its other sides")
+        state.asides.append((0, beside))
+        self.assertEqual(propose_moves(state, steps[0], [beside, right]), [], "it was put there for this step")
+        self.assertIs(propose_moves(state, steps[1], [beside, right])[0].block, beside, "not for another one")
+
+    def test_a_step_for_which_others_made_room_comes_next_until_it_is_done(self):
+        state = TaskState(self.steps)
+        possible, tried = {2}, []
+
+        def plan_step(_, k, *__):
+            tried.append(k)
+            return (["go"], None) if k in possible else ([], "blocked")
+
+        def chosen(steps):
+            tried.clear()
+            plan_one_of(steps, state, [], EYE, [], None)
+            return tried.copy()
+
+        with patch("plan.step_choice.plan_step", side_effect=plan_step):
+            self.assertEqual([chosen([0, 2]), chosen([0, 2])], [[0], [2]], "the first is blocked")
+            possible.add(0)
+            self.assertEqual([chosen([0, 2]), chosen([0]), chosen([0])], [[2], [0], [0]], "until it is done")
+            possible.clear()
+            self.assertEqual(chosen([0, 2]), [0, 0], "or blocked, too")
+            self.assertEqual(state.first_failure, f"{self.steps[0]}: blocked")
 
     def test_what_the_building_would_hide_is_uncovered_while_blocks_are_missing(self):
         state = TaskState([step(block(BLUE, CUBE, 0, -2, bottom=k), []) for k in range(3)])
@@ -78,6 +111,16 @@ class MovesTest(unittest.TestCase):
         for one in moves:
             others = [it for it in cubes if it is one.block or it in rest]
             self.assertEqual(free_placements([], EYE, plank, others + sites, None), [], "each is in the way")
+
+    def test_places_are_on_any_table_as_far_from_its_near_edge(self):
+        def places(eye, y):
+            return [it.position for it in free_placements([], eye, block(GREEN, CUBE, 0, y), [], None)]
+
+        behind = EYE.pose + np.outer([0, 1, 0, 0], [0, 0, 0, -4])
+        deep = places(Eye(EYE.intrinsics, behind, (20, 20)), -6)
+        np.testing.assert_array_equal(deep, np.array(places(EYE, -2)) - [0, 4, 0])
+        narrow = places(Eye(EYE.intrinsics, EYE.pose, (6, 12)), -2)
+        self.assertEqual(np.abs([x for x, *_ in narrow]).max(), 2.5, "half a cube from its edge")
 
     def test_a_large_block_is_put_where_the_eye_sees_all_of_it(self):
         lid = block(BROWN, np.array([2.6, 2.6, 0.2]), -4, -1, bottom=1.3)

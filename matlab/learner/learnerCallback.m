@@ -6,6 +6,7 @@ actions{1} = action;
 
 if strcmp(status, 'done')
   actions(1) = [];
+  if strcmp(action.kind, 'look'), state = seeFromHand(state, sensor, action.arm); end
   if isempty(actions)
     [actions, state] = chooseActions(state, sensor, eye, hands);
     if num_retreats > constants().task_planning.max_retreats && isempty(state.claim)

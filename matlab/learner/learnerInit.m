@@ -23,6 +23,7 @@ actions = {struct('kind', 'observe')};  % the next actions, in this order
 num_retreats = 0;                       % number of successive retreats after failed actions
 
 aux.channels = {'rgb', 'depth'};
+aux.cameras = setdiff({hands.camera}, {''});
 
 % The arms start outside the picture.
 for k = 1:numel(arms), aux.arms(k).initJoints = arms(k).parked; end

@@ -2,8 +2,7 @@
 
     smile imitate DEMO SCENE --brain python/learner/learner.py
 
-docs/learner.md describes it and its twin in Octave, matlab/learner; where Octave does a task, both choose
-the same actions.
+docs/learner.md describes it and its twin in Octave, matlab/learner, which chooses the same actions.
 
 smile: imitates
 """
@@ -17,6 +16,7 @@ from act.robot_arms import arms_of
 from check.choices import choices_of
 from check.claims import give_up
 from check.failures import remember_failure
+from check.hand_views import see_from_hand
 from check.notes import Note
 from check.task_state import TaskState
 from check.telling import tell
@@ -29,19 +29,18 @@ from see.framing import eye_of_robot
 def init(aux):
     """Infers the task from the demonstration. This scene is unknown before the first picture."""
     if "demonstration" not in aux:
-        raise ValueError("this brain needs a demonstration: "
-                         "smile imitate DEMO SCENE --brain python/learner/learner.py")
+        raise ValueError("this brain needs a demonstration: smile imitate DEMO SCENE --brain python/learner/learner.py")
     demo, steps, container, presses = understand(aux)
     arms = arms_of(aux)
     aux.hands = arms_for(steps, arms)
     aux.eye = eye_of_robot(aux)
-    # Beliefs about this scene, and progress. Agents to compare with, in python/examples/agents, set
-    # what the learner does without, or another way to see.
+    # Beliefs and progress. Agents in python/examples/agents set what it does without, or another way to see.
     aux.state = TaskState(steps, container, presses=presses, shown=demo.eye, choices=choices_of(aux),
                           without=vars(aux).get("without", ()), see=vars(aux).get("see"))
     aux.actions = [Action("observe")]  # the next actions, in this order
     aux.num_retreats = 0  # number of successive retreats after failed actions
     aux.channels = ["rgb", "depth"]
+    aux.cameras = [arm.camera for arm in aux.hands if arm.camera]
     # The arms start outside the picture.
     for arm in arms:
         aux.arms[arm.index].initJoints = arm.parked
@@ -49,13 +48,14 @@ def init(aux):
 
 
 def step(sensor, motor, aux):
-    """Continues the first action. After the last one, a picture of the table determines the
-    next."""
+    """Continues the first action. After the last one, a picture of the table determines the next."""
     aux.joints.correct(sensor, aux.tickSeconds)
     status = execute_action(aux.actions[0], sensor, motor, aux)
     aux.joints.remember(motor)
     if status == "done":
-        aux.actions.pop(0)
+        last = aux.actions.pop(0)
+        if last.kind == "look":
+            see_from_hand(aux.state, sensor, last.arm)
         if not aux.actions:
             aux.actions = choose_actions(aux.state, sensor, aux.eye, aux.hands)
             if aux.num_retreats > TASK_PLANNING.max_retreats and not aux.state.claim:

@@ -62,6 +62,7 @@ function decideOn(folder, aux)
   aux.cameraIntrinsics = eye.intrinsics;
   aux.cameraPose = eye.pose;
   aux.tableSize = eye.table;
+  aux.cameraNames = {};
   arms = armsOf(aux);
   for arm = arms
     show(['arm ', arm.name], [arm.parked, arm.reach, arm.foot]);

@@ -154,7 +154,7 @@ def decisions(case, aux):
     picture = np.asarray(Image.open(f"{case}/look.png").convert("RGB"))
     arms = arms_of(SimpleNamespace(**aux | {
         "arms": [SimpleNamespace(**arm) for arm in aux["arms"]],
-        "cameraIntrinsics": demo.eye.intrinsics, "cameraPose": demo.eye.pose, "tableSize": demo.eye.table}))
+        "cameraIntrinsics": demo.eye.intrinsics, "cameraPose": demo.eye.pose, "tableSize": demo.eye.table, "cameraNames": []}))
     lines += [fact("arm", arm.name, *arm.parked, arm.reach, *arm.foot) for arm in arms]
     depth = np.fromfile(f"{case}/look.depth").reshape(picture.shape[:2])
     sensor = SimpleNamespace(rgbVision=picture, depthVision=depth,

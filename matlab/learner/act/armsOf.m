@@ -3,6 +3,7 @@ function arms = armsOf(aux)
 %   robot     from smileRobot
 %   name      for the functions of smileRobot
 %   index     among the arms of the robot, from 1
+%   camera    of its hand; '' if it has none
 %   opening   largest opening of its gripper [units]; 0 without a gripper
 %   ready     1xn joint angles [rad]: its hand over the table, fingers straight down
 %   lower, upper  limits of its joints, 1xn [rad]
@@ -14,12 +15,14 @@ function arms = armsOf(aux)
 %   reach     of the fingers below the tool, when they point straight down [units]
   robot = smileRobot(aux);
   eye = eyeOfRobot(aux);
-  arms = struct('robot', {}, 'name', {}, 'index', {}, 'opening', {}, 'ready', {}, 'lower', {}, 'upper', {});
+  arms = struct('robot', {}, 'name', {}, 'index', {}, 'camera', {}, 'opening', {}, 'ready', {}, 'lower', {}, 'upper', {});
   counts = arrayfun(@(arm) numel(arm.joints), aux.arms);
   for k = 1:numel(aux.arms)
     ready = namedPose(robot, counts, k, 'ready');
     if isempty(ready), error('the robot has no pose "ready": smile robots add makes one'); end
-    arms(k) = struct('robot', robot, 'name', aux.arms(k).name, 'index', k, ...
+    camera = [aux.arms(k).name, '_hand'];
+    if ~any(strcmp(aux.cameraNames, camera)), camera = ''; end
+    arms(k) = struct('robot', robot, 'name', aux.arms(k).name, 'index', k, 'camera', camera, ...
                      'opening', max([0, aux.arms(k).gripper(:)']), 'ready', ready, ...
                      'lower', ofArm(robot.minJointAngles, counts, k), ...
                      'upper', ofArm(robot.maxJointAngles, counts, k));

@@ -5,6 +5,7 @@ function [action, motor, status, image_seconds, sensor] = executeAction(action, 
 %   image_seconds  time to the next picture
 %   sensor  with the mean of several pictures, if the observed ones have noise
 %   action.kind  'observe'  waits for pictures of the arms at rest
+%                'look'     waits for a picture of the camera of an arm's hand
 %                'follow'   follows a path with an arm
 %                'press'    likewise, until something stops it, and back
 %                'open'     brings the fingers of an arm to an opening `to` [units]
@@ -19,6 +20,14 @@ function [action, motor, status, image_seconds, sensor] = executeAction(action, 
   switch action.kind
     case 'observe'
       [action, motor.ticks, status, image_seconds, sensor] = waitForPictures(action, sensor, aux);
+    case 'look'
+      image_seconds = 0;  % with the next step
+      if action.time <= c.settle_s || ~isfield(sensor, 'cameras')
+        motor.ticks = max(ticksWithin(c.settle_s - action.time, aux) + 1, 1);
+        return
+      end
+      image_seconds = c.no_image_s;
+      status = 'done';
     case 'follow'
       [action, velocities, status] = followPath(action, sensor, aux);
       motor.ticks = size(velocities, 2);

@@ -5,10 +5,7 @@ function state = observe(state, picture, heights, eye)
   state = knowColors(state, picture, eye, heights);
   container = state.container;
   if ~state.hasSite, container = []; end  % its place in this scene is not known yet
-  like = [asBlocks(state.steps), state.unknownObjects];
-  for press = state.presses(~cellfun(@isempty, {state.presses.tool})), like(end + 1) = asBlocks(press.tool); end
-  staying = asBlocks(state.steps([state.steps.stays] | [state.steps.hasKnob]));
-  for it = startSupportsOf(state.steps), staying(end + 1) = it; end
+  [like, staying] = likes(state);
   seen = detectBlocks(picture, eye, like, container, heights, staying);
   [state.steps, seen] = findKnobs(state.steps, seen, picture, eye, heights);
   is_odd = rows(state.unexplained) >= constants().perception.many_unexplained;

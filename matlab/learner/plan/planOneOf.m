@@ -21,8 +21,12 @@ function [actions, state] = planOneOf(open, state, free, eye, arms, sensor)
   if state.numBlocked == 0, state.firstFailure = [describeStep(state.steps(k)), ': ', reason]; end
   state.numBlocked = state.numBlocked + 1;
   if state.numBlocked > numel(open) + 1
+    [actions, state] = planHandLook(open, state, free, eye, arms, sensor);
+    if ~isempty(actions), state.numBlocked = 0; end
+  end
+  if state.numBlocked > numel(open) + 1
     state = giveUp(state, ['at ', state.firstFailure]);
-  else
+  elseif isempty(actions)
     actions = {struct('kind', 'observe')};
   end
 end

@@ -23,6 +23,7 @@ class Action:
     """An action, with the values that are needed in its next step."""
 
     kind: str  # 'observe': waits for a picture of the arms at rest
+    #            'look': waits for a picture of the camera of an arm's hand
     #            'follow': follows a path with an arm
     #            'press': likewise, until something stops it, and back
     #            'open': brings the fingers of an arm to an opening

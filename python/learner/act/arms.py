@@ -25,6 +25,7 @@ class Arm:
     starts: list = field(default_factory=list)  # joint angles from which to search for others
     reach: float = 0  # of the fingers below the tool, when they point straight down [units]
     foot: np.ndarray = None  # x y of its first joint [units]
+    camera: str = ""  # of its hand; empty if it has none
     has_torso: bool = False  # true beside other arms
 
     def tool_pose(self, point, across, opening=0):

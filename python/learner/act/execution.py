@@ -19,8 +19,18 @@ def execute_action(action, sensor, motor, aux):
     motor.ticks = 1
     aux.imageSeconds = C.no_image_s
     action.time += sensor.timeElapsed
-    execute = {"observe": observe, "follow": follow, "press": press, "open": open_fingers, "grasp": grasp}
+    execute = {"observe": observe, "look": look, "follow": follow, "press": press, "open": open_fingers, "grasp": grasp}
     return execute[action.kind](action, sensor, motor, aux)
+
+
+def look(action, sensor, motor, aux):
+    """Waits until the arms rest, then for a picture of the camera of a hand."""
+    aux.imageSeconds = 0  # with the next step
+    if action.time <= C.settle_s or "cameras" not in sensor:
+        motor.ticks = max(ticks_within(C.settle_s - action.time, aux) + 1, 1)
+        return "busy"
+    aux.imageSeconds = C.no_image_s
+    return "done"
 
 
 def observe(action, sensor, motor, aux):

@@ -18,8 +18,9 @@ def arms_of(aux):
         ready = robot.pose(arm.name, "ready")
         if ready is None:
             raise ValueError('the robot has no pose "ready": smile robots add makes one')
+        camera = f"{arm.name}_hand"
         opening = 0 if arm.gripper is None else max(arm.gripper)
-        arms.append(Arm(robot, arm.name, k, opening, ready))
+        arms.append(Arm(robot, arm.name, k, opening, ready, camera=camera if camera in aux.cameraNames else ""))
     for arm in arms:
         arm.foot = arm.points(arm.ready)[-1, :2]
         arm.has_torso = len(arms) > 1

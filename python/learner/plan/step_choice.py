@@ -4,6 +4,7 @@ from act.actions import Action
 from check.claims import give_up
 from check.progress import waits_for_support
 from check.task_state import Intention
+from plan.hand_looks import plan_hand_look
 from plan.step_planning import plan_step
 
 
@@ -30,5 +31,9 @@ def plan_one_of(steps, state, free, eye, arms, sensor):
         state.first_failure = f"{state.steps[k]}: {reason}"
     state.num_blocked += 1
     if state.num_blocked > len(steps) + 1:
+        actions = plan_hand_look(steps, state, free, eye, arms, sensor)
+        if actions:
+            state.num_blocked = 0
+            return actions
         give_up(state, f"at {state.first_failure}")
     return [] if state.claim else [Action("observe")]

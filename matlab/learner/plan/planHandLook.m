@@ -1,0 +1,31 @@
+function [actions, state] = planHandLook(open, state, free, eye, arms, sensor)
+% Plans to look with a hand at the largest part of the table that something hides from the eye, if a block that one of
+% some steps needs is not known: a 1xN cell of actions; {} if there is no such part, or none that was not looked at before.
+%   open  their numbers
+%   free  numbers of the known blocks that are in no step's place
+  c = constants().task_planning;
+  actions = {};
+  seeing = arms(~cellfun(@isempty, {arms.camera}));
+  has_fit = @(k) any(arrayfun(@(i) isSameKind(state.known(i), state.steps(k)), free));
+  if isempty(seeing) || all(arrayfun(has_fit, open)) || rows(state.handLooks) >= c.max_hand_looks, return; end
+  hidden = hiddenGround(heightMap(sensor.depthVision, eye), eye);
+  hidden = hidden(~areCovered(hidden, state.known, 0), :);
+  is_close = hypot(hidden(:, 1) - hidden(:, 1)', hidden(:, 2) - hidden(:, 2)') < c.hand_look_radius;
+  [~, order] = sort(-sum(is_close, 2));
+  for place = hidden(order, :)'
+    place = place';
+    if any(vecnorm(state.handLooks - place, 2, 2) < c.hand_look_radius), continue; end
+    for arm = nearestFirst(seeing, place(1))
+      % The fingers are in the near half of the picture.
+      over = toolPose(arm, [place - [0, c.hand_look_ahead], c.hand_look_height], 0, 0);
+      path = planPathThrough(arm, {over}, noBlocks(), sensor.arms(arm.index).joints(:)');
+      if isempty(path), continue; end
+      state.handLooks(end + 1, :) = place;
+      text = sprintf('looks at (%.2f, %.2f), which something hides from the eye, with arm %s', place, arm.name);
+      state.notes(end + 1) = asNote('action', text);
+      actions = {struct('kind', 'follow', 'arm', arm, 'path', path{1}), struct('kind', 'look', 'arm', arm), ...
+                 struct('kind', 'follow', 'arm', arm, 'path', path{2}), struct('kind', 'observe')};
+      return
+    end
+  end
+end

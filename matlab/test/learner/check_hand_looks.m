@@ -1,0 +1,36 @@
+function check_hand_looks()
+% A tower hides a green cube behind it: a hand looks there. No robot is here: each path is possible.
+  red = [1, 0, 0]; green = [0, 1, 0]; cube = [1, 1, 1];
+  eval('function path = planPathThrough(varargin), path = {1, 2}; end');
+  eval('function yes = isPathOver(varargin), yes = true; end');
+  eval('function pose = toolPose(varargin), pose = eye(4); end');
+  eval('function heights = heightMap(depth, eye), heights = depth; end');
+  remove = onCleanup(@() clear('-f', 'planPathThrough', 'isPathOver', 'toolPose', 'heightMap'));
+  for k = 1:4, tower(k) = block(red, cube, 4, -2, k - 1, 0); end
+  behind = block(green, cube, 4.6, -0.4, 0, 0);
+  [~, heights] = pictureOf([behind, tower]);
+  state = initialTaskState([asStep(block(green, cube, 0, -2, 0, 0)), asStep(block(red, cube, 2, -2, 0, 0))], []);
+  state.known = tower;
+  arm = struct('name', 'right', 'index', 1, 'camera', 'right_hand', 'reach', 0.7, 'foot', [2.6, -7]);
+  sensor.depthVision = heights;
+  sensor.arms.joints = 0;
+  [actions, state] = planHandLook(1, state, [], robotEye(), arm, sensor);
+  kinds = cellfun(@(it) it.kind, actions, 'UniformOutput', false);
+  check(isequal(kinds, {'follow', 'look', 'follow', 'observe'}), 'a hand looks');
+  check(norm(state.handLooks - behind.position(1:2)) < 1.5, 'behind what hides the table');
+  [~, again] = planHandLook(1, state, [], robotEye(), arm, sensor);
+  check(rows(again.handLooks) == 1 || norm(diff(again.handLooks)) >= 2, 'once at each place');
+  check(isempty(planHandLook(2, state, 1, robotEye(), arm, sensor)), 'not if nothing is missing');
+  arm.camera = '';
+  check(isempty(planHandLook(1, state, [], robotEye(), arm, sensor)), 'nor without a camera');
+
+  % The eye is taken for the camera of the hand. It sees a green cube, and again the top of the tower.
+  arm.camera = 'right_hand';
+  state.known = tower(4);
+  [picture, heights] = pictureOf([block(green, cube, 1, -4, 0, 0), tower]);
+  sensor.cameras.right_hand = struct('rgb', picture, 'depth', heights, 'pose', robotEye().pose, ...
+                                     'intrinsics', robotEye().intrinsics);
+  state = seeFromHand(state, sensor, arm);
+  check(numel(state.known) == 2 && norm(state.known(1).position - [1, -4, 0.5]) < 0.05, 'what it sees is known');
+  check(strcmp(state.notes(end).text, '1 more object with the right hand'), 'and told');
+end

@@ -19,8 +19,8 @@ function [actions, state] = planHandLook(open, state, free, eye, arms, sensor)
       % The fingers are in the near half of the picture.
       height = max(c.hand_look_height, transferHeight(arm, state.known, 0, 0));
       over = toolPose(arm, [place - [0, c.hand_look_ahead], height], 0, 0);
-      path = planPathThrough(arm, {over}, noBlocks(), sensor.arms(arm.index).joints(:)');
-      if isempty(path) || ~all(cellfun(@(it) isPathOver(arm, it, state.known), path)), continue; end
+      path = planPathThrough(arm, {over}, state.known, sensor.arms(arm.index).joints(:)');
+      if isempty(path), continue; end
       state.handLooks(end + 1, :) = place;
       text = sprintf('looks at (%.2f, %.2f), which something hides from the eye, with arm %s', place, arm.name);
       state.notes(end + 1) = asNote('action', text);

@@ -17,7 +17,9 @@ function path = planPathThrough(arm, poses, others, q)
     low = find(cellfun(@(pose) pose(3, 4) < height, poses));
     if ~all(arrayfun(@(i) isArmClear(arm, path{i}.positions(end, :), others), low)), continue; end
     path{end + 1} = moveJoints(arm, [path{end}.positions(end, :); arm.parked]);
-    if all(cellfun(@(move) isPathValid(arm, move), path)), return; end
+    % From and to where it waits, only this tells whether it passes over all.
+    is_over = @() all(cellfun(@(move) isPathOver(arm, move, others), path([1, end])));
+    if all(cellfun(@(move) isPathValid(arm, move), path)) && is_over(), return; end
   end
   path = {};
 end

@@ -2,10 +2,9 @@ function check_hand_looks()
 % A tower hides a green cube behind it: a hand looks there. No robot is here: each path is possible.
   red = [1, 0, 0]; green = [0, 1, 0]; cube = [1, 1, 1];
   eval('function path = planPathThrough(varargin), path = {1, 2}; end');
-  eval('function yes = isPathOver(varargin), yes = true; end');
   eval('function pose = toolPose(varargin), pose = eye(4); end');
   eval('function heights = heightMap(depth, eye), heights = depth; end');
-  remove = onCleanup(@() clear('-f', 'planPathThrough', 'isPathOver', 'toolPose', 'heightMap'));
+  remove = onCleanup(@() clear('-f', 'planPathThrough', 'toolPose', 'heightMap'));
   for k = 1:4, tower(k) = block(red, cube, 4, -2, k - 1, 0); end
   behind = block(green, cube, 4.6, -0.4, 0, 0);
   [~, heights] = pictureOf([behind, tower]);

@@ -3,7 +3,7 @@
 import numpy as np
 
 from act.arms import points_between
-from constants import MOTION_PLANNING as C
+from constants import CLEARANCE, MOTION_PLANNING as C
 from things.areas import footprint, overlap
 
 
@@ -54,6 +54,17 @@ def are_fingers_clear(arm, path, blocks):
         for along in (arm.reach, 0, -arm.reach):
             if not is_point_clear(tool[:3, 3] + along * tool[:3, 2], blocks, C.clearance):
                 return False
+    return True
+
+
+def is_path_over(arm, path, blocks):
+    """Returns true if an arm with an open gripper passes over blocks, or beside them, all along a path."""
+    for q in samples(path):
+        tool = arm.forward(q)
+        hand = [tool[:3, 3] + along * tool[:3, 2] + side * tool[:3, 1]
+                for along in (arm.reach, 0, -arm.reach) for side in np.array([-0.5, 0, 0.5]) * CLEARANCE.bar[0]]
+        if not is_arm_clear(arm, q, blocks) or not all(is_point_clear(it, blocks, C.clearance / 2) for it in hand):
+            return False
     return True
 
 

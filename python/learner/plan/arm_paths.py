@@ -1,6 +1,6 @@
 """Paths of an arm through poses of its tool, and to where it waits."""
 
-from act.arm_clearance import is_arm_clear
+from act.arm_clearance import is_arm_clear, is_path_over
 from act.reach import solve_pose_sequence
 from act.segments import is_path_valid, move_joints, move_line
 
@@ -29,6 +29,8 @@ def plan_path_through(arm, poses, others, q):
         if not all(is_arm_clear(arm, move.positions[-1], others) for move in low):
             continue
         path.append(move_joints(arm, [path[-1].positions[-1], arm.parked]))
-        if all(is_path_valid(arm, move) for move in path):
+        # From and to where it waits, only this tells whether it passes over all.
+        if (all(is_path_valid(arm, move) for move in path)
+                and all(is_path_over(arm, move, others) for move in (path[0], path[-1]))):
             return path
     return []

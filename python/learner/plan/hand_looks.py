@@ -3,10 +3,9 @@
 import numpy as np
 
 from act.actions import Action
-from act.arm_clearance import is_arm_clear, is_point_clear, samples
 from act.grippers import nearest_first
 from check.notes import Note
-from constants import MOTION_PLANNING, TASK_PLANNING as C
+from constants import TASK_PLANNING as C
 from plan.arm_paths import plan_path_through
 from plan.heights import transfer_height
 from see.eye import height_map
@@ -35,24 +34,14 @@ def plan_hand_look(steps, state, free, eye, arms, sensor):
             # The fingers are in the near half of the picture.
             height = max(C.hand_look_height, transfer_height(arm, state.known, 0, 0))
             over = arm.tool_pose([*(place - [0, C.hand_look_ahead]), height], 0)
-            path = plan_path_through(arm, [over], [], sensor.arms[arm.index].joints)
-            if path and all(is_over(arm, it, state.known) for it in path):
+            path = plan_path_through(arm, [over], state.known, sensor.arms[arm.index].joints)
+            if path:
                 state.hand_looks.append(place)
                 state.notes.append(Note("action", "looks at (%.2f, %.2f), which something hides from the eye, with arm %s" % (
                     *place, arm.name)))
                 there, back = (Action("follow", arm, it) for it in path)
                 return [there, Action("look", arm), back, Action("observe")]
     return []
-
-
-def is_over(arm, path, blocks):
-    """Returns true if an arm and its hand pass over blocks, or beside them, all along a path."""
-    for q in samples(path):
-        tool = arm.forward(q)
-        hand = [tool[:3, 3] + along * tool[:3, 2] for along in (arm.reach, 0, -arm.reach)]
-        if not is_arm_clear(arm, q, blocks) or not all(is_point_clear(it, blocks, MOTION_PLANNING.clearance) for it in hand):
-            return False
-    return True
 
 
 def distances(points, point):

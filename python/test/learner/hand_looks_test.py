@@ -29,7 +29,6 @@ class HandLooksTest(unittest.TestCase):
         sensor = SimpleNamespace(depthVision=self.heights, arms=[SimpleNamespace(joints=None)])
         kinds = []
         with (patch("plan.hand_looks.height_map", side_effect=lambda depth, eye: depth),
-              patch("plan.hand_looks.is_over", return_value=True),
               patch("plan.hand_looks.plan_path_through", side_effect=lambda arm, poses, *_: ["there", "back"])):
             while actions := plan_hand_look([0], self.state, free, EYE, [arm], sensor):
                 kinds.append([it.kind for it in actions])

@@ -1,0 +1,13 @@
+function yes = isPathOver(arm, path, blocks)
+% Returns true if an arm with an open gripper passes over blocks, or beside them, all along a path.
+  yes = isempty(blocks);
+  if yes, return; end
+  c = constants();
+  [along, side] = meshgrid([1, 0, -1] * arm.reach, [-0.5, 0, 0.5] * c.clearance.bar(1));
+  for q = samplesOf(path)'
+    tool = smileForward(arm.robot, arm.name, q');
+    hand = tool(1:3, 4)' + along(:) * tool(1:3, 3)' + side(:) * tool(1:3, 2)';
+    if ~isArmClear(arm, q', blocks) || ~all(isPointClear(hand, blocks, c.motion_planning.clearance / 2)), return; end
+  end
+  yes = true;
+end

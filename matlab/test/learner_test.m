@@ -25,6 +25,7 @@ try
   check_making_room();
   check_step_choice();
   check_hand_looks();
+  check_path_over();
   check_resting();
   check_failures();
   check_parts();

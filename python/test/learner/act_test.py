@@ -8,6 +8,7 @@ import learner
 import numpy as np
 
 from act.actions import Action
+from act.arm_clearance import is_path_over
 from act.execution import execute_action
 from act.finger_room import grasp_yaws, is_grasp_blocked
 from act.joint_estimates import JointEstimates
@@ -101,6 +102,25 @@ class CaughtArmTest(unittest.TestCase):
                     self.assertFalse(hasattr(aux, "claim"), "it does not look")
                     learner.step(sensor, SimpleNamespace(), aux)
             self.assertEqual(aux.claim, word)
+
+
+class PathOverBlocksTest(unittest.TestCase):
+    """A hand moves along x; its fingers, which point down, reach 0.7 below its tool, and its bar 1.3 to both sides, along y."""
+
+    def is_over(self, height, *blocks, y=0):
+        pose = np.array([[-1.0, 0, 0, 0], [0, 1, 0, y], [0, 0, -1, height], [0, 0, 0, 1]])
+        arm = SimpleNamespace(reach=0.7, forward=lambda q: pose + np.outer([1, 0, 0, 0], [0, 0, 0, q[0]]),
+                              points=lambda q: np.array([[q[0], y, height], [q[0], y, height + 5]]))
+        path = SimpleNamespace(duration=1.0, at=lambda times: (np.interp(times, [0, 1], [-4, 4])[:, None], None))
+        return is_path_over(arm, path, blocks)
+
+    def test_the_open_gripper_passes_over_blocks_or_beside_them(self):
+        tower = block(RED, CUBE, 0.5, 0, bottom=2)
+        self.assertTrue(self.is_over(3.9, tower))
+        self.assertFalse(self.is_over(3.7, tower), "with its fingers")
+        self.assertFalse(self.is_over(3.7, tower, y=2), "with the end of its bar")
+        self.assertTrue(self.is_over(3.7, tower, y=3))
+        self.assertTrue(self.is_over(3.7))
 
 
 class FingerRoomTest(unittest.TestCase):

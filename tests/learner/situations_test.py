@@ -1,0 +1,72 @@
+"""The learner does tasks in situations that need more than its usual ways: one of two objects that look the same is meant, by
+what it began on; the table has another size; a block is where only the camera of a hand sees it.
+
+    situations_test.py SMILE SOURCE
+
+SMILE is the program, SOURCE the folder of the project.
+"""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+PYTHON, OCTAVE = "python/learner/learner.py", "matlab/learner"
+# Two red blocks on equal bases, and a plate. The one on the left base is put onto the plate.
+BASES = """<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml" xspan="20" yspan="12">
+  <block id="LeftBase" xspan="1.8" yspan="1.8" zspan="0.2" location="({0},0.1)" color="#4a4f57" mass="0"/>
+  <block id="RightBase" xspan="1.8" yspan="1.8" zspan="0.2" location="({1},0.1)" color="#4a4f57" mass="0"/>
+  <block id="Plate" xspan="1.8" yspan="1.8" zspan="0.2" location="({2},0.1)" color="#d8d8d0" mass="0"/>
+  <block id="Red1" location="({0},0.7)" color="red"/>
+  <block id="Red2" location="({1},0.7)" color="red"/>
+</tabletop>
+"""
+ONTO_PLATE = [{"do": "grasp", "object": "Red1"}, {"do": "wait", "seconds": 0.3},
+              {"do": "move_to", "position": [-3, 0.6, 2.4], "speed": 3}, {"do": "wait", "until": "arrived"},
+              {"do": "move_to", "position": [0.3, -0.5, 2.4], "speed": 4}, {"do": "wait", "until": "arrived"},
+              {"do": "move_to", "position": [0.3, -0.5, 0.71], "speed": 1}, {"do": "wait", "until": "arrived"},
+              {"do": "release"}, {"do": "wait", "until": "still"}, {"do": "wait", "seconds": 1}]
+
+
+def main(smile, source):
+    def record(scene, commands, name):
+        subprocess.run([smile, "run", scene, "--no-robot", "--commands", commands, "--record", name], check=True,
+                       stdout=subprocess.DEVNULL)
+
+    def imitate(demonstration, scene, brain, *layout):
+        out = f"{demonstration}-{brain.split('/')[0]}"
+        run = subprocess.run([smile, "imitate", demonstration, scene, "--brain", f"{source}/{brain}", "--no-pictures",
+                              "--timeout", "60", "--out", out, *layout],
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        assert json.loads(Path(f"{out}/result.json").read_text())["success"], run.stdout
+        assert ": done: as seen" in run.stdout, run.stdout
+        print(demonstration, *layout, "with", brain, flush=True)
+        return run.stdout
+
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        Path("bases.xml").write_text(BASES.format("-3,0.6", "3,0.6", "0.3,-0.5"))
+        # The other red block is nearer to the plate.
+        Path("bases_robot.xml").write_text(BASES.format("-3.2,-2.6", "2.6,-2.4", "1.2,-4.2"))
+        Path("bases.jsonl").write_text("\n".join(
+            json.dumps(it if it["do"] == "wait" else {"hand": "left", **it}) for it in ONTO_PLATE) + "\n")
+        record("bases.xml", "bases.jsonl", "bases")
+        for brain in (PYTHON, OCTAVE):
+            told = imitate("bases", "bases_robot.xml", brain)
+            assert "it is the one that began on LeftBase" in told and "carries Red1 from (-3.20, -2.60)" in told, told
+
+        record(f"{source}/scenes/row.xml", f"{source}/examples/row.jsonl", "row")
+        scene = Path(f"{source}/scenes/row_robot.xml").read_text()
+        deep = re.sub(r'(location="\([^,]*,)([^,]*)', lambda it: f"{it[1]}{float(it[2]) - 4}", scene)
+        Path("deep.xml").write_text(deep.replace('yspan="12"', 'yspan="20"'))
+        imitate("row", "deep.xml", OCTAVE, "--seed", "2")
+
+        record(f"{source}/scenes/um.xml", f"{source}/examples/um.jsonl", "um")
+        told = imitate("um", f"{source}/scenes/um_robot.xml", PYTHON, "--seed", "1068", "--level", "stacked")
+        assert "action: looks at (" in told, told
+
+
+main(*sys.argv[1:])

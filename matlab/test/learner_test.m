@@ -24,6 +24,7 @@ try
   check_clearing();
   check_making_room();
   check_step_choice();
+  check_impossible_moves();
   check_hand_looks();
   check_path_over();
   check_resting();

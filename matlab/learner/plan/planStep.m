@@ -13,13 +13,19 @@ function [actions, state, reason] = planStep(state, k, free, is_last_resort, eye
     reason = sprintf('blocks were put aside %d times already', c.max_temporary_placements);
     return
   end
+  state = forgetIfMoved(state);
   for move = movesFor(state, k, free, is_last_resort, eye, arms, sensor)
     if numFailures(state, state.known(move.block)) >= c.max_failed_grasps
       reason = sprintf('%d grasps of a block failed', c.max_failed_grasps);
       continue
     end
+    reason = whyImpossible(state, k, move);
+    if ~isempty(reason), continue; end
     [actions, place, is_temporary, reason] = planMove(state, k, move, eye, arms, sensor);
-    if isempty(actions), continue; end
+    if isempty(actions)
+      state = rememberImpossible(state, k, move, reason);
+      continue
+    end
     state.numTemporary = state.numTemporary + is_temporary;
     state.attempts(k) = state.attempts(k) + ~is_temporary;
     from = state.known(move.block);

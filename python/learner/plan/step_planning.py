@@ -1,11 +1,11 @@
 """Plans the next move for a step."""
 
 from check.failures import num_failures
-from check.notes import action_note, name_of
 from check.progress import waits_for_support
 from constants import ARMS, TASK_PLANNING as C
-from match.meant import follow_meant
+from plan.beginning import begin
 from plan.clearing import clearing_moves, uncovering_moves
+from plan.impossible_moves import forget_if_moved, remember_impossible, why_impossible
 from plan.making_room import room_moves
 from plan.moves import Move
 from plan.obstruction import has_objects_on
@@ -28,14 +28,19 @@ def plan_step(state, k, free, is_last_resort, eye, arms, sensor):
         return [], f"blocks were put aside {C.max_temporary_placements} times already"
     step = state.steps[k]
     reason = "no matching block is visible"
+    forget_if_moved(state)
     for move in moves_for(state, k, free, is_last_resort, eye, arms, sensor):
         if num_failures(state, move.block) >= C.max_failed_grasps:
             reason = f"{C.max_failed_grasps} grasps of a block failed"
+            continue
+        reason = why_impossible(state, k, move)
+        if reason:
             continue
         actions, place, is_temporary, reason = plan_move(state, step, move, eye, arms, sensor)
         if actions:
             begin(state, k, move, place, is_temporary, actions)
             return actions, None
+        remember_impossible(state, k, move, reason)
     return [], reason
 
 
@@ -53,27 +58,3 @@ def moves_for(state, k, free, is_last_resort, eye, arms, sensor):
         moves += room_moves(state, step, moves, free, arms, eye, sensor)
         moves += clearing_moves(state, moves, state.known)
     return moves
-
-
-def begin(state, k, move, place, is_temporary, actions):
-    """Updates the beliefs and the progress for a move for a step, which is expected to succeed.
-
-    k:            number of the step
-    place:        the block where it will be
-    is_temporary: whether that is a temporary place
-    """
-    if is_temporary:
-        state.num_temporary += 1
-        state.left.append(move.block)
-        if not move.goal:
-            state.asides.append((k, place))
-    else:
-        state.attempts[k] += 1
-    follow_meant(state.meant, move.block, place)
-    state.known.remove(move.block)
-    state.known.append(place)
-    grasp = next(action for action in actions if action.kind == "grasp")
-    state.grasp = grasp.grasp
-    has_name = move.goal or move.turns
-    state.moved = state.steps[k].name if has_name else name_of(move.block, state.steps)
-    state.notes.append(action_note(state.moved, move, place, is_temporary, grasp.arm))

@@ -18,6 +18,7 @@ from plan.moves import Move
 from plan.pick_and_place import plan_pick_and_place
 from plan.proposals import propose_moves, turning_moves
 from plan.step_choice import plan_one_of
+from plan.step_planning import plan_step
 from plan.temporary_places import blocks_grasps
 from scenes import BLUE, BROWN, CUBE, EYE, GREEN, RED, block, step
 from see.eye import Eye, to_pixel
@@ -71,6 +72,22 @@ class MovesTest(unittest.TestCase):
             possible.clear()
             self.assertEqual(chosen([0, 2]), [0, 0], "or blocked, too")
             self.assertEqual(state.first_failure, f"{self.steps[0]}: blocked")
+
+    def test_what_was_found_impossible_is_not_tried_again_until_something_moves(self):
+        state = TaskState(self.steps)
+        red, blue = block(RED, CUBE, 3, -2), block(BLUE, CUBE, 5, -4)
+        state.known = [red, blue]
+        arms = [SimpleNamespace(opening=2)]
+
+        def tried():
+            with patch("plan.step_planning.plan_move", return_value=([], None, False, "no arm reaches it")) as plan_move:
+                self.assertEqual(plan_step(state, 0, state.known, False, EYE, arms, None), ([], "no arm reaches it"))
+            return plan_move.call_count
+
+        self.assertEqual([tried(), tried()], [1, 0])
+        self.assertEqual(str(state.notes[-1]), "plan: impossible for now: step: no arm reaches it")
+        state.known = [red, block(BLUE, CUBE, 5, -3)]
+        self.assertEqual(tried(), 1, "blue was moved")
 
     def test_what_the_building_would_hide_is_uncovered_while_blocks_are_missing(self):
         state = TaskState([step(block(BLUE, CUBE, 0, -2, bottom=k), []) for k in range(3)])

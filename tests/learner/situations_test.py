@@ -1,5 +1,6 @@
 """The learner does tasks in situations that need more than its usual ways: one of two objects that look the same is meant, by
-what it began on; the table has another size; a block is where only the camera of a hand sees it.
+what it began on; the table has another size; the eye looks from the other side of the table; a block is where only the camera
+of a hand sees it.
 
     situations_test.py SMILE SOURCE
 
@@ -9,6 +10,7 @@ SMILE is the program, SOURCE the folder of the project.
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -33,7 +35,7 @@ ONTO_PLATE = [{"do": "grasp", "object": "Red1"}, {"do": "wait", "seconds": 0.3},
 
 def main(smile, source):
     def record(scene, commands, name):
-        subprocess.run([smile, "run", scene, "--no-robot", "--commands", commands, "--record", name], check=True,
+        subprocess.run([smile, "run", scene, "--kinematic", "--commands", commands, "--record", name], check=True,
                        stdout=subprocess.DEVNULL)
 
     def imitate(demonstration, scene, brain, *layout):
@@ -63,6 +65,16 @@ def main(smile, source):
         deep = re.sub(r'(location="\([^,]*,)([^,]*)', lambda it: f"{it[1]}{float(it[2]) - 4}", scene)
         Path("deep.xml").write_text(deep.replace('yspan="12"', 'yspan="20"'))
         imitate("row", "deep.xml", OCTAVE, "--seed", "2")
+
+        # In robots/tern.urdf, the eye is above the arm's base.
+        urdf = Path(f"{source}/robots/tern.urdf").read_text()
+        opposite, count = re.subn(r'(<joint name="eye_mount".*?<origin) xyz="[^"]*" rpy="[^"]*"',
+                                  r'\1 xyz="1.35 0 1.1" rpy="-2.5 0 1.57"', urdf, flags=re.DOTALL)
+        assert count == 1
+        Path("opposite.urdf").write_text(opposite)
+        shutil.copy(f"{source}/robots/tern.robot.json", "opposite.robot.json")
+        record(f"{source}/scenes/tower.xml", f"{source}/examples/tower.jsonl", "tower")
+        imitate("tower", f"{source}/scenes/tower_robot.xml", OCTAVE, "--robot", "opposite.urdf", "--seed", "2")
 
         record(f"{source}/scenes/um.xml", f"{source}/examples/um.jsonl", "um")
         told = imitate("um", f"{source}/scenes/um_robot.xml", PYTHON, "--seed", "1068", "--level", "stacked")

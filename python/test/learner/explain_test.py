@@ -72,6 +72,8 @@ class InferenceTest(RecordingTest):
         self.assertIn("on Blue table", explanation.keyframes[2].facts)
         self.assertEqual(explanation.goal, ["on Red Plank", "place Red Plank 0.10 0.49 84", "on Blue Red",
                                             "place Blue Red 0.00 0.00 -95"])
+        stands = {f"on {step.name} {steps[lower].name}" for step in steps for lower in step.on}
+        self.assertEqual(stands, {it for it in explanation.goal if it.startswith("on ")}, "the steps say the same")
         page = page_of(explanation)
         self.assertIn("1. LeftHand carries Blue (only a means: nothing of it is kept). New:", page)
         self.assertEqual(page[-1], "  Blue is on Red, at (0.00, 0.00) of Red, rotated by -95 degrees.")

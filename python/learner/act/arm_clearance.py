@@ -8,20 +8,18 @@ from things.areas import footprint, overlap
 
 
 def is_arm_clear(arm, q, blocks):
-    """Returns true if an arm that holds its tool straight down avoids blocks from its wrist on.
-    (grasp_yaws checks the hand.)
+    """Returns true if an arm that holds its tool straight down avoids blocks from its wrist on; grasp_yaws checks the hand.
 
     q: its joint angles [rad]
     """
-    radius = C.arm_radius
+    return are_points_clear(points_from_wrist(arm, q), blocks, C.arm_radius)
+
+
+def points_from_wrist(arm, q):
+    """Returns points along an arm, from its wrist to its first joint: Nx3 [units]."""
     points = arm.points(q)
     from_tool = np.linalg.norm(points - points[0], axis=1)
-    points = points[np.argmax(from_tool > C.min_wrist_distance):]
-    for x, y, z in points_between(points, C.points_per_link):
-        below = footprint([block for block in blocks if block.top > z - radius], radius)
-        if overlap([x, y, 0, 0, 0], below).any():
-            return False
-    return True
+    return points_between(points[np.argmax(from_tool > C.min_wrist_distance):], C.points_per_link)
 
 
 def is_hand_clear(arm, found, others, held):
@@ -41,9 +39,14 @@ def is_hand_clear(arm, found, others, held):
 
 def is_point_clear(point, blocks, margin):
     """Returns true if a point is above or beside blocks, with a margin [units]."""
-    x, y, z = point
-    near = footprint([it for it in blocks if it.top > z - margin], C.arm_radius)
-    return not overlap([x, y, 0, 0, 0], near).any()
+    return are_points_clear(np.array([point]), blocks, margin)
+
+
+def are_points_clear(points, blocks, margin):
+    """Returns true if points, Nx3, are all above or beside blocks, with a margin [units]."""
+    places = np.column_stack([points[:, :2], np.zeros((len(points), 3))])
+    tops = np.array([it.top for it in blocks])
+    return not (overlap(footprint(blocks, C.arm_radius), places) & (tops > points[:, 2:] - margin)).any()
 
 
 def are_fingers_clear(arm, path, blocks):
@@ -59,13 +62,14 @@ def are_fingers_clear(arm, path, blocks):
 
 def is_path_over(arm, path, blocks):
     """Returns true if an arm with an open gripper passes over blocks, or beside them, all along a path."""
+    of_arm, of_hand = [], []
     for q in samples(path):
         tool = arm.forward(q)
-        hand = [tool[:3, 3] + along * tool[:3, 2] + side * tool[:3, 1]
-                for along in (arm.reach, 0, -arm.reach) for side in np.array([-0.5, 0, 0.5]) * CLEARANCE.bar[0]]
-        if not is_arm_clear(arm, q, blocks) or not all(is_point_clear(it, blocks, C.clearance / 2) for it in hand):
-            return False
-    return True
+        of_arm.append(points_from_wrist(arm, q))
+        of_hand += [tool[:3, 3] + along * tool[:3, 2] + side * tool[:3, 1]
+                    for along in (arm.reach, 0, -arm.reach) for side in np.array([-0.5, 0, 0.5]) * CLEARANCE.bar[0]]
+    return (are_points_clear(np.concatenate(of_arm), blocks, C.arm_radius)
+            and are_points_clear(np.array(of_hand), blocks, C.clearance / 2))
 
 
 def samples(path):

@@ -170,7 +170,8 @@ MayRead WhatMayBeRead(const std::filesystem::path& brain) {
   MayRead read{.trackers = false, .arms = false};
   int num_entries = 0;
   // A brain may have its scripts in subfolders. What cannot be searched may read everything.
-  for (std::filesystem::recursive_directory_iterator it(brain, of_listing), end; it != end; it.increment(of_listing)) {
+  for (std::filesystem::recursive_directory_iterator it(brain, of_listing), end; it != end;
+       it.increment(of_listing)) {
     if (++num_entries > kMaxEntries) return {};
     if (it->path().extension() != ".m" || !it->is_regular_file(error)) continue;
     if (it->file_size(error) > kMaxScriptBytes) return {};

@@ -25,8 +25,8 @@ struct MayRead {
   bool operator==(const MayRead&) const = default;
 };
 
-/// Searches the scripts of a folder and its subfolders for `trackerLoc` and `.arms`; brains of other
-/// kinds, and folders of more than 10,000 entries, may read everything.
+/// Searches the scripts of a folder and its subfolders for `trackerLoc` and `.arms`; brains of
+/// other kinds, and folders of more than 10,000 entries, may read everything.
 MayRead WhatMayBeRead(const std::filesystem::path& brain);
 
 struct BrainDriverOptions {

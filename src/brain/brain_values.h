@@ -133,9 +133,10 @@ struct Aux {
   /// Pose of the robot's base (x forward, z up) in the world, translation in units.
   Eigen::Matrix4d X_WBase = Eigen::Matrix4d::Identity();
   double meters_per_unit = 0.1;
-  Eigen::RowVector2d table_size{20, 12};  ///< of the table top along x and y [units]; its center is the origin
-  std::string demonstration;     ///< folder of the recording to imitate; empty: none
-  Attention attention;           ///< of that demonstration
+  Eigen::RowVector2d table_size{
+      20, 12};                ///< of the table top along x and y [units]; its center is the origin
+  std::string demonstration;  ///< folder of the recording to imitate; empty: none
+  Attention attention;        ///< of that demonstration
   std::optional<TaskPlan> plan;  ///< of that demonstration, if the brain is given one
   BehaviorVariation variation;
   std::vector<ObjectDescription> objects;  ///< empty unless the brain is given their poses

@@ -154,8 +154,9 @@ Motor TurningArms(const std::vector<ArmDescription>& arms) {
 }
 
 TEST_F(BrainDriverTest, DrivesAnyArms) {
-  sim::Simulation simulation(scene::SceneSpec{.name = "test", .table = {.x_span = 1.6, .y_span = 2.4}},
-                             sim::RobotPlacement{.model = robot::ThreeArms().Model()});
+  sim::Simulation simulation(
+      scene::SceneSpec{.name = "test", .table = {.x_span = 1.6, .y_span = 2.4}},
+      sim::RobotPlacement{.model = robot::ThreeArms().Model()});
   BrainDriver driver({.may_read = {.trackers = true, .arms = false}});
   const Aux aux = std::get<Aux>(driver.NextQuestion(&simulation).value());
   EXPECT_TRUE(aux.table_size.isApprox(Eigen::RowVector2d(16, 24))) << "in units";

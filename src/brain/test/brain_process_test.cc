@@ -297,7 +297,8 @@ TEST_F(BrainProcessTest, BothTransportsBringChunks) {
 TEST_F(BrainProcessTest, BothTransportsBringTheRequestedPictures) {
   const fs::path folder = Brain(
       "assert(aux.cameraNames, {'eye', 'overhead'}); assert(aux.unit, 0.5);\n"
-      "assert(aux.tableSize, [20 12]); assert(aux.robotBase, eye(4)); assert(fileread(aux.robot), '<robot/>');\n"
+      "assert(aux.tableSize, [20 12]); assert(aux.robotBase, eye(4)); assert(fileread(aux.robot), "
+      "'<robot/>');\n"
       "assert(aux.maxJointVelocities, zeros(2, 7));\n"
       "aux.channels = {'depth', 'segmentation'}; aux.cameras = {'overhead'};\n"
       "aux.imageSeconds = 2; aux.watch = isfield(aux, 'demonstration');",

@@ -51,16 +51,8 @@ function block = measureObject(demo, n, lower, pictures)
   if isempty(block), block = measureTopWithKnob(demo, n, frames, pictures); end
   if isempty(block), block = measureCoveredTop(demo, n, pictures); end
   if isempty(block), block = measureParts(demo, n); end
-  if isempty(block) && standsAlone(demo, n), block = measureOutlined(demo, n, frames, pictures); end
-  if isempty(block), block = measureFlatTop(demo, n, lower); end
   % What is known by less, like an outline, comes last.
-  if isempty(block), block = measureOutlined(demo, n, frames, pictures); end
-end
-
-function yes = standsAlone(demo, n)
-% Returns true if an object began away from all others, so that no flat top above something unknown has to tell its height.
-  away = demo.start([1:n - 1, n + 1:end], 1:2) - demo.start(n, 1:2);
-  yes = all(hypot(away(:, 1), away(:, 2)) > constants().task_model.alone_distance);
+  if isempty(block), block = measureOtherTop(demo, n, lower, frames, pictures); end
 end
 
 function block = measureBall(demo, n, frames, pictures)

@@ -4,11 +4,10 @@ import math
 
 import numpy as np
 
-from constants import TASK_MODEL as C
 from explain.covered_tops import measure_covered_top, measure_top_with_knob
-from explain.flat_tops import is_side_at, measure_flat_top
+from explain.flat_tops import is_side_at
 from explain.object_roles import carried_along
-from explain.outline_measuring import measure_outlined
+from explain.other_tops import measure_other_top
 from explain.part_measuring import measure_parts
 from explain.shown_pictures import read_picture, select_frames
 from explain.tops import measure_ball, measure_top
@@ -66,12 +65,4 @@ def measure_object(demo, n, lower, pictures):
     return (measure_ball(demo, n, np.array(start), frames, pictures)
             or measure_top_with_knob(demo, n, np.array(start), math.radians(degrees), frames, pictures)
             or measure_covered_top(demo, n, np.array(start), math.radians(degrees), pictures)
-            or measure_parts(demo, n) or stands_alone(demo, n) and measure_outlined(demo, n, frames, pictures)
-            or measure_flat_top(demo, n, lower) or measure_outlined(demo, n, frames, pictures))
-
-
-def stands_alone(demo, n):
-    """Returns true if an object began away from all others, so that no flat top above something unknown has to tell its
-    height."""
-    begin = [rows[0, 1:3] for m, rows in enumerate(demo.moves) if m != n]
-    return all(np.hypot(*(it - demo.moves[n][0, 1:3])) > C.alone_distance for it in begin)
+            or measure_parts(demo, n) or measure_other_top(demo, n, lower, frames, pictures))

@@ -121,6 +121,9 @@ function answer_steps(link, message, sequence, sensor, callback, image_seconds, 
   type = message.step;
   is_other = true;
   had_markers = true;  % perhaps
+  cameras = {};
+  aux = base_aux();
+  if isfield(aux, 'cameras'), cameras = aux.cameras; end
   while type ~= message.bye
     if type == message.step
       try
@@ -142,7 +145,7 @@ function answer_steps(link, message, sequence, sensor, callback, image_seconds, 
         answer = evalin('base', '{motor, aux}', '{motor, struct()}');  % aux may have been cleared
         motor = answer{1};
         if isfield(motor, 'arms'), motor = smile_pack_arms(motor, arms); end
-        has = isfield(answer{2}, {'exit', 'drawMarkers', 'imageSeconds', 'claim', 'notes'});
+        has = isfield(answer{2}, {'exit', 'drawMarkers', 'imageSeconds', 'claim', 'notes', 'cameras'});
         if has(2) || had_markers
           [is_new, markers] = new_markers(answer{2});
           had_markers = has(2);
@@ -151,6 +154,10 @@ function answer_steps(link, message, sequence, sensor, callback, image_seconds, 
         if has(3) && ~isequal(answer{2}.imageSeconds, image_seconds)
           image_seconds = answer{2}.imageSeconds;
           motor.imageSeconds = image_seconds;
+        end
+        if has(6) && ~isequal(answer{2}.cameras, cameras)
+          cameras = answer{2}.cameras;
+          motor.cameras = in_one_line(cameras, 'cameras');
         end
         if has(5), motor = with_notes(motor, answer{2}); end
         type = message.motor;

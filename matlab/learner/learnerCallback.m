@@ -25,6 +25,8 @@ elseif ~strcmp(status, 'busy')
     actions = {struct('kind', 'observe')};  % all may be done already
   end
 end
+aux.cameras = {};  % pictures of the hands take time
+if ~isempty(actions) && strcmp(actions{1}.kind, 'look'), aux.cameras = {actions{1}.arm.camera}; end
 if ~isempty(state.notes)
   % Tells the notes that were not told yet: those about actions also in the log.
   aux.notes = strcat({state.notes.word}, {': '}, {state.notes.text});

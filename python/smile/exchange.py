@@ -8,7 +8,7 @@ from typing import Protocol
 import numpy as np
 
 from smile.brain_values import (
-    Fields, Motor, Sensor, Values, aux_of, lines_from, sensor_of, text_of, wish_of, wishes_of)
+    Fields, Motor, Sensor, Values, aux_of, in_one_line, lines_from, sensor_of, text_of, wish_of, wishes_of)
 from smile.messages import FINAL_MOTOR, INIT, INIT_DONE, MOTOR
 
 Step = Callable[[Sensor, Motor, Fields], object]
@@ -44,13 +44,14 @@ class Exchange:
         wishes = wishes_of(self.aux)
         self.markers = np.array(wishes.get("drawMarkers", _NO_MARKERS))
         self.image_seconds = self.aux.__dict__.get("imageSeconds")
+        self.cameras = wishes.get("cameras", "")
         return INIT_DONE, wishes | self._new_notes()
 
     def step(self, values: Values) -> tuple[int, Values]:
         """STEP -> MOTOR or FINAL_MOTOR"""
         self._step(sensor_of(values, self.arms), self.motor, self.aux)
         is_last = "exit" in self.aux and bool(np.any(self.aux.exit))
-        values = self.motor.values() | self._new_markers() | self._new_image_seconds()
+        values = self.motor.values() | self._new_markers() | self._new_image_seconds() | self._new_cameras()
         if "notes" in self.aux:
             values |= self._new_notes()
         if is_last and "claim" in self.aux:
@@ -84,6 +85,16 @@ class Exchange:
             return {}
         self.image_seconds = seconds
         return {"imageSeconds": wish_of(self.aux, "imageSeconds")}
+
+    def _new_cameras(self) -> Values:
+        """Returns aux.cameras if they differ from those sent last."""
+        if "cameras" not in self.aux:
+            return {}
+        cameras = in_one_line("aux.cameras", self.aux.cameras)
+        if cameras == self.cameras:
+            return {}
+        self.cameras = cameras
+        return {"cameras": cameras}
 
 
 def exchange_of(brain: object) -> Exchange:

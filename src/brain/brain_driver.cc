@@ -440,6 +440,7 @@ void BrainDriver::PassOn(const std::vector<sim::Note>& notes) const {
 void BrainDriver::MakeStep(const StepReply& reply, sim::Simulation* simulation) {
   if (reply.draw_markers) ShowMarkers(*reply.draw_markers, simulation);
   if (reply.image_seconds) ChangeImagePeriod(*reply.image_seconds, *simulation);
+  if (reply.cameras) wishes_.cameras = *reply.cameras;
   PassOn(reply.notes);
   const bool is_watching = frame_.has_value();
   if (!is_watching) {

@@ -427,6 +427,20 @@ sim::Channels ReadChannels(const NamedArray& array, MatrixReader& reader) {
   return channels;
 }
 
+/// Reads which of the cameras that the brain requested in init it wants to see from now on.
+std::vector<std::string> ReadCamerasOf(const NamedArray& array,
+                                       std::span<const std::string> requested,
+                                       MatrixReader& reader) {
+  if (requested.empty()) {
+    if (!ReadWords(array, reader).empty()) {
+      reader.Fail(array.name + " names a camera, expected none: init requested none");
+    }
+    return {};
+  }
+  return ReadChoice(array, std::vector<std::string_view>(requested.begin(), requested.end()),
+                    reader);
+}
+
 double ReadImageSeconds(const NamedArray& array, MatrixReader& reader) {
   const double seconds = reader.Read(array, 1, 1)(0, 0);
   if (reader.ok() && !(seconds >= 0 && seconds <= kMaxImageSeconds)) {
@@ -684,7 +698,8 @@ std::variant<InitReply, WireError> DecodeInitReply(const Message& message, const
 }
 
 std::variant<StepReply, WireError> DecodeStepReply(const Message& message,
-                                                   std::span<const ArmDescription> arms) {
+                                                   std::span<const ArmDescription> arms,
+                                                   std::span<const std::string> cameras) {
   MatrixReader reader("motor."), aux_reader("aux.");
   MotorReader motor(arms, &reader);
   StepReply reply;
@@ -696,6 +711,8 @@ std::variant<StepReply, WireError> DecodeStepReply(const Message& message,
       reply.draw_markers = ReadMarkers(field, aux_reader);
     } else if (field.name == "imageSeconds") {
       reply.image_seconds = ReadImageSeconds(field, aux_reader);
+    } else if (field.name == "cameras") {
+      reply.cameras = ReadCamerasOf(field, cameras, aux_reader);
     } else if (field.name == "claim" && reply.exit) {
       reply.claim = ReadClaim(field, aux_reader);
     } else if (field.name == "notes" || field.name == "noteTops") {

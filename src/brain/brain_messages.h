@@ -45,9 +45,11 @@ std::vector<std::byte> EncodeSensor(std::uint32_t sequence, const Sensor& sensor
 std::variant<InitReply, WireError> DecodeInitReply(const Message& message, const Aux& aux);
 
 /// Decodes kMotor or kFinalMotor.
-/// @param arms  as sent in Aux.
+/// @param arms     as sent in Aux.
+/// @param cameras  as requested in the reply to init: the reply may choose among them.
 std::variant<StepReply, WireError> DecodeStepReply(const Message& message,
-                                                   std::span<const ArmDescription> arms);
+                                                   std::span<const ArmDescription> arms,
+                                                   std::span<const std::string> cameras = {});
 
 /// Decodes kError; its file is as the brain named it.
 BrainError DecodeError(const Message& message);

@@ -133,6 +133,7 @@ class BrainProcess::Impl {
   bool has_guard_ = false;  ///< SIGUSR2 raises an error within the program
   PixelOrder pixel_order_ = PixelOrder::kColumns;
   std::vector<ArmDescription> arms_;       ///< as sent
+  std::vector<std::string> cameras_;       ///< as requested
   std::string init_file_, callback_file_;  ///< as named by the brain; empty if unknown
 
   std::optional<Rendezvous> rendezvous_;
@@ -166,6 +167,7 @@ OrError<InitReply> BrainProcess::Impl::Init(const Aux& aux) {
     return EndWith(ErrorIn(Phase::kInit, error->message));
   }
   state_ = State::kRunning;
+  cameras_ = std::get<InitReply>(reply).pictures.cameras;
   return std::move(std::get<InitReply>(reply));
 }
 
@@ -175,7 +177,7 @@ OrError<StepReply> BrainProcess::Impl::Step(const Sensor& sensor) {
       Exchange(EncodeSensor(++sequence_, sensor, pixel_order_), MessageType::kMotor,
                Phase::kCallback, LimitOf(options_.callback_seconds), options_.callback_seconds);
   if (auto* error = std::get_if<BrainError>(&answer)) return EndWith(std::move(*error));
-  auto reply = DecodeStepReply(std::get<Message>(answer), arms_);
+  auto reply = DecodeStepReply(std::get<Message>(answer), arms_, cameras_);
   if (const auto* error = std::get_if<WireError>(&reply)) {
     return EndWith(ErrorIn(Phase::kCallback, error->message));
   }

@@ -216,9 +216,11 @@ struct StepReply {
   int ticks = 1;  ///< until the next step, from 1 to kMaxChunkTicks; `motors` has no more
   std::optional<Points> draw_markers;   ///< other points to show to people from now on [units]
   std::optional<double> image_seconds;  ///< another time between pictures from now on
-  bool exit = false;                    ///< the program set aux.exit: this was its last step
-  std::optional<Claim> claim;           ///< with the last step only
-  std::vector<sim::Note> notes;         ///< since the step before
+  /// Of PictureWishes::cameras, those whose pictures come from now on.
+  std::optional<std::vector<std::string>> cameras;
+  bool exit = false;             ///< the program set aux.exit: this was its last step
+  std::optional<Claim> claim;    ///< with the last step only
+  std::vector<sim::Note> notes;  ///< since the step before
 };
 
 /// Reason for which a program was stopped.

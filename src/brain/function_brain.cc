@@ -48,13 +48,18 @@ BrainAnswer FunctionBrain::Init(const Aux& aux) {
   arms_ = aux.arms;
   const std::string robot = WriteRobotFiles(aux.robot_files, files_.path() / "robot");
   return ReplyFrom(function_(EncodeAux(++sequence_, aux, "./", robot)), Phase::kInit,
-                   [&aux](const Message& message) { return DecodeInitReply(message, aux); });
+                   [&](const Message& message) {
+                     auto reply = DecodeInitReply(message, aux);
+                     if (const auto* init = std::get_if<InitReply>(&reply))
+                       cameras_ = init->pictures.cameras;
+                     return reply;
+                   });
 }
 
 BrainAnswer FunctionBrain::Step(const Sensor& sensor) {
-  return ReplyFrom(function_(EncodeSensor(++sequence_, sensor, PixelOrder::kRows)),
-                   Phase::kCallback,
-                   [this](const Message& message) { return DecodeStepReply(message, arms_); });
+  return ReplyFrom(
+      function_(EncodeSensor(++sequence_, sensor, PixelOrder::kRows)), Phase::kCallback,
+      [this](const Message& message) { return DecodeStepReply(message, arms_, cameras_); });
 }
 
 }  // namespace smile::brain

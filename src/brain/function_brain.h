@@ -33,6 +33,7 @@ class FunctionBrain {
   TemporaryDirectory files_;  ///< of the robot
   std::uint32_t sequence_ = 0;
   std::vector<ArmDescription> arms_;  ///< as sent
+  std::vector<std::string> cameras_;  ///< as requested
 };
 
 }  // namespace smile::brain

@@ -105,6 +105,7 @@ class ProtocolSession {
     AddInitJoints(writer, arms_, aux_);
     if (!aux_.channels.empty()) writer.AddText("channels", InOneLine(aux_.channels));
     if (!aux_.cameras.empty()) writer.AddText("cameras", InOneLine(aux_.cameras));
+    sent_cameras_ = aux_.cameras;
     AddNewImageSeconds(&writer);
     if (aux_.watch) writer.AddLogical("watch", true);
     AddNewMarkers(&writer);
@@ -133,6 +134,8 @@ class ProtocolSession {
     if (motor_.ticks) writer.AddScalar("ticks", *motor_.ticks);
     if (aux_.exit && aux_.claim) writer.AddText("claim", *aux_.claim);
     AddNewImageSeconds(&writer);
+    if (aux_.cameras != sent_cameras_) writer.AddText("cameras", InOneLine(aux_.cameras));
+    sent_cameras_ = aux_.cameras;
     AddNewMarkers(&writer);
     AddNotes(&writer);
     return writer.Finish();
@@ -171,6 +174,7 @@ class ProtocolSession {
   std::vector<Arm> arms_;                 ///< as received: `aux_` belongs to the brain
   std::uint32_t limbs_ = 0, joints_ = 0;  ///< of the classic variables; 0: there are none
   std::optional<double> sent_image_seconds_;
+  std::vector<std::string> sent_cameras_;
   Eigen::MatrixX3d sent_markers_ = Eigen::MatrixX3d(0, 3);
 };
 

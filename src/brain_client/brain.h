@@ -47,11 +47,12 @@ struct Aux : Fields {
 
   std::optional<Eigen::MatrixXd> init_joint_angles;  ///< in Init(): limbs x joints [rad]
   std::vector<std::string> channels;                 ///< in Init(): `rgb`, `depth`, `segmentation`
-  std::vector<std::string> cameras;                  ///< in Init(): besides the robot's eye
-  std::optional<double> image_seconds;               ///< at any time: between images [s]
-  bool watch = false;                                ///< in Init(): watch the demonstration first
-  std::optional<Eigen::MatrixX3d> draw_markers;      ///< at any time: points to show [units]
-  bool exit = false;                                 ///< ends the brain after the step that sets it
+  std::vector<std::string>
+      cameras;  ///< besides the robot's eye; after Init(), some of those set there
+  std::optional<double> image_seconds;           ///< at any time: between images [s]
+  bool watch = false;                            ///< in Init(): watch the demonstration first
+  std::optional<Eigen::MatrixX3d> draw_markers;  ///< at any time: points to show [units]
+  bool exit = false;                             ///< ends the brain after the step that sets it
   /// With `exit`: what it claims about its run, `done` or `gave up`, optionally followed by a colon
   /// and a reason.
   std::optional<std::string> claim;

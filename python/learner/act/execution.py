@@ -18,6 +18,7 @@ def execute_action(action, sensor, motor, aux):
         of_arm.gripperVelocity = 0
     motor.ticks = 1
     aux.imageSeconds = C.no_image_s
+    aux.cameras = []  # pictures of the hands take time
     action.time += sensor.timeElapsed
     execute = {"observe": observe, "look": look, "follow": follow, "press": press, "open": open_fingers, "grasp": grasp}
     return execute[action.kind](action, sensor, motor, aux)
@@ -25,6 +26,7 @@ def execute_action(action, sensor, motor, aux):
 
 def look(action, sensor, motor, aux):
     """Waits until the arms rest, then for a picture of the camera of a hand."""
+    aux.cameras = [action.arm.camera]
     aux.imageSeconds = 0  # with the next step
     if action.time <= C.settle_s or "cameras" not in sensor:
         motor.ticks = max(ticks_within(C.settle_s - action.time, aux) + 1, 1)

@@ -171,6 +171,22 @@ TEST(DecodeStepReply, TakesAnotherTimeBetweenPictures) {
             "aux.imageSeconds is -1, expected a number from 0 to 3600");
 }
 
+TEST(DecodeStepReply, ChoosesAmongTheRequestedCameras) {
+  const std::vector<std::string> requested{"left_hand", "right_hand"};
+  const auto decoded = [&](const char* names, std::span<const std::string> cameras) {
+    MessageWriter writer(MessageType::kMotor, 1);
+    writer.AddText("cameras", names);
+    return DecodeStepReply(Decoded(writer.Finish()), {}, cameras);
+  };
+  EXPECT_EQ(std::get<StepReply>(decoded("right_hand", requested)).cameras,
+            std::vector<std::string>{"right_hand"});
+  EXPECT_EQ(std::get<StepReply>(decoded("", {})).cameras, std::vector<std::string>());
+  EXPECT_EQ(std::get<WireError>(decoded("head", requested)).message,
+            "aux.cameras names 'head', expected left_hand or right_hand");
+  EXPECT_EQ(std::get<WireError>(decoded("head", {})).message,
+            "aux.cameras names a camera, expected none: init requested none");
+}
+
 TEST(DecodeStepReply, NamesTheVariableAndBothShapes) {
   const std::array wrong{7u, 2u};
   EXPECT_EQ(MotorMessage().Velocities(wrong, std::array<double, 14>{}).Grippers().Error(),

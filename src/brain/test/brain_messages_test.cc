@@ -26,6 +26,11 @@ class MotorMessage {
  public:
   explicit MotorMessage(MessageType type = MessageType::kMotor) : writer_(type, 1) {}
 
+  /// The brain requested these cameras in init.
+  MotorMessage& Requested(std::vector<std::string> cameras) {
+    cameras_ = std::move(cameras);
+    return *this;
+  }
   MotorMessage& Velocities(std::span<const std::uint32_t> dims, std::span<const double> values) {
     writer_.AddDoubles("jointVelocities", dims, values);
     return *this;
@@ -55,10 +60,11 @@ class MotorMessage {
 
  private:
   std::variant<StepReply, WireError> Decode() {
-    return DecodeStepReply(Decoded(writer_.Finish()), ClassicArms());
+    return DecodeStepReply(Decoded(writer_.Finish()), ClassicArms(), cameras_);
   }
 
   MessageWriter writer_;
+  std::vector<std::string> cameras_;
 };
 
 TEST(DecodeStepReply, ReadsColumnMajorVelocities) {
@@ -172,18 +178,16 @@ TEST(DecodeStepReply, TakesAnotherTimeBetweenPictures) {
 }
 
 TEST(DecodeStepReply, ChoosesAmongTheRequestedCameras) {
-  const std::vector<std::string> requested{"left_hand", "right_hand"};
-  const auto decoded = [&](const char* names, std::span<const std::string> cameras) {
-    MessageWriter writer(MessageType::kMotor, 1);
-    writer.AddText("cameras", names);
-    return DecodeStepReply(Decoded(writer.Finish()), {}, cameras);
+  using Names = std::vector<std::string>;
+  const auto naming = [](const char* names) {
+    return MotorMessage().Velocities().Grippers().Text("cameras", names);
   };
-  EXPECT_EQ(std::get<StepReply>(decoded("right_hand", requested)).cameras,
-            std::vector<std::string>{"right_hand"});
-  EXPECT_EQ(std::get<StepReply>(decoded("", {})).cameras, std::vector<std::string>());
-  EXPECT_EQ(std::get<WireError>(decoded("head", requested)).message,
-            "aux.cameras names 'head', expected left_hand or right_hand");
-  EXPECT_EQ(std::get<WireError>(decoded("head", {})).message,
+  const Names hands{"left_hand", "right_hand"};
+  EXPECT_EQ(naming("right_hand").Requested(hands).Reply().cameras, Names{"right_hand"});
+  EXPECT_EQ(naming("").Reply().cameras, Names());
+  EXPECT_EQ(naming("head").Requested(hands).Error(),
+            R"(aux.cameras names "head", expected left_hand or right_hand)");
+  EXPECT_EQ(naming("head").Error(),
             "aux.cameras names a camera, expected none: init requested none");
 }
 

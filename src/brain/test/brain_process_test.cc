@@ -312,8 +312,10 @@ TEST_F(BrainProcessTest, BothTransportsBringTheRequestedPictures) {
       "  assert(sensor.cameraPose, eye(4)); overhead = sensor.cameras.overhead;\n"
       "  assert(overhead.depth, [1 2; 3 4]); assert(overhead.intrinsics(1, 1), 7);\n"
       "  assert(overhead.pose, eye(4)); assert(overhead.segments(2, 1), 2);\n"
+      "  aux.cameras = {};\n"
       "else\n"
       "  assert(~isfield(sensor, 'cameras'));\n"
+      "  aux.cameras = {'overhead'};\n"
       "end");
   Aux aux{.camera = CameraDescription{.width_px = 2, .height_px = 2}};
   aux.camera_names = {"eye", "overhead"};
@@ -334,8 +336,9 @@ TEST_F(BrainProcessTest, BothTransportsBringTheRequestedPictures) {
                                              .cameras = {"overhead"},
                                              .image_seconds = 2}));
     EXPECT_TRUE(reply.watch);
-    Stepped(brain, seeing);
-    Stepped(brain, sensor);
+    EXPECT_EQ(Stepped(brain, seeing).cameras, std::vector<std::string>());
+    EXPECT_EQ(Stepped(brain, sensor).cameras, std::vector<std::string>{"overhead"});
+    EXPECT_EQ(Stepped(brain, sensor).cameras, std::nullopt) << "they did not change";
   }
 }
 

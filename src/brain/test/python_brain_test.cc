@@ -106,7 +106,8 @@ TEST_F(PythonBrainTest, ReceivesTheSameValuesAsScripts) {
       "  assert overhead.rgb.shape == (150, 200, 3) and overhead.intrinsics[0, 0] == 7\n"
       "  assert sensor.segmentNames == ['table', 'cube'] and sensor.heldObject == ['', 'cube']\n"
       "  assert sensor.isHolding.tolist() == [[False, True]]\n"
-      "  if sensor.simTime == 2: del aux.drawMarkers\n"));
+      "  if sensor.simTime == 2: del aux.drawMarkers\n"
+      "  aux.cameras = []\n"));
   const InitReply reply = Started(brain, aux);
   EXPECT_EQ(reply.pictures, (PictureWishes{.channels = {.rgb = true, .depth = true},
                                            .cameras = {"overhead"},
@@ -127,6 +128,7 @@ TEST_F(PythonBrainTest, ReceivesTheSameValuesAsScripts) {
   const StepReply step = Stepped(brain, sensor);
   ASSERT_TRUE(step.draw_markers);
   EXPECT_EQ(step.draw_markers->rows(), 0);
+  EXPECT_EQ(step.cameras, std::vector<std::string>());
 }
 
 TEST_F(PythonBrainTest, DrivesAnyArms) {

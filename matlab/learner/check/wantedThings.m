@@ -1,6 +1,6 @@
 function things = wantedThings(state)
-% Returns the steps, what they began on, the tools and the container as blocks, 1xN, with isStaying, true for what carries others or a
-% knob, and isBox, true for the container.
+% Returns the steps, what they began on, the tools and the container as blocks, 1xN, with isStaying, true for what carries
+% others or a knob, and isBox, true for the container.
   things = asBlocks(state.steps);
   is_staying = [state.steps.stays] | [state.steps.hasKnob];
   for it = startSupportsOf(state.steps), [things(end + 1), is_staying(end + 1)] = deal(it, true); end

@@ -22,6 +22,7 @@ function [actions, state] = planHandLook(open, state, free, eye, arms, sensor)
       path = planPathThrough(arm, {over}, state.known, sensor.arms(arm.index).joints(:)');
       if isempty(path), continue; end
       state.handLooks(end + 1, :) = place;
+      state.grasp = newGrasp(over(1:3, 4)', arm, 0);  % what fails if the arm is stopped: no grasp of a block
       text = sprintf('looks at (%.2f, %.2f), which something hides from the eye, with arm %s', place, arm.name);
       state.notes(end + 1) = asNote('action', text);
       actions = {struct('kind', 'follow', 'arm', arm, 'path', path{1}), struct('kind', 'look', 'arm', arm), ...

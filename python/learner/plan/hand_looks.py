@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from act.actions import Action
+from act.actions import Action, Grasp
 from act.grippers import nearest_first
 from check.notes import Note
 from constants import TASK_PLANNING as C
@@ -37,6 +37,8 @@ def plan_hand_look(steps, state, free, eye, arms, sensor):
             path = plan_path_through(arm, [over], state.known, sensor.arms[arm.index].joints)
             if path:
                 state.hand_looks.append(place)
+                # What fails if the arm is stopped: no grasp of a block.
+                state.grasp = Grasp(over[:3, 3], arm.index, 0.0)
                 state.notes.append(Note("action", "looks at (%.2f, %.2f), which something hides from the eye, with arm %s" % (
                     *place, arm.name)))
                 there, back = (Action("follow", arm, it) for it in path)

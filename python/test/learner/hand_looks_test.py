@@ -6,6 +6,8 @@ from unittest.mock import patch
 
 import numpy as np
 
+from act.actions import Action
+from check.failures import num_failures, remember_failure
 from check.hand_views import see_from_hand
 from check.task_state import TaskState
 from plan.hand_looks import plan_hand_look
@@ -25,7 +27,7 @@ class HandLooksTest(unittest.TestCase):
     def looks(self, *, free=(), camera="right_hand"):
         """Returns the places of the looks that are planned until there are no more, and the kinds of their actions."""
         arm = SimpleNamespace(name="right", index=0, camera=camera, reach=0.7, foot=np.array([2.6, -7]),
-                              tool_pose=lambda point, across: np.array(point))
+                              tool_pose=lambda point, across: np.block([[np.eye(3), np.reshape(point, (3, 1))], [0, 0, 0, 1]]))
         sensor = SimpleNamespace(depthVision=self.heights, arms=[SimpleNamespace(joints=None)])
         kinds = []
         with (patch("plan.hand_looks.height_map", side_effect=lambda depth, eye: depth),
@@ -37,6 +39,9 @@ class HandLooksTest(unittest.TestCase):
     def test_a_hand_looks_behind_what_hides_the_table_once_at_each_place(self):
         places, kinds = self.looks()
         self.assertEqual(kinds, [["follow", "look", "follow", "observe"]] * len(places))
+        tower_failures = num_failures(self.state, TOWER[3])
+        remember_failure(self.state, [Action("follow"), Action("look"), Action("follow"), Action("observe")])
+        self.assertEqual((len(self.state.known), num_failures(self.state, TOWER[3])), (4, tower_failures), "if it is stopped")
         self.assertLess(np.linalg.norm(places[0] - BEHIND.position[:2]), 1.5)
         apart = [np.linalg.norm(one - other) for k, one in enumerate(places) for other in places[:k]]
         self.assertGreaterEqual(min(apart, default=9), 2)

@@ -183,8 +183,10 @@ class Watcher : public Brain {
   void Init(Aux& aux) override {
     aux.watch = aux.Has("demonstration");
     aux.image_seconds = 2;
+    aux.cameras = {"left_hand"};
   }
-  void Step(const Sensor& sensor, Motor& motor, Aux&) override {
+  void Step(const Sensor& sensor, Motor& motor, Aux& aux) override {
+    aux.cameras.clear();
     if (sensor.Number("demoCue") != 0) return;
     motor.head_velocity = 0.5;
     motor.joint_velocities = Eigen::MatrixXd::Ones(2, 7 * 3);
@@ -217,6 +219,7 @@ TEST_F(SimulatorConnectionTest, ABrainInCppSendsItsSettingsAndAnswers) {
     EXPECT_EQ(motor.type, MessageType::kMotor);
     EXPECT_EQ(motor.Find("headVelocity") == nullptr, is_shown);
     EXPECT_EQ(motor.Find("ticks") == nullptr, is_shown);
+    EXPECT_EQ(motor.Find("cameras") != nullptr, is_shown) << "only the first step changes them";
     using Dims = std::vector<std::uint32_t>;
     EXPECT_EQ(motor.Find("jointVelocities")->dims, is_shown ? Dims({2, 7}) : Dims({2, 7, 3}));
     EXPECT_EQ(motor.Find("gripperVelocities")->dims, is_shown ? Dims({2, 1}) : Dims({2, 3}));

@@ -15,5 +15,5 @@ function state = rememberImpossible(state, k, move, reason)
   purpose = '';
   if isempty(move.goal), [name, purpose] = deal(nameOf(block, state.steps), ', to be put aside'); end
   text = sprintf('impossible for now: %s%s: %s', name, purpose, reason);
-  state.notes(end + 1) = asNote('plan', text, block);
+  state.notes(end + 1) = asNote('saw', text);
 end

@@ -46,7 +46,7 @@ def remember_impossible(state, k, move, reason):
     room = move.room.position if move.room else None
     state.impossible_moves.append(ImpossibleMove(k, move.block.position, move.goal, move.turns, room, reason))
     purpose = "" if move.goal else ", to be put aside"
-    state.notes.append(Note("plan", f"impossible for now: {name}{purpose}: {reason}", [move.block]))
+    state.notes.append(Note("saw", f"impossible for now: {name}{purpose}: {reason}"))
 
 
 def is_same_room(block, place):

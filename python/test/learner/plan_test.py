@@ -85,7 +85,7 @@ class MovesTest(unittest.TestCase):
             return plan_move.call_count
 
         self.assertEqual([tried(), tried()], [1, 0])
-        self.assertEqual(str(state.notes[-1]), "plan: impossible for now: step: no arm reaches it")
+        self.assertEqual(str(state.notes[-1]), "saw: impossible for now: step: no arm reaches it")
         state.known = [red, block(BLUE, CUBE, 5, -3)]
         self.assertEqual(tried(), 1, "blue was moved")
 

@@ -39,10 +39,16 @@ def holds(arms, tool, looks, others, failures, sensor):
             start = tool_pose(arm, tool, across, grip, tool.position)
             load = load_of(whole, start)
             above = at_height(start, start[2, 3] + lift)
+            poses = [above, start, above]
+            postures = []
             for first in arm.starts:
-                poses = [above, start, above]
                 taken = plan_to_take(arm, poses, first, sensor.arms[arm.index].joints, load.box())
-                if taken:
+                if not taken:
+                    continue
+                # From several starts, often almost the same posture is found: what it cannot do, the next one cannot either.
+                posture = taken[-1].positions[-1]
+                if all(abs(posture - it).max() > C.same_posture_rad for it in postures):
+                    postures.append(posture)
                     yield Hold(arm, grasp, grip, poses, taken, load)
 
 

@@ -15,9 +15,11 @@ function [blocks, pixels] = loneBlocks(codes, is_background, eye)
     if numel(shown) < 2 || numel(shown) > c.watching.max_faces || atBorder(row, column, size(codes)), continue; end
     colors = colorsOfCodes(shown);
     [~, top] = max(sum(colors, 2));
-    others = setdiff(1:numel(shown), top);
-    if ~all(arrayfun(@(k) isDarkerShade(colors(k, :), colors(top, :)), others)), continue; end
-    own = codes(here) == shown(top);
+    % A color between two that a pixel can have shows as both.
+    is_top = max(abs(colors - colors(top, :)), [], 2) < c.watching.same_top;
+    is_side = arrayfun(@(k) isDarkerShade(colors(k, :), colors(top, :)), find(~is_top));
+    if all(is_top) || ~all(is_side), continue; end
+    own = ismember(codes(here), shown(is_top));
     block = measureBySilhouette(colors(top, :), row(own), column(own), numel(row), eye);
     if isempty(block), continue; end
     blocks(end + 1) = block;

@@ -39,6 +39,20 @@ function check_watching()
   demo = watch({pictureOf(start), pictureOf([block(yellow, plank, -1, 1, 1.5, 0), start(2)]), ...
                 withHand(hidden, [1.6, -1, 1], 24), []});
   check(isequal(demo.ids, {'Red1'}), 'what can be in two places is not guessed');
+
+  % A color that pixels show as two is one: 127 and 128 of 255.
+  gray = block([0.5, 0.5, 0.5], [1.6, 1.2, 1.5], -1, 1, 0, 0);
+  demo = watch({striped(pictureOf([block(red, cube, 2, -1, 0, 0), gray])), ...
+                striped(pictureOf([gray, block(red, cube, -1, 1, 1.5, 0)])), []});
+  steps = inferTask(demo, []);
+  check(isequal({steps.name}, {'Gray1', 'Red1'}) && isequal({steps.on}, {[], 1}), 'a gray that shows as two grays is one');
+end
+
+function picture = striped(picture)
+% Returns a picture of which every second column shows another gray where it is half as bright as white.
+  is_gray = all(picture == 0.5, 3);
+  is_gray(:, 2:2:end) = false;
+  picture(repmat(is_gray, 1, 1, 3)) = 127 / 255;
 end
 
 function picture = withHand(picture, point, width)

@@ -24,9 +24,11 @@ def lone_blocks(codes, is_background, eye):
             continue
         colors = colors_of(shown)
         top = colors.sum(axis=1).argmax()
-        if not all(is_darker_shade(it, colors[top]) for k, it in enumerate(colors) if k != top):
+        # A color between two that a pixel can have shows as both.
+        is_top = np.abs(colors - colors[top]).max(axis=1) < C.same_top
+        if is_top.all() or not all(is_darker_shade(it, colors[top]) for it in colors[~is_top]):
             continue
-        own = codes[row, column] == shown[top]
+        own = np.isin(codes[row, column], shown[is_top])
         block = measure_by_silhouette(colors[top], row[own], column[own], len(row), eye)
         if block:
             yield block, (row, column)

@@ -87,6 +87,17 @@ class WatchingTest(unittest.TestCase):
                           with_hand(with_hand(picture_of([placed, red]), (-1.6, -1, 1), 24), (1.6, -1, 1), 24), None)
         self.assertEqual(demo.ids, ["Red1"])
 
+    def test_a_color_that_pixels_show_as_two_is_one(self):
+        red, gray = block(RED, CUBE, 2, -1), block(np.array([0.5, 0.5, 0.5]), [1.6, 1.2, 1.5], -1, 1)
+        pictures = [picture_of([red, gray]), picture_of([gray, block(RED, CUBE, -1, 1, 1.5)])]
+        for picture in pictures:
+            picture[:, ::2][(picture[:, ::2] == 0.5).all(axis=2)] = 127 / 255  # the others become 128
+        demo = self.watch(*pictures, None)
+        self.assertEqual(demo.ids, ["Gray1", "Red1"])
+        steps, _ = infer_task(demo, {})
+        self.assertEqual([(step.name, step.stays, step.on) for step in steps],
+                         [("Gray1", True, []), ("Red1", False, [0])])
+
 
 if __name__ == "__main__":
     unittest.main()

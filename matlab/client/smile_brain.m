@@ -300,18 +300,22 @@ end
 
 function values = with_notes(values, aux)
   % Notes are told once: they are removed from the program's aux.
-  notes = aux.notes;
-  if iscell(notes)
-    if ~isempty(notes) && ~iscellstr(notes), error('aux.notes is not a cell array of texts'); end
-    notes = strjoin(notes(:).', "\n");
+  if ~isempty(aux.notes)
+    values.notes = in_lines(aux.notes, 'notes');
+    if isfield(aux, 'noteTops'), values.noteTops = aux.noteTops; end
+    if isfield(aux, 'noteCameras'), values.noteCameras = in_lines(aux.noteCameras, 'noteCameras'); end
   end
-  told = {'notes'};
-  if isfield(aux, 'noteTops'), told{2} = 'noteTops'; end
-  if ~isempty(notes)
-    values.notes = notes;
-    if numel(told) > 1, values.noteTops = aux.noteTops; end
-  end
+  told = intersect({'notes', 'noteTops', 'noteCameras'}, fieldnames(aux));
   assignin('base', 'aux', rmfield(aux, told));
+end
+
+function text = in_lines(texts, field)
+  % Of a cell array of texts, or of one text, one on each line; numbers are left for the simulator to refuse.
+  text = texts;
+  if iscell(texts)
+    if ~iscellstr(texts), error('aux.%s is not a cell array of texts', field); end
+    text = strjoin(texts(:).', "\n");
+  end
 end
 
 function text = in_one_line(names, field)

@@ -31,6 +31,7 @@ if ~isempty(state.notes)
   % Tells the notes that were not told yet: those about actions also in the log.
   aux.notes = strcat({state.notes.word}, {': '}, {state.notes.text});
   aux.noteTops = topsOf(state.notes);
+  if any(~cellfun(@isempty, {state.notes.camera})), aux.noteCameras = {state.notes.camera}; end
   is_logged = ~ismember({state.notes.word}, {'plan', 'saw'});
   for note = aux.notes(is_logged), fprintf('%5.1f s: %s\n', sensor.simTime, note{1}); end
   state.notes(:) = [];

@@ -69,14 +69,17 @@ class Exchange:
         return {"drawMarkers": self.markers}
 
     def _new_notes(self) -> Values:
-        """Returns aux.notes and aux.noteTops, which are told once, and removes them."""
-        notes = self.aux.__dict__.pop("notes", None)
-        tops = wish_of(self.aux, "noteTops") if "noteTops" in self.aux else None
+        """Returns aux.notes, aux.noteTops and aux.noteCameras, which are told once, and removes them."""
+        told: Values = {}
+        if notes := self.aux.__dict__.pop("notes", None):
+            told["notes"] = notes if isinstance(notes, str) else lines_from("aux.notes", notes)
+            if "noteTops" in self.aux:
+                told["noteTops"] = wish_of(self.aux, "noteTops")
+            if "noteCameras" in self.aux:
+                told["noteCameras"] = lines_from("aux.noteCameras", self.aux.noteCameras)
         self.aux.__dict__.pop("noteTops", None)
-        if not notes:
-            return {}
-        text = notes if isinstance(notes, str) else lines_from("aux.notes", notes)
-        return {"notes": text} | ({} if tops is None else {"noteTops": tops})
+        self.aux.__dict__.pop("noteCameras", None)
+        return told
 
     def _new_image_seconds(self) -> Values:
         """Returns aux.imageSeconds if it differs from the one sent last."""

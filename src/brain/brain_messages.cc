@@ -10,20 +10,18 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 #include "base/wording.h"
 #include "brain/internal_matrix_reader.h"
 #include "brain/internal_motor_reader.h"
-#include "sim/note.h"
+#include "brain/internal_note_reader.h"
 #include "sim/tick.h"
 
 namespace smile::brain {
 namespace {
 
 // Limits on what a brain can make the simulator print, render or wait for.
-constexpr std::size_t kMaxErrorLetters = 2'000;
 constexpr std::size_t kMaxExtraCameras = 8;
 constexpr double kMaxImageSeconds = 3600;
 
@@ -519,70 +517,6 @@ std::optional<Claim> ReadClaim(const NamedArray& array, MatrixReader& reader) {
   return claim;
 }
 
-/// Reads `word: sentence`.
-sim::Note ReadNote(const NamedArray& array, const std::string& line, MatrixReader& reader) {
-  const std::string printable = PrintableText(line, kMaxErrorLetters);
-  const std::size_t colon = printable.find(':');
-  sim::Note note{.word = printable.substr(0, colon)};
-  if (colon == std::string::npos ||
-      std::ranges::find(sim::kNoteWords, note.word) == sim::kNoteWords.end()) {
-    reader.Fail(array.name + " contains " + Quoted(printable.substr(0, 100)) + ", expected " +
-                OneOf(sim::kNoteWords) + ", a colon and a sentence");
-    return note;
-  }
-  const std::size_t begin = printable.find_first_not_of(' ', colon + 1);
-  if (begin != std::string::npos) note.text = printable.substr(begin);
-  return note;
-}
-
-/// Adds the tops of `noteTops`, one in each row, to the notes to which they belong.
-void ReadNotedTops(const NamedArray& array, std::vector<sim::Note>* notes, MatrixReader& reader) {
-  constexpr int kNumColumns = 9;
-  if (array.data.empty()) return;  // `[]`
-  const Eigen::MatrixXd rows = reader.Read(array, -1, kNumColumns);
-  if (!reader.ok()) return;
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    const double number = rows(i, 0);
-    if (!(number >= 1 && number <= static_cast<double>(notes->size()))) {
-      reader.Fail(array.name + "(" + std::to_string(i + 1) + ",1) is " + NumberText(number) +
-                  ", expected the number of a note, 1 to " + std::to_string(notes->size()));
-      return;
-    }
-    sim::Note& note = (*notes)[static_cast<std::size_t>(number) - 1];
-    (rows(i, 1) != 0 ? note.found : note.expected)
-        .push_back({.middle = Vector3(rows(i, 2), rows(i, 3), rows(i, 4)),
-                    .length = rows(i, 5),
-                    .width = rows(i, 6),
-                    .yaw = rows(i, 7),
-                    .is_round = rows(i, 8) != 0});
-  }
-}
-
-std::vector<sim::Note> ReadNotes(const Message& message, MatrixReader& reader) {
-  constexpr std::size_t kMaxNotes = 1'000;
-  std::vector<sim::Note> notes;
-  const NamedArray* lines = message.Find("notes");
-  const NamedArray* tops = message.Find("noteTops");
-  if (lines == nullptr) {
-    if (tops != nullptr) reader.Fail("noteTops is given without notes");
-    return notes;
-  }
-  const std::optional<std::string> text = lines->Text();
-  if (!text) {
-    reader.Fail("notes is no text, expected one note on each line");
-    return notes;
-  }
-  std::istringstream stream(*text);
-  for (std::string line; std::getline(stream, line) && reader.ok();) {
-    notes.push_back(ReadNote(*lines, line, reader));
-    if (notes.size() > kMaxNotes) {
-      reader.Fail("notes has more than " + std::to_string(kMaxNotes) + " lines");
-    }
-  }
-  if (tops != nullptr && reader.ok()) ReadNotedTops(*tops, &notes, reader);
-  return notes;
-}
-
 Points ReadMarkers(const NamedArray& markers, MatrixReader& reader) {
   // `[]` has no columns; it stands for no markers.
   if (markers.data.empty() && markers.dims.back() != 3) return Points(0, 3);
@@ -692,7 +626,7 @@ std::variant<InitReply, WireError> DecodeInitReply(const Message& message, const
   if (const NamedArray* watch = message.Find("watch")) {
     reply.watch = ReadWatch(*watch, aux, reader);
   }
-  reply.notes = ReadNotes(message, reader);
+  reply.notes = ReadNotes(message, reply.pictures.cameras, reader);
   if (!reader.ok()) return reader.error();
   return reply;
 }
@@ -715,8 +649,8 @@ std::variant<StepReply, WireError> DecodeStepReply(const Message& message,
       reply.cameras = ReadCamerasOf(field, cameras, aux_reader);
     } else if (field.name == "claim" && reply.exit) {
       reply.claim = ReadClaim(field, aux_reader);
-    } else if (field.name == "notes" || field.name == "noteTops") {
-      reply.notes = ReadNotes(message, aux_reader);
+    } else if (IsOfNotes(field)) {
+      reply.notes = ReadNotes(message, cameras, aux_reader);
     } else {
       motor.Take(field);
     }

@@ -54,6 +54,9 @@ std::variant<StepReply, WireError> DecodeStepReply(const Message& message,
 /// Decodes kError; its file is as the brain named it.
 BrainError DecodeError(const Message& message);
 
+/// Limit of a text that a brain makes the simulator print or record, as in an error or a note.
+inline constexpr std::size_t kMaxErrorLetters = 2'000;
+
 /// Returns text from a brain, safe for a terminal: control characters replaced, cut after
 /// `max_letters`.
 std::string PrintableText(std::string_view text, std::size_t max_letters);

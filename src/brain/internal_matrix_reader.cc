@@ -4,8 +4,12 @@
 #include <span>
 
 #include "base/wording.h"
+#include "brain/brain_values.h"
 
 namespace smile::brain {
+
+using wire::ElementType;
+using wire::ShapeText;
 
 Eigen::MatrixXd MatrixReader::Read(const NamedArray& array, int rows, int cols,
                                    const NameElement& name_element) {

@@ -6,9 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "brain/brain_messages.h"
+#include "wire/wire.h"
 
 namespace smile::brain {
+
+using wire::Message;
+using wire::NamedArray;
+using wire::WireError;
 
 /// Limit of all numbers from brains, far beyond any table [units].
 inline constexpr double kFarthest = 1e6;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "brain/brain_values.h"
 #include "brain/internal_matrix_reader.h"
 
 namespace smile::brain {

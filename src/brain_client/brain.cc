@@ -49,6 +49,12 @@ std::string InOneLine(const std::vector<std::string>& names) {
   return line;
 }
 
+std::string InLines(const std::vector<std::string>& texts) {
+  std::string lines;
+  for (const std::string& text : texts) lines += text + "\n";
+  return lines;
+}
+
 std::vector<std::byte> ErrorFrame(std::uint32_t sequence, std::string_view message) {
   MessageWriter writer(MessageType::kError, sequence);
   writer.AddText("message", message);
@@ -159,12 +165,12 @@ class ProtocolSession {
 
   void AddNotes(MessageWriter* writer) {
     if (aux_.notes.empty()) return;
-    std::string text;
-    for (const std::string& note : aux_.notes) text += note + "\n";
-    writer->AddText("notes", text);
+    writer->AddText("notes", InLines(aux_.notes));
     if (aux_.note_tops.rows() > 0) AddMatrix(*writer, "noteTops", aux_.note_tops);
+    if (!aux_.note_cameras.empty()) writer->AddText("noteCameras", InLines(aux_.note_cameras));
     aux_.notes.clear();
     aux_.note_tops.resize(0, 9);
+    aux_.note_cameras.clear();
   }
 
   Brain* brain_;

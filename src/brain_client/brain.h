@@ -64,6 +64,9 @@ struct Aux : Fields {
   /// an expected one, 1 for one that was found; x, y, z of its middle [units]; its sides [units];
   /// its yaw [rad]; 1 if it is round.
   Eigen::Matrix<double, Eigen::Dynamic, 9> note_tops;
+  /// Cameras of whose pictures they are, some of `cameras`, in the order of the notes; empty, or
+  /// none at the end, for the eye.
+  std::vector<std::string> note_cameras;
 };
 
 /// State of an arm.

@@ -51,7 +51,8 @@ std::optional<RecordedNote> NoteIn(const std::string& line) {
                       .note = {.word = json.at("note").get<std::string>(),
                                .text = json.at("text").get<std::string>(),
                                .expected = TopsOf(json, "expected"),
-                               .found = TopsOf(json, "found")}};
+                               .found = TopsOf(json, "found"),
+                               .camera = json.value("camera", "")}};
     const auto& words = sim::kNoteWords;
     if (std::ranges::find(words, note.note.word) == words.end()) return std::nullopt;
     return note;
@@ -68,6 +69,7 @@ std::string LineOf(const RecordedNote& note) {
   Json json = {{"tick", note.tick}, {"note", note.note.word}, {"text", note.note.text}};
   if (!note.note.expected.empty()) json["expected"] = JsonOf(note.note.expected);
   if (!note.note.found.empty()) json["found"] = JsonOf(note.note.found);
+  if (!note.note.camera.empty()) json["camera"] = note.note.camera;
   return ToText(json);
 }
 

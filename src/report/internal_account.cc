@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -32,28 +33,31 @@ bool IsVerdict(const RecordedNote& note) {
          note.note.word == "contradicted";
 }
 
+/// Returns true for a note of what a picture shows, other than the plan's.
+bool IsOfPicture(const RecordedNote& note) {
+  return IsVerdict(note) || (note.note.word == "saw" && !note.note.camera.empty());
+}
+
 /// Notes with one picture: an action or the first look, and what came of it.
 using NoteGroup = std::vector<const RecordedNote*>;
 
-/// Draws what a program knew over what its eye saw.
+/// Draws what a program knew over what one of its cameras saw.
 class AccountPictures {
  public:
   explicit AccountPictures(const recording::Recording& recording)
-      : recording_(recording),
-        spec_{.width_px = kWidth, .height_px = kHeight, .camera = recording.info.eye_camera},
-        renderer_(*recording.model, {.camera = model::kEyeCamera,
-                                     .eye = recording.info.eye_camera,
-                                     .width_px = kWidth,
-                                     .height_px = kHeight,
-                                     .channels = {}}),
-        trace_(recording) {}
+      : recording_(recording), cameras_(model::CameraNames(*recording.model)), trace_(recording) {}
 
-  /// Returns the picture at a tick with the tops that notes name; empty if the tick was not
-  /// recorded.
-  Markup At(std::uint64_t tick, const NoteGroup& notes, const std::string& words) {
+  /// Returns the picture of a camera at a tick with the tops that notes name; empty if the tick was
+  /// not recorded, or there is no such camera.
+  ///
+  /// @param camera  empty: the robot's eye.
+  Markup At(std::uint64_t tick, const std::string& camera, const NoteGroup& notes,
+            const std::string& words) {
     const auto moment = trace_.At(tick);
-    if (!moment) return {};
-    const CameraView view = recording::ViewSampleAt(*moment, *recording_.model, spec_).view;
+    const std::string name = camera.empty() ? recording_.info.eye_camera : camera;
+    if (!moment || std::ranges::find(cameras_, name) == cameras_.end()) return {};
+    const model::EyeSpec spec{.width_px = kWidth, .height_px = kHeight, .camera = name};
+    const CameraView view = recording::ViewSampleAt(*moment, *recording_.model, spec).view;
     Markup outlines;
     const RecordedNote* former = nullptr;
     for (const RecordedNote* it : notes) {
@@ -69,13 +73,22 @@ class AccountPictures {
     for (const RecordedNote* it : notes) {
       for (const auto& top : it->note.found) outlines += Outline(top, view, "found");
     }
-    Markup both = Picture(EncodePng(renderer_.Take(*moment)), words);
+    Markup both = Picture(EncodePng(RendererOf(name).Take(*moment)), words);
     both += Drawing(kWidth, kHeight, words, outlines);
     return Element("div", {{"class", "seen"}}, both);
   }
 
  private:
   static constexpr int kWidth = 384, kHeight = 288;  // [px]
+
+  picture::RecordingRenderer& RendererOf(const std::string& camera) {
+    const picture::RenderRequest request{.camera = model::kEyeCamera,
+                                         .eye = camera,
+                                         .width_px = kWidth,
+                                         .height_px = kHeight,
+                                         .channels = {}};
+    return renderers_.try_emplace(camera, *recording_.model, request).first->second;
+  }
 
   Markup Outline(const sim::NotedTop& top, const CameraView& view,
                  const std::string& css_class) const {
@@ -99,8 +112,8 @@ class AccountPictures {
   }
 
   const recording::Recording& recording_;
-  model::EyeSpec spec_;
-  picture::RecordingRenderer renderer_;
+  std::vector<std::string> cameras_;
+  std::map<std::string, picture::RecordingRenderer> renderers_;  ///< by their cameras
   recording::TraceReader trace_;
 };
 
@@ -151,32 +164,35 @@ Markup PlanOf(const std::vector<RecordedNote>& notes, AccountPictures* pictures)
     if (it.note.word == "saw" && it.tick == plan.front()->tick) drawn.push_back(&it);
   }
   const std::string words = "The first look: where everything is to go, and, black, what was seen";
-  Markup figure = pictures->At(plan.front()->tick, drawn, words);
+  Markup figure = pictures->At(plan.front()->tick, "", drawn, words);
   figure += Element("figcaption", {}, words);
   Markup pair = Element("figure", {}, figure);
   pair += Element("ol", {}, list);
   return Section("What it planned", Element("div", {{"class", "actions plan"}}, pair));
 }
 
-/// Returns an action with its verdicts.
+/// Returns an action with what a picture afterwards shows.
 Markup ActionOf(const NoteGroup& group, const recording::Recording& recording,
                 AccountPictures* pictures) {
   Markup words;
-  const RecordedNote* last_verdict = nullptr;
+  const RecordedNote* seen = nullptr;
   for (const RecordedNote* it : group) {
-    if (!IsVerdict(*it)) {
+    if (!IsOfPicture(*it)) {
       const double seconds = SecondsInto(recording, it->tick);
       words += Element("h3", {}, Fixed(seconds, 1) + " s: " + it->note.text);
       continue;
     }
-    last_verdict = it;
+    seen = it;
     Markup line = Badge(it->note.word != "contradicted", it->note.word);
     line += Text(" " + it->note.text);
     words += Element("p", {}, line);
   }
   Markup action;
-  if (last_verdict != nullptr) {
-    action = pictures->At(last_verdict->tick, group, "What the robot's eye saw afterwards");
+  if (seen != nullptr) {
+    const std::string& camera = seen->note.camera;
+    action = pictures->At(seen->tick, camera, group,
+                          camera.empty() ? "What the robot's eye saw afterwards"
+                                         : "What the camera " + camera + " saw");
   }
   action += words;
   return Element("div", {}, action);
@@ -190,11 +206,11 @@ std::vector<NoteGroup> GroupsOf(const std::vector<RecordedNote>& notes) {
   std::vector<NoteGroup> groups;
   for (const RecordedNote& it : notes) {
     const bool is_action = it.note.word == "action";
-    if (!is_action && !IsVerdict(it)) continue;
+    if (!is_action && !IsOfPicture(it)) continue;
     // A picture belongs to the action before it; another one, to none.
     const bool is_next =
         groups.empty() || is_action ||
-        (IsVerdict(*groups.back().back()) && groups.back().back()->tick != it.tick);
+        (IsOfPicture(*groups.back().back()) && groups.back().back()->tick != it.tick);
     if (is_next && groups.size() == kMaxGroups) break;
     if (is_next) groups.emplace_back();
     groups.back().push_back(&it);

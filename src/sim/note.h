@@ -28,6 +28,7 @@ struct Note {
   std::string word;  ///< one of kNoteWords
   std::string text;
   std::vector<NotedTop> expected, found;  ///< what it expected to see, and what it saw instead
+  std::string camera;                     ///< in whose picture it saw that; empty: the robot's eye
 
   bool operator==(const Note&) const = default;
 };

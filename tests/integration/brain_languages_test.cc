@@ -93,6 +93,7 @@ TEST_F(BrainLanguages, ScriptsOfTheOriginalRunAsTheyAre) {
         "seen = containers.Map();\n"
         "figure(1); plot([0 1], [0 1]);\n"
         "aux.drawMarkers = [0 0 1; 1 0 1];\n"
+        "aux.cameras = {'left_hand'};\n"
         "mkdir([aux.path 'frames']);\n"
         "frame = 0; total = 0;\n");
   Write("matlab/recordCallback.m",
@@ -115,12 +116,14 @@ TEST_F(BrainLanguages, ScriptsOfTheOriginalRunAsTheyAre) {
         "aux.claim = 'done: as shown';\n"
         "aux.notes = {'saw: a block', 'plan: none'};\n"
         "aux.noteTops = [1, 1, 0, 2, 1, 4, 1, 0.5, 0];\n"
+        "aux.noteCameras = {'left_hand'};\n"
         "aux.exit = 1;\n");
   const Answer answer = Smile("run pair.xml --brain matlab --size 64x48 --record noted --json");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   EXPECT_EQ(answer.json()["brain"]["status"], "exited");
-  EXPECT_NE(Read("noted/notes.jsonl").find("\"saw\",\"text\":\"a block\",\"found\""),
-            std::string::npos);
+  const std::string notes = Read("noted/notes.jsonl");
+  EXPECT_NE(notes.find("\"saw\",\"text\":\"a block\",\"found\""), std::string::npos);
+  EXPECT_NE(notes.find("\"camera\":\"left_hand\""), std::string::npos);
   EXPECT_EQ(answer.json()["brain"]["claim"], Json({{"done", true}, {"reason", "as shown"}}));
   EXPECT_GE(answer.json()["ticks"], 35);
   for (const char* file : {"matlab/frames/0.png", "matlab/frames/2.png", "matlab/result.mat"}) {

@@ -14,5 +14,5 @@ function state = seeFromHand(state, sensor, arm)
   objects = 'objects';
   if numel(new) == 1, objects = 'object'; end
   text = sprintf('%d more %s with the %s hand', numel(new), objects, arm.name);
-  state.notes(end + 1) = asNote('saw', text, noBlocks(), new);
+  state.notes(end + 1) = asNote('saw', text, noBlocks(), new, arm.camera);
 end

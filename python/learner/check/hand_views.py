@@ -23,4 +23,5 @@ def see_from_hand(state, sensor, arm):
     new = [it for it in seen if all(np.linalg.norm(it.position - other.position) > C.same_block_distance
                                     for other in state.known)]
     state.known = new + state.known
-    state.notes.append(Note("saw", f"{len(new)} more object{'s' * (len(new) != 1)} with the {arm.name} hand", found=new))
+    state.notes.append(Note("saw", f"{len(new)} more object{'s' * (len(new) != 1)} with the {arm.name} hand", found=new,
+                            camera=arm.camera))

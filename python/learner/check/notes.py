@@ -15,6 +15,7 @@ class Note(NamedTuple):
     text: str
     expected: list = []  # Blocks where it expects or expected to see them
     found: list = []  # Blocks where it saw them
+    camera: str = ""  # in whose picture it saw them; empty: the eye
 
     def __str__(self):
         return f"{self.word}: {self.text}"

@@ -13,3 +13,5 @@ def tell(aux, seconds):
             print(f"{seconds:5.1f} s: {note}")
     aux.notes = [str(note) for note in notes]
     aux.noteTops = tops_of(notes)
+    if any(note.camera for note in notes):
+        aux.noteCameras = [note.camera for note in notes]

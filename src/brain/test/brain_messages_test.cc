@@ -251,6 +251,30 @@ TEST(DecodeStepReply, ReadsNotesAndTheTopsThatTheyAreAbout) {
             "aux.noteTops is given without notes");
 }
 
+TEST(DecodeStepReply, ReadsOfWhichCameraANoteIs) {
+  const std::vector<std::string> cameras{"left_hand", "right_hand"};
+  const auto noted = [](const std::string& names) {
+    MotorMessage message;
+    message.Velocities().Grippers().Text("notes", "saw: it\nsaw: more\nsaw: all");
+    message.Text("noteCameras", names);
+    return message;
+  };
+  const std::vector<sim::Note> notes = noted("\nright_hand").Requested(cameras).Reply().notes;
+  ASSERT_EQ(notes.size(), 3u);
+  EXPECT_EQ(notes[0].camera, "");
+  EXPECT_EQ(notes[1].camera, "right_hand");
+  EXPECT_EQ(notes[2].camera, "");
+  EXPECT_EQ(noted("head").Requested(cameras).Error(),
+            "aux.noteCameras contains \"head\", expected left_hand or right_hand, or nothing for "
+            "the eye");
+  EXPECT_EQ(noted("head").Error(),
+            "aux.noteCameras contains \"head\", expected nothing: init requested no cameras");
+  EXPECT_EQ(noted("\n\n\n\n").Error(),
+            "aux.noteCameras has more lines than notes, expected at most 3");
+  EXPECT_EQ(MotorMessage().Velocities().Grippers().Text("noteCameras", "eye").Error(),
+            "aux.noteCameras is given without notes");
+}
+
 TEST(DecodeStepReply, RefusesUnknownAndMissingFields) {
   EXPECT_EQ(MotorMessage().Velocities().Grippers().Scalar("jointVelocity", 1).Error(),
             "motor.jointVelocity is unknown, expected jointVelocities, gripperVelocities, "

@@ -187,6 +187,8 @@ class Watcher : public Brain {
   }
   void Step(const Sensor& sensor, Motor& motor, Aux& aux) override {
     aux.cameras.clear();
+    aux.notes = {"saw: nothing", "saw: a block"};
+    aux.note_cameras = {"", "left_hand"};
     if (sensor.Number("demoCue") != 0) return;
     motor.head_velocity = 0.5;
     motor.joint_velocities = Eigen::MatrixXd::Ones(2, 7 * 3);
@@ -219,6 +221,7 @@ TEST_F(SimulatorConnectionTest, ABrainInCppSendsItsSettingsAndAnswers) {
     EXPECT_EQ(motor.type, MessageType::kMotor);
     EXPECT_EQ(motor.Find("headVelocity") == nullptr, is_shown);
     EXPECT_EQ(motor.Find("ticks") == nullptr, is_shown);
+    EXPECT_EQ(motor.TextOf("noteCameras"), "\nleft_hand\n");
     EXPECT_EQ(motor.Find("cameras") != nullptr, is_shown) << "only the first step changes them";
     using Dims = std::vector<std::uint32_t>;
     EXPECT_EQ(motor.Find("jointVelocities")->dims, is_shown ? Dims({2, 7}) : Dims({2, 7, 3}));

@@ -58,14 +58,19 @@ TEST_F(RunBrain, ABrainThatEndsEndsTheRun) {
 
 TEST_F(RunBrain, NotesAreRecordedOnceWithTheirTick) {
   (void)experiment::Run(
-      PlanWith(Python("  if 'said' not in aux:\n"
-                      "    aux.said, aux.notes = True, ['saw: a block', 'plan: to leave it']\n"
-                      "    aux.noteTops = [[1, 1, 0, 2, 1, 4, 1, 0.5, 0]]\n"
-                      "  if sensor.simTime > 0.2: aux.exit, aux.notes = True, 'action: ends'\n")));
+      PlanWith(Write("brain/notes.py",
+                     "def init(aux): aux.cameras = ['left_hand']\n"
+                     "def step(sensor, motor, aux):\n"
+                     "  if 'said' not in aux:\n"
+                     "    aux.said, aux.notes = True, ['saw: a block', 'plan: to leave it']\n"
+                     "    aux.noteTops = [[1, 1, 0, 2, 1, 4, 1, 0.5, 0]]\n"
+                     "    aux.noteCameras = ['left_hand']\n"
+                     "  if sensor.simTime > 0.2: aux.exit, aux.notes = True, 'action: ends'\n")));
   const auto notes = recording::NotesOf(recording::OpenRecording(root_ / "run"));
   const sim::NotedTop top{.middle = Vector3(0, 2, 1), .length = 4, .width = 1, .yaw = 0.5};
   ASSERT_EQ(notes.size(), 3u);
-  EXPECT_EQ(notes[0].note, (sim::Note{.word = "saw", .text = "a block", .found = {top}}));
+  EXPECT_EQ(notes[0].note,
+            (sim::Note{.word = "saw", .text = "a block", .found = {top}, .camera = "left_hand"}));
   EXPECT_EQ(notes[1].note, (sim::Note{.word = "plan", .text = "to leave it"}));
   EXPECT_EQ(notes[2].note.text, "ends");
   EXPECT_EQ(notes[0].tick, 0u);

@@ -117,6 +117,24 @@ TEST_F(ExperimentPage, ShowsWhatTheBrainUnderstoodPlannedAndSaw) {
   EXPECT_NE(page.find("What it claims"), std::string::npos);
 }
 
+TEST_F(ExperimentPage, ShowsTheCameraOfANote) {
+  const auto noted = [](const std::string& camera) {
+    return R"({"tick":2,"note":"saw","text":"1 more","camera":")" + camera +
+           R"(","found":[{"middle":[0,0,1],"sides":[1,1],"yaw":0}]})"
+           "\n";
+  };
+  WriteFile(directory_ / "notes.jsonl", noted("eye"));
+  std::string page = PageWith(ResultOf({{kBlock, Pose(0)}}));
+  EXPECT_NE(page.find("<span class=\"badge good\">saw</span> 1 more"), std::string::npos);
+  EXPECT_NE(page.find("What the camera eye saw"), std::string::npos);
+  EXPECT_NE(page.find("class=\"found\""), std::string::npos);
+  // The file may be another program's: a camera that is not there has no picture.
+  WriteFile(directory_ / "notes.jsonl", noted(kHostile));
+  page = PageWith(ResultOf({{kBlock, Pose(0)}}));
+  EXPECT_NE(page.find("</span> 1 more"), std::string::npos);
+  EXPECT_EQ(page.find("class=\"found\""), std::string::npos);
+}
+
 TEST_F(ExperimentPage, ReportsMissingObjects) {
   const std::string page = PageWith(ResultOf(Json::object()));
   EXPECT_NE(page.find("missing"), std::string::npos);

@@ -23,6 +23,7 @@ try
   check_meant();
   check_clearing();
   check_making_room();
+  check_crowded();
   check_step_choice();
   check_impossible_moves();
   check_hand_looks();

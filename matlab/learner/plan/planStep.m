@@ -61,7 +61,8 @@ function moves = movesFor(state, k, free, is_last_resort, eye, arms, sensor)
   moves = [moves, turningMoves(state.steps(k), state.known, free, opening)];
   moves = [moves, clearingMoves(state, moves, free)];
   if ~is_last_resort, return; end
-  % Room on the table, and for fingers beside what is built.
+  % Room for the hand at its place, on the table, and for fingers beside what is built.
+  moves = [moves, movesFromPlace(state.steps(k), state.known, free)];
   moves = [moves, roomMoves(state, k, moves, free, arms, eye, sensor)];
   moves = [moves, clearingMoves(state, moves, 1:numel(state.known))];
 end

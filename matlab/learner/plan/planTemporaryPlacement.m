@@ -16,12 +16,20 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
     reason = 'no arm reaches it';
     return
   end
-  for site = sites
+  for k = 1:numel(sites) + 1
+    % First those on the table, at last those on others.
+    if k <= numel(sites)
+      site = sites{k};
+      places = freePlacements(arms, eye, block, [others, site], goal, unexplained);
+    else
+      site = sites{1};
+      places = placesOnOthers(block, others, site, eye);
+    end
     tried = noBlocks();
-    for place = freePlacements(arms, eye, block, [others, site{1}], goal, unexplained)
+    for place = places
       has_yaw = tried([tried.yaw] == place.yaw);
       if isNear(place, left) || isNear(place, has_yaw), continue; end
-      if ~isSuitable(place, arms, eye, others, site{1}), continue; end
+      if ~isSuitable(place, arms, eye, others, site), continue; end
       [actions, why] = planToPlace(arms, block, place, others, sensor, goal, failures);
       if ~isempty(actions), return; end
       if ~isempty(why), reason = why; end

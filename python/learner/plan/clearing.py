@@ -1,4 +1,4 @@
-"""Proposes moves that uncover blocks, and that clear room for fingers."""
+"""Proposes moves that uncover blocks, and that clear room for the hand."""
 
 import numpy as np
 
@@ -41,3 +41,11 @@ def clearing_moves(state, moves, free):
         alone += [it for it in beside[:C.max_beside]
                   if grasp_yaws(block, [other for other in others if other is not it])]
     return [Move(block) for block in distinct(alone + closest)]
+
+
+def moves_from_place(step, free):
+    """Returns the moves of blocks each of which leaves no room for the hand at the place of a step, though it may be higher
+    than the fingers there: a list of Moves, of the closest first."""
+    in_way = [it for it in free if is_close(it, step) and not has_objects_on(it, free) and not grasp_yaws(step, [it])]
+    in_way.sort(key=lambda it: np.linalg.norm(it.position - step.position))
+    return [Move(it) for it in in_way if not is_same_kind(it, step)]

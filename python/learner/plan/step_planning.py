@@ -4,7 +4,7 @@ from check.failures import num_failures
 from check.progress import waits_for_support
 from constants import ARMS, TASK_PLANNING as C
 from plan.beginning import begin
-from plan.clearing import clearing_moves, uncovering_moves
+from plan.clearing import clearing_moves, moves_from_place, uncovering_moves
 from plan.impossible_moves import forget_if_moved, remember_impossible, why_impossible
 from plan.making_room import room_moves
 from plan.moves import Move
@@ -54,7 +54,8 @@ def moves_for(state, k, free, is_last_resort, eye, arms, sensor):
     moves += turning_moves(step, free, max(arm.opening for arm in arms) - ARMS.opening_margin)
     moves += clearing_moves(state, moves, free)
     if is_last_resort:
-        # Room on the table, and for fingers beside what is built.
+        # Room for the hand at its place, on the table, and for fingers beside what is built.
+        moves += moves_from_place(step, free)
         moves += room_moves(state, step, moves, free, arms, eye, sensor)
         moves += clearing_moves(state, moves, state.known)
     return moves

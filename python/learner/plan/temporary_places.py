@@ -6,7 +6,9 @@ from constants import TASK_PLANNING as C
 from plan.free_places import free_placements, is_near
 from plan.obstruction import is_close
 from plan.pick_and_place import plan_pick_and_place
+from plan.places_on_others import places_on_others
 from see.sight import is_top_hidden
+from things.steps import stands_on
 
 
 def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, failures, left,
@@ -25,9 +27,9 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
     if not can_reach(arms, block):
         return [], None, "no arm reaches it"
     reason = "there is no free place on the table"
-    for site in sites:
+    for places, site in candidates(arms, eye, block, others, sites, goal, unexplained):
         tried = []
-        for place in free_placements(arms, eye, block, others + site, goal, unexplained):
+        for place in places:
             has_yaw = [it for it in tried if it.yaw == place.yaw]
             if is_near(place, left + has_yaw) or not is_suitable(place, arms, eye, others, site):
                 continue
@@ -41,10 +43,19 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
     return [], None, reason
 
 
+def candidates(arms, eye, block, others, sites, goal, unexplained):
+    """Yields places to which a block may be brought, a list, and of which site they keep clear: first those on the table,
+    at last those on others."""
+    for site in sites:
+        yield free_placements(arms, eye, block, others + site, goal, unexplained), site
+    yield places_on_others(block, others, sites[0], eye), sites[0]
+
+
 def is_suitable(place, arms, eye, others, site):
-    """Returns true if a block at a place blocks nothing of a site and no grasp of others, is seen, and can be taken
-    again."""
-    return not (is_grasp_blocked(place, site) or is_top_hidden(place, site, eye) or blocks_grasps(place, others)
+    """Returns true if a block at a place blocks nothing of a site and no grasp of others, but of those below it, is seen,
+    and can be taken again."""
+    around = [it for it in others if not stands_on(place, it)]
+    return not (is_grasp_blocked(place, site) or is_top_hidden(place, site, eye) or blocks_grasps(place, around)
                 or not can_reach(arms, place))
 
 

@@ -10,17 +10,18 @@ import numpy as np
 
 from check.choices import Choices
 from check.task_state import TaskState
-from plan.clearing import clearing_moves, uncovering_moves
+from plan.clearing import clearing_moves, moves_from_place, uncovering_moves
 from plan.free_places import free_placements
 from plan.heights import grip_depth
 from plan.making_room import room_moves
 from plan.moves import Move
 from plan.pick_and_place import plan_pick_and_place
+from plan.places_on_others import places_on_others
 from plan.proposals import propose_moves, turning_moves
 from plan.step_choice import plan_one_of
 from plan.step_planning import plan_step
-from plan.temporary_places import blocks_grasps
-from scenes import BLUE, BROWN, CUBE, EYE, GREEN, RED, block, step
+from plan.temporary_places import blocks_grasps, candidates
+from scenes import BLUE, BROWN, CUBE, EYE, GREEN, PLANK, RED, block, step
 from see.eye import Eye, to_pixel
 
 
@@ -128,6 +129,27 @@ class MovesTest(unittest.TestCase):
         for one in moves:
             others = [it for it in cubes if it is one.block or it in rest]
             self.assertEqual(free_placements([], EYE, plank, others + sites, None), [], "each is in the way")
+
+    def test_where_the_table_is_full_a_block_is_put_on_one_that_no_step_needs(self):
+        moved = block(RED, CUBE, -4, -2)
+        flat = np.array([1.2, 1.2, 0.8])
+        large, small = block(BLUE, flat, 3, -1, yaw=0.3), block(BLUE, 0.6 * CUBE, 0, -1)
+        needed, carrying, near = block(GREEN, CUBE, 1, -4), block(BLUE, flat, -2, -4), block(BLUE, CUBE, -3, 0)
+        others = [large, small, needed, carrying, near, block(BLUE, CUBE, -2, -4, bottom=0.8), block(BLUE, CUBE, 12, 0)]
+        places = places_on_others(moved, others, self.steps, EYE)
+        np.testing.assert_allclose([it.bottom for it in places], [1, 1.8, 0.8], err_msg="the closest first, in view, also stacks")
+        np.testing.assert_array_equal(places[2].position[:2], large.position[:2])
+        self.assertEqual(places[2].yaw, large.yaw)
+        (on_table, _), (on_others, _) = candidates([], EYE, moved, others, [self.steps], None, ())
+        self.assertEqual({it.bottom for it in on_table}, {0}, "the table comes first")
+        self.assertEqual(len(on_others), 3)
+
+    def test_what_is_higher_than_the_fingers_is_taken_away_from_beside_a_place(self):
+        place = step(block(RED, PLANK, 0, -2), [])
+        low, high, far = block(GREEN, CUBE, 0.2, -3.7), block(BLUE, 1.4 * CUBE, 0.2, -3.85), block(BLUE, 1.4 * CUBE, 0, -5)
+        self.assertEqual(moves_from_place(place, [low]), [])
+        self.assertEqual(moves_from_place(place, [far, high]), [Move(high)])
+        self.assertEqual(moves_from_place(place, [high, block(GREEN, CUBE, 0.2, -3.85, bottom=1.4)]), [], "what carries others waits")
 
     def test_places_are_on_any_table_as_far_from_its_near_edge(self):
         def places(eye, y):

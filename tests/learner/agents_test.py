@@ -32,7 +32,7 @@ def main(smile, source):
                         f"{source}/examples/tower.jsonl", "--record", "shown"], check=True,
                        stdout=subprocess.DEVNULL)
         for k, (agent, scene, seed, succeeds) in enumerate(CASES):
-            layout = (["--seed", str(seed)] if seed else []) + (["--oracle"] if agent == "true_poses" else [])
+            layout = (["--seed", str(seed)] if seed else []) + (["--oracle"] if agent in ("oracle", "true_poses") else [])
             run = subprocess.run([smile, "imitate", "shown", f"{source}/scenes/{scene}", "--brain",
                                   agents / f"{agent}.py", "--no-pictures", "--timeout", "60", "--out",
                                   f"done{k}", *layout], stdout=subprocess.PIPE,

@@ -1,9 +1,10 @@
-"""The learner, told which pixels show which object, and the sizes of the demonstrated ones: what it
-still fails at is planning or acting, not seeing.
+"""The learner, told the true poses of the objects that it needs, and which pixels show which other
+object: what it still fails at is planning or acting, not seeing.
 
-    smile imitate DEMO SCENE --brain python/examples/agents/oracle.py
+    smile imitate DEMO SCENE --oracle --brain python/examples/agents/oracle.py
 
-A real robot does not have this information: only the simulator has it.
+Of things with a knob, of several colors or of another shape it sees the poses itself. A real robot does
+not have this information: only the simulator has it.
 
 smile: imitates
 """
@@ -17,42 +18,37 @@ sys.path.append(str(Path(__file__).resolve().parents[2] / "learner"))
 import learner
 from learner import step
 from see.colors import table_color
-from see.eye import height_map, onto_plane
-from see.faces import fit_face
+from see.detection import detect_blocks
+from see.eye import height_map
+from see.knobs import find_knobs
 from see.measuring import measure_block
-from things.blocks import Block
-from things.kinds import same_size
+from true_poses import true_blocks
 
 
 def init(aux):
-    aux.see = see
+    aux.see = lambda sensor, eye, steps: see(sensor, eye, steps, true_blocks(sensor, aux, steps))
     learner.init(aux)
     aux.channels = ["rgb", "depth", "segmentation"]
 
 
-def see(sensor, eye, steps):
-    """Returns the objects whose whole top is visible, as Blocks."""
+def see(sensor, eye, steps, told):
+    """Returns the objects of some steps, and the others of which the whole top is visible, as Blocks."""
     picture = sensor.rgbVision / 255
     heights = height_map(sensor.depthVision, eye)
-    kinds = {step.name: step for step in steps}
-    seen = []
+    special = [it for it in steps if it.has_knob or it.parts or it.outline]
+    names = {it.name for it in steps}
+    seen = [told[it.name] for it in steps if it not in special and it.name in told]
+    if special:
+        seen += detect_blocks(picture, eye, special, None, heights)
+        find_knobs(steps, seen, picture, eye, heights)
     for k, name in enumerate(sensor.segmentNames, 1):
         rows, columns = np.nonzero(sensor.segmentVision == k)
-        if name in ("table", "robot") or len(rows) == 0:
+        if name in names or name in ("table", "robot") or len(rows) == 0:
             continue
         top = heights[rows, columns].max()
         is_top = heights[rows, columns] > top - 0.02
         rows, columns = rows[is_top], columns[is_top]
         color = np.median(picture[rows, columns], axis=0)
-        if name not in kinds:
-            block = measure_block(color, rows, columns, picture, eye, table_color(picture), heights)
-            seen += [block] if block else []
-            continue
-        kind = kinds[name]
-        top = np.median(heights[rows, columns])
-        face = fit_face(*onto_plane(rows, columns, eye, top))
-        if (face.is_round == kind.is_round and same_size(face.sides, kind.size[:2])
-                and face.misfit < 0.05):
-            seen.append(Block(color, kind.size, np.append(face.center, top - kind.size[2] / 2),
-                              face.yaw, form=kind.form))
+        block = measure_block(color, rows, columns, picture, eye, table_color(picture), heights)
+        seen += [block] if block else []
     return seen

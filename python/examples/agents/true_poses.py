@@ -22,26 +22,25 @@ from learner import step
 
 
 def init(aux):
+    aux.see = lambda sensor, eye, steps: list(true_blocks(sensor, aux, steps).values())
+    learner.init(aux)
+
+
+def true_blocks(sensor, aux, steps):
+    """Returns all objects that exist: a dict from names to Blocks."""
     if "objectNames" not in aux:
         raise ValueError("this brain needs the poses of all objects: use --oracle")
-    names = aux.objectNames.split("\n")
-
-    def see(sensor, eye, steps):
-        """Returns all objects that exist, as Blocks."""
-        shown = {step.name: step for step in steps}
-        seen = []
-        for k, name in enumerate(names):
-            pose, color, form = sensor.objectPoses[:, :, k], aux.objectColors[k], "block"
-            if name in shown:
-                # The demonstrated color: looks may have changed it.
-                form = shown[name].form
-                color = color if shown[name].color is None else shown[name].color
-            if not np.isnan(pose).any():
-                seen.append(block_at(pose, aux.objectSizes[k], color, form))
-        return seen
-
-    aux.see = see
-    learner.init(aux)
+    shown = {step.name: step for step in steps}
+    blocks = {}
+    for k, name in enumerate(aux.objectNames.split("\n")):
+        pose, color, form = sensor.objectPoses[:, :, k], aux.objectColors[k], "block"
+        if name in shown:
+            # The demonstrated color: looks may have changed it.
+            form = shown[name].form
+            color = color if shown[name].color is None else shown[name].color
+        if not np.isnan(pose).any():
+            blocks[name] = block_at(pose, aux.objectSizes[k], color, form)
+    return blocks
 
 
 def block_at(pose, size, color, form):

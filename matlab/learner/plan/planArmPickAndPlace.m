@@ -23,7 +23,7 @@ function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, h
   transfer = [{over_from}, via, {over_to, to}];
   if isDragged(goal), transfer = {to}; end  % a dragged object is not lifted
   to_block = [via, {over_from, from}];
-  path = planPathThrough(arm, [to_block, transfer, {over_to}], others, q);
+  path = planPathThrough(arm, [to_block, transfer, {over_to}], others, q, asBlocks(goal));
   actions = {};
   if isempty(path), return; end
 

@@ -20,8 +20,13 @@ function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, h
     via = {from};
     via{1}(1:3, 4) = [(from(1:2, 4) + to(1:2, 4)) / 2; height];
   end
-  transfer = [{over_from}, via, {over_to, to}];
-  if isDragged(goal), transfer = {to}; end  % a dragged object is not lifted
+  if isDragged(goal)
+    transfer = {to};  % it is not lifted
+  else
+    away = besideTouching(goal, others);
+    transfer = [{over_from}, via, {shifted(over_to, away), shifted(to, away), to}];
+    if ~any(away), transfer(end) = []; end
+  end
   to_block = [via, {over_from, from}];
   path = planPathThrough(arm, [to_block, transfer, {over_to}], others, q, asBlocks(goal));
   actions = {};
@@ -34,4 +39,9 @@ function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, h
   n = numel(to_block);
   actions = [{open}, follow(1:n), {grasp}, follow(n + 1:end - 2), {open}, follow(end - 1:end), ...
              {struct('kind', 'observe')}];
+end
+
+function pose = shifted(pose, displacement)
+% Returns a pose displaced by x, y, 1x2 [units].
+  pose(1:2, 4) = pose(1:2, 4) + displacement';
 end

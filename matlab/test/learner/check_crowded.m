@@ -1,5 +1,5 @@
 function check_crowded()
-% Where a table is full, and where something high is beside a place.
+% Where a table is full, and where something high, or something that touches, is beside a place.
   red = [1, 0, 0]; green = [0, 1, 0]; blue = [0, 0, 1];
   cube = [1, 1, 1];
   large = [1.2, 1.2, 0.8];
@@ -19,4 +19,13 @@ function check_crowded()
   check(isequal([moves.block], 2), 'what is higher than the fingers is taken away from beside a place');
   beside(4) = block(green, cube, 0.2, -3.85, 1.4, 0);
   check(isempty(movesFromPlace(step, beside, 1:4)), 'what carries others waits');
+
+  goal = block(red, [2, 1, 1], 0, -2, 0, pi / 2);
+  right = block(green, cube, 0, -0.49, 0, 0);
+  near = @(away, expected) check(norm(away - expected) < 1e-9, 'what touches others is lowered beside them, where there is room');
+  near(besideTouching(goal, right), [0, -0.04]);
+  near(besideTouching(goal, [right, block(green, cube, -1.01, -2.3, 0, 0)]), [0.04, -0.04]);
+  near(besideTouching(goal, [right, block(green, cube, 0, -3.51, 0, 0)]), [0, 0]);
+  near(besideTouching(goal, block(green, cube, 0, -0.49, 1, 0)), [0, 0]);
+  near(besideTouching(goal, noBlocks()), [0, 0]);
 end

@@ -43,12 +43,19 @@ def mask_around(picture, eye, point):
 
 
 def select_frames(demo, n):
-    """Returns the frames in which an object may be entirely visible, with its pose, in rows as of demo.moves: its first,
-    those where it was highest, and some in which others were moved, which may have covered it before."""
+    """Returns the frames in which an object may be entirely visible, with its pose, in rows as of demo.moves: its first;
+    then those where it was highest, and some in which others were moved, which may have covered it before, first those in
+    which a pixel shows the least of it."""
     moves = demo.moves[n]
     highest = np.argsort(-moves[:, 3], kind="stable")[:TASK_MODEL.num_highest_frames]
     frames = np.unique(np.concatenate([rows[:, 0] for rows in demo.moves]))
     chosen = np.arange(TASK_MODEL.num_other_frames) * (len(frames) - 1) // (TASK_MODEL.num_other_frames - 1)
     others = [[frame, *moves[moves[:, 0] <= frame][-1, 1:]] for frame in frames[chosen]
               if frame >= moves[0, 0]]
-    return np.array([moves[0], *moves[highest], *others])
+    return np.array([moves[0], *sorted([*moves[highest], *others], key=lambda row: pixel_extent(row[1:4], demo.eye))])
+
+
+def pixel_extent(place, eye):
+    """Returns how much of a level area at a place, x y z, a pixel shows, away from the eye, but for a factor."""
+    away = eye.pose[:3, 3] - place
+    return away @ away / away[2] if away[2] > 0 else np.inf

@@ -7,6 +7,7 @@ from act.segments import at_height
 from constants import MOTION_PLANNING as C
 from plan.arm_paths import plan_path_through
 from plan.heights import grip_depth
+from plan.touching import beside_touching
 
 
 def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift, others, q,
@@ -31,12 +32,14 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
     over_start = at_height(start, lift)
     end = arm.tool_pose(goal.position + offset + [0, 0, C.place_height_margin], place_yaw, width)
     over_end = at_height(end, height)
+    away = [0, 0] if is_goal_dragged else beside_touching(goal, others)
+    beside = [shifted(end, away)] if any(away) else []
     via = []
     if lift < height:
         via = [at_height(start, height)]
         via[0][:2, 3] = (start[:2, 3] + end[:2, 3]) / 2
     # A dragged object is not lifted.
-    transfer = [end] if is_goal_dragged else [over_start, *via, over_end, end]
+    transfer = [end] if is_goal_dragged else [over_start, *via, shifted(over_end, away), *beside, end]
     to_block = [*via, over_start, start]
     path = plan_path_through(arm, [*to_block, *transfer, over_end], others, q, [goal])
     if not path:
@@ -46,3 +49,10 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
             Action("grasp", arm, width=width, grasp=Grasp(block.position, arm.index, grasp_yaw)),
             *moves[len(to_block):-2],
             Action("open", arm, to=opening), *moves[-2:], Action("observe")]
+
+
+def shifted(pose, displacement):
+    """Returns a pose displaced by x, y [units]."""
+    pose = pose.copy()
+    pose[:2, 3] += displacement
+    return pose

@@ -21,6 +21,7 @@ from plan.proposals import propose_moves, turning_moves
 from plan.step_choice import plan_one_of
 from plan.step_planning import plan_step
 from plan.temporary_places import blocks_grasps, candidates
+from plan.touching import beside_touching
 from scenes import BLUE, BROWN, CUBE, EYE, GREEN, PLANK, RED, block, step
 from see.eye import Eye, to_pixel
 
@@ -150,6 +151,19 @@ class MovesTest(unittest.TestCase):
         self.assertEqual(moves_from_place(place, [low]), [])
         self.assertEqual(moves_from_place(place, [far, high]), [Move(high)])
         self.assertEqual(moves_from_place(place, [high, block(GREEN, CUBE, 0.2, -3.85, bottom=1.4)]), [], "what carries others waits")
+
+    def test_what_touches_others_is_lowered_beside_them(self):
+        goal = block(RED, np.array([2.0, 1, 1]), 0, -2, yaw=math.pi / 6)
+        c, s = math.cos(goal.yaw), math.sin(goal.yaw)
+
+        def at(along, across, bottom=0):
+            return block(GREEN, CUBE, along * c - across * s, -2 + along * s + across * c, bottom, goal.yaw)
+
+        right, left, behind = at(1.51, 0), at(-1.51, 0), at(0.3, 1.01)
+        for others, along, across in (([right], -1, 0), ([right, behind], -1, -1), ([right, left], 0, 0), ([at(1.51, 0, 1)], 0, 0),
+                                      ([at(1.6, 0)], 0, 0), ([right, at(-1.56, 0)], 0, 0), ([left, at(-0.5, -1.01)], 1, 1)):
+            np.testing.assert_allclose(beside_touching(goal, others),
+                                       0.04 * np.array([along * c - across * s, along * s + across * c]), atol=1e-9)
 
     def test_places_are_on_any_table_as_far_from_its_near_edge(self):
         def places(eye, y):

@@ -13,10 +13,8 @@ function verdicts = verdictsOn(known, seen, picture, eye, heights, tolerance)
   verdicts = struct('word', {}, 'expected', {}, 'found', {});
   for block = known
     word = 'contradicted';
-    % What is entirely below or above it is another block.
     distances = arrayfun(@(other) norm(other.position - block.position), seen);
-    apart = arrayfun(@(other) abs(other.position(3) - block.position(3)) >= other.size(3) / 2, seen);
-    distances(apart) = Inf;
+    distances(~arrayfun(@(other) mayReplace(other, block), seen)) = Inf;
     [distance, nearest] = min(distances);
     if ~isempty(distance) && distance < c.same_block_distance
       it = seen(nearest);
@@ -38,6 +36,13 @@ function verdicts = verdictsOn(known, seen, picture, eye, heights, tolerance)
     end
     verdicts(end + 1) = struct('word', word, 'expected', block, 'found', nearest);
   end
+end
+
+function yes = mayReplace(found, block)
+% Returns true if what is seen there may be in the place of a block. What is entirely below or above it is another block, and so
+% may be what is in a ring, or beside an L.
+  is_level = abs(found.position(3) - block.position(3)) < found.size(3) / 2;
+  yes = is_level && (isempty(block.outline) || isSameKind(found, block));
 end
 
 function yes = isRefuted(block, picture, heights, eye)

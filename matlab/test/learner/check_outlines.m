@@ -27,6 +27,17 @@ function check_outlines()
   check(isempty(detectBlocks(picture, eye, kind, [], heights)), 'its mirror image is another piece');
   check(~isSameKind(block(red, kind.size, -2, -3, 0, 0), kind), 'and so is a rectangle');
 
+  post = block([0, 0, 1], [0.6, 0.6, 1], -1.69, -2.77, 0, 0);
+  there = kind;
+  there.position = [-2, -3, 0.3];
+  there.yaw = 0;
+  [picture, heights] = pictureOf([anAngle(-2, -3, 0, 0, 1), post]);
+  verdict = verdictsOn(there, detectBlocks(picture, eye, [kind, post], [], heights), picture, eye, heights, 0.07);
+  check(strcmp(verdict.word, 'hidden') && isempty(verdict.found), 'what stands in the corner of a piece is not in its place');
+  [picture, heights] = pictureOf(post);
+  verdict = verdictsOn(there, detectBlocks(picture, eye, [kind, post], [], heights), picture, eye, heights, 0.07);
+  check(strcmp(verdict.word, 'contradicted'), 'a piece is gone where the table is seen');
+
   [x, y] = meshgrid(-0.99:0.02:1);
   is_in = {x > -0.4 & x + sqrt(3) * abs(y) < 0.8, abs(x) < 0.3 | abs(y) < 0.3, abs(hypot(x, y) - 0.7) < 0.2};
   fold = [3, 4, 0];

@@ -31,9 +31,7 @@ def verdicts_on(known, seen, picture, eye, heights, tolerance=BLOCKS.position_to
     table = table_color(picture)
     verdicts = []
     for block in known:
-        # What is entirely below or above it is another block.
-        distances = [np.linalg.norm(it.position - block.position)
-                     if it.bottom < block.position[2] < it.top else np.inf for it in seen]
+        distances = [np.linalg.norm(it.position - block.position) if may_replace(it, block) else np.inf for it in seen]
         if distances and min(distances) < C.same_block_distance:
             nearest = int(np.argmin(distances))
             it = seen[nearest]
@@ -50,6 +48,13 @@ def verdicts_on(known, seen, picture, eye, heights, tolerance=BLOCKS.position_to
                        else is_refuted(block, picture, heights, eye))
             verdicts.append(Verdict("contradicted" if is_gone else "hidden", block))
     return verdicts
+
+
+def may_replace(found, block):
+    """Returns true if what is seen there may be in the place of a block. What is entirely below or above it is another
+    block, and so may be what is in a ring, or beside an L."""
+    is_level = found.bottom < block.position[2] < found.top
+    return is_level and (block.outline is None or is_same_kind(found, block))
 
 
 def is_table_visible(picture, eye, block, table):

@@ -9,10 +9,11 @@ from types import SimpleNamespace
 import numpy as np
 
 from act.reach import is_reachable
+from check.verdicts import verdicts_on
 from explain.appearances import measure_objects
 from explain.demonstration import read_demonstration
 from recordings import RecordingTest
-from scenes import EYE, RED, block, picture_of, view_of
+from scenes import BLUE, EYE, RED, block, picture_of, view_of
 from see.detection import detect_blocks
 from see.eye import to_pixel
 from see.sight import top_points
@@ -81,6 +82,14 @@ class OutlinesTest(RecordingTest):
             picture, heights = view_of(others)
             self.assertEqual(detect_blocks(picture, EYE, [self.kind], None, heights), [])
         self.assertFalse(is_same_kind(block(RED, self.kind.size, -2, -3), self.kind))
+
+    def test_what_stands_in_the_corner_of_a_piece_is_not_in_its_place(self):
+        post = block(BLUE, np.array([0.6, 0.6, 1.0]), -1.69, -2.77)
+        there = replace(self.kind, position=np.array([-2, -3, 0.3]), yaw=0.0)
+        for blocks, word in (([*angle(-2, -3), post], "hidden"), ([post], "contradicted")):
+            picture, heights = view_of(blocks)
+            [verdict] = verdicts_on([there], detect_blocks(picture, EYE, [self.kind, post], None, heights), picture, EYE, heights)
+            self.assertEqual((verdict.word, verdict.found), (word, None))
 
     def test_a_piece_looks_the_same_after_some_turns(self):
         for points, fold in (TRIANGLE, 3), (CROSS, 4), (RING, 0):

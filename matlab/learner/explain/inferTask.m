@@ -1,7 +1,7 @@
 function [steps, container, appearances] = inferTask(demo, attention, needs)
 % Infers from a demonstration what is to be done: a list of steps (see newStep) in the order shown, one for each
-% object that takes part, except tools that were put back. Objects that were not moved but support others come first;
-% one that was not moved and tells where all others go comes last.
+% object that takes part, except tools that were put back. Objects that were not moved but support others, or are in them, come
+% first; one that was not moved and tells where all others go comes last.
 %   attention    the properties of objects that matter, if the demonstrator specified some, as in aux
 %   container    the open box that objects were put into: see measureContainer
 %   appearances  of all objects: see measureObjects
@@ -52,11 +52,13 @@ function [steps, container, appearances] = inferTask(demo, attention, needs)
 end
 
 function found = supportsOf(steps, others)
-% Returns those of some other steps on which steps stand at the end, directly or on others, the lowest first.
+% Returns those of some other steps on which steps stand at the end, directly or on others, or which are in a ring or the like,
+% the lowest first.
   is_found = false(1, numel(others));
   while ~isempty(steps)
     is_below = false(1, numel(others));
-    for k = find(~is_found), is_below(k) = any(arrayfun(@(step) standsOn(step, others(k)), steps)); end
+    isWith = @(step, other) standsOn(step, other) || isAround(step, other);
+    for k = find(~is_found), is_below(k) = any(arrayfun(@(step) isWith(step, others(k)), steps)); end
     steps = others(is_below);
     is_found = is_found | is_below;
   end

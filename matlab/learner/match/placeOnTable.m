@@ -13,7 +13,7 @@ function [steps, problem] = placeOnTable(steps, known, arms, eye)
     cost(i) = cost(i) + siteCost(sites{i}, known, eye);
   end
   is_on = cellfun(@(moved) all(isOnTable(footprint(moved, 0), eye)), sites);
-  steps = firstWithinReach(cost(is_on), sites(is_on), arms);
+  steps = firstWithinReach(cost(is_on), sites(is_on), arms, true);
   if isempty(steps), problem = 'the building is not within reach anywhere on the table'; end
 end
 

@@ -30,9 +30,8 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
       has_yaw = tried([tried.yaw] == place.yaw);
       if isNear(place, left) || isNear(place, has_yaw), continue; end
       if ~isSuitable(place, arms, eye, others, site), continue; end
-      [actions, why] = planToPlace(arms, block, place, others, sensor, goal, failures);
+      [actions, reason] = planToPlace(arms, block, place, others, sensor, goal, failures);
       if ~isempty(actions), return; end
-      if ~isempty(why), reason = why; end
       tried(end + 1) = place;
       if numel(tried) == constants().task_planning.max_place_attempts, break; end
     end

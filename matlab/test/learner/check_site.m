@@ -24,6 +24,20 @@ function check_site()
   errors = vertcat(moved.position) - vertcat(known.position);
   check(max(abs(errors(:))) < 1e-9, 'each object that stays determines where the steps on it go');
   check_anchor(eye);
+  check_carried();
+end
+
+function check_carried()
+% No robot is here: what is on something, or to the right, is within reach.
+  eval('function yes = isReachable(~, step), yes = step.position(3) > 1 || step.position(1) > 0; end');
+  eval('function arms = nearestFirst(varargin), arms = 1; end');
+  remove = onCleanup(@() clear('-f', 'isReachable', 'nearestFirst'));
+  brown = [0.5, 0.3, 0.2];
+  sites = {};
+  for x = [-9, 3], sites{end + 1} = [asStep(block(brown, [1, 1, 1], x, -2, 0, 0)), asStep(block(brown, [1, 1, 1], x, -2, 1, 0))]; end
+  for k = 1:2, sites{k}(1).stays = true; end
+  check(firstWithinReach([1, 1], sites, [])(1).position(1) == -9, 'no arm has to reach what stays');
+  check(firstWithinReach([1, 1], sites, [], true)(1).position(1) == 3, 'but where all is carried to a site');
 end
 
 function check_anchor(eye)

@@ -1,10 +1,10 @@
-"""The learner, told the true poses of the objects that it needs, and which pixels show which other
-object: what it still fails at is planning or acting, not seeing.
+"""The learner, told the true poses of the objects that it needs and of what they stand on, and which
+pixels show which other object: what it still fails at is planning or acting, not seeing.
 
     smile imitate DEMO SCENE --oracle --brain python/examples/agents/oracle.py
 
-Of things with a knob, of several colors or of another shape it sees the poses itself. A real robot does
-not have this information: only the simulator has it.
+It sees the poses of things with a knob, of several colors or of another shape, and of what it drags, itself.
+A real robot does not have this information: only the simulator has it.
 
 smile: imitates
 """
@@ -22,6 +22,7 @@ from see.detection import detect_blocks
 from see.eye import height_map
 from see.knobs import find_knobs
 from see.measuring import measure_block
+from things.steps import is_dragged, stands_on
 from true_poses import true_blocks
 
 
@@ -35,9 +36,11 @@ def see(sensor, eye, steps, told):
     """Returns the objects of some steps, and the others of which the whole top is visible, as Blocks."""
     picture = sensor.rgbVision / 255
     heights = height_map(sensor.depthVision, eye)
-    special = [it for it in steps if it.has_knob or it.parts or it.outline]
-    names = {it.name for it in steps}
-    seen = [told[it.name] for it in steps if it not in special and it.name in told]
+    special = [it for it in steps if it.has_knob or it.parts or it.outline or is_dragged(it)]
+    needed = {it.name: told[it.name] for it in steps if it not in special and it.name in told}
+    below = {name: it for name, it in told.items() if any(stands_on(upper, it) for upper in needed.values())}
+    seen = list((needed | below).values())
+    names = {it.name for it in steps} | below.keys()
     if special:
         seen += detect_blocks(picture, eye, special, None, heights)
         find_knobs(steps, seen, picture, eye, heights)

@@ -13,13 +13,13 @@ from explain.placed_steps import step_of
 from explain.shown_containers import measure_container
 from explain.start_supports import with_start_supports
 from relate.dragging import was_dragged
-from things.steps import is_above, is_dragged, stands_on
+from things.steps import is_above, is_around, is_dragged, stands_on
 
 
 def infer_task(demo, attention, needs=None):
     """Returns a list of Steps in the order shown, one for each object that takes part, and the
     Container that some of them were put into, or None. Objects that were not moved but support
-    others come first; one that was not moved and tells where all others go comes last.
+    others, or are in them, come first; one that was not moved and tells where all others go comes last.
 
     attention: the properties of objects that matter, if the demonstrator specified some, as in aux
     needs:     what the goal needs, if it is known: Needs
@@ -60,13 +60,13 @@ def set_order(steps, ordered):
 
 
 def supports_of(steps, others):
-    """Returns those of some other steps on which steps stand at the end, directly or on others: a
-    list, the lowest first."""
+    """Returns those of some other steps on which steps stand at the end, directly or on others, or which are in a ring or
+    the like: a list, the lowest first."""
     found = []
     upper = list(steps)
     while upper:
         step = upper.pop()
-        below = [it for it in others if it not in found and stands_on(step, it)]
+        below = [it for it in others if it not in found and (stands_on(step, it) or is_around(step, it))]
         found += below
         upper += below
     return sorted(found, key=lambda step: (step.position[2], others.index(step)))

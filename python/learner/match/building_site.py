@@ -59,7 +59,7 @@ def place_on_table(steps, known, arms, eye):
             cost += C.side_cost * abs(x) + site_cost(moved, known, eye)
             if all(is_on_table(step, eye) for step in moved):
                 sites.append((cost, moved))
-    moved = first_within_reach(sites, arms)
+    moved = first_within_reach(sites, arms, all_carried=True)
     if not moved:
         raise NoSite("the building is not within reach anywhere on the table")
     return moved

@@ -29,14 +29,15 @@ def site_cost(steps, known, eye):
     return cost
 
 
-def first_within_reach(sites, arms):
+def first_within_reach(sites, arms, all_carried=False):
     """Returns the steps of the cheapest site at which the nearest arm reaches each place to which
     something goes; None if there is none.
 
-    sites: cost and steps of each
+    sites:       cost and steps of each
+    all_carried: whether what stayed in the demonstration has to be carried there, too
     """
     for _, steps in sorted(sites, key=lambda site: site[0]):
-        if all(step.stays or is_reachable(nearest_first(arms, step.position[0])[0], step)
+        if all(step.stays and not all_carried or is_reachable(nearest_first(arms, step.position[0])[0], step)
                for step in steps):
             return steps
     return None

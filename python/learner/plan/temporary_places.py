@@ -36,7 +36,7 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
             actions, why = plan_to_place(arms, block, place, others, sensor, goal, failures)
             if actions:
                 return actions, place, None
-            reason = why or reason
+            reason = why
             tried.append(place)
             if len(tried) == C.max_place_attempts:
                 break
@@ -61,9 +61,11 @@ def is_suitable(place, arms, eye, others, site):
 
 def plan_to_place(arms, block, place, others, sensor, goal, failures):
     """Plans the actions that bring a block to a place from which an arm can move it to a goal, if there is one.
-    Returns actions and None; or [], and the reason if it can only be moved on from there."""
-    if goal is not None and not plan_pick_and_place(arms, place, goal, others, sensor)[0]:
-        return [], None
+    Returns actions and None; or [] and the reason."""
+    if goal is not None:
+        actions, reason = plan_pick_and_place(arms, place, goal, others, sensor)
+        if not actions:
+            return [], reason
     return plan_pick_and_place(arms, block, place, others, sensor, failures)
 
 

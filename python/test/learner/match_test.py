@@ -11,7 +11,7 @@ from check.task_state import TaskState
 from match.anchored_places import place_at_anchor
 from match.building_site import choose_site, shifted
 from match.landmarks import place_by_what_stays
-from match.sites import NoSite, site_cost
+from match.sites import NoSite, first_within_reach, site_cost
 from scenes import BLUE, BROWN, CUBE, EYE, GREEN, PLANK, RED, block, step
 from things.steps import TABLE
 
@@ -38,6 +38,15 @@ class SiteTest(unittest.TestCase):
         np.testing.assert_allclose(moved[2].position, [-3, -2, 0.7])
         np.testing.assert_allclose(moved[3].position, [2 - 0.2 * math.sin(0.3),
                                                        -3 + 0.2 * math.cos(0.3), 0.7])
+
+    def test_where_all_is_carried_to_a_site_an_arm_reaches_what_stayed_too(self):
+        base = replace(step(block(BROWN, CUBE, 0, -2), []), stays=True)
+        sites = [(1, [replace(base, position=np.array([x, -2, 0.5])), step(block(RED, CUBE, x, -2, bottom=1), [0])])
+                 for x in (-9, 3)]
+        with (patch("match.sites.is_reachable", side_effect=lambda _, it: it.position[2] > 1 or it.position[0] > 0),
+              patch("match.sites.nearest_first")):
+            self.assertIs(first_within_reach(sites, []), sites[0][1])
+            self.assertIs(first_within_reach(sites, [], all_carried=True), sites[1][1])
 
     def test_what_was_put_beside_something_goes_beside_it(self):
         wall = replace(step(block(BROWN, PLANK, 0, -2), []), stays=True, name="Wall")

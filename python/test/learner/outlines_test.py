@@ -12,8 +12,9 @@ from act.reach import is_reachable
 from check.verdicts import verdicts_on
 from explain.appearances import measure_objects
 from explain.demonstration import read_demonstration
+from explain.task_model import supports_of
 from recordings import RecordingTest
-from scenes import BLUE, EYE, RED, block, picture_of, view_of
+from scenes import BLUE, EYE, RED, block, picture_of, step, view_of
 from see.detection import detect_blocks
 from see.eye import to_pixel
 from see.sight import top_points
@@ -24,6 +25,7 @@ from things.grips import grips_of
 from things.held_parts import held_anyhow, held_part
 from things.kinds import is_same_kind
 from things.outlines import outline_of, same_outline
+from things.steps import is_around
 
 
 def angle(x, y, yaw=0.0, bottom=0.0, mirror=1):
@@ -90,6 +92,18 @@ class OutlinesTest(RecordingTest):
             picture, heights = view_of(blocks)
             [verdict] = verdicts_on([there], detect_blocks(picture, EYE, [self.kind, post], None, heights), picture, EYE, heights)
             self.assertEqual((verdict.word, verdict.found), (word, None))
+
+    def test_a_ring_is_around_what_is_in_its_hole(self):
+        ring = replace(block(RED, np.array([1.8, 1.8, 0.5]), 2, -1), outline=outline_of(*RING))
+        post, far = block(BLUE, np.array([0.5, 0.5, 1.0]), 2, -1), block(BLUE, np.array([0.5, 0.5, 1.0]), 4, -1)
+        below = block(BLUE, np.array([3, 3, 0.2]), 2, -1)
+        on_it = replace(ring, position=ring.position + [0, 0, 0.2])
+        self.assertEqual([is_around(ring, it) for it in (post, far)], [True, False])
+        self.assertFalse(is_around(on_it, below), "it stands on that")
+        self.assertFalse(is_around(replace(ring, outline=None), post))
+        step_of_ring, step_of_post = step(ring, []), step(post, [])
+        step_of_ring.outline = ring.outline
+        self.assertEqual(supports_of([step_of_ring], [step_of_post, step(far, [])]), [step_of_post])
 
     def test_a_piece_looks_the_same_after_some_turns(self):
         for points, fold in (TRIANGLE, 3), (CROSS, 4), (RING, 0):

@@ -22,7 +22,8 @@ from see.detection import detect_blocks
 from see.eye import height_map
 from see.knobs import find_knobs
 from see.measuring import measure_block
-from things.steps import is_dragged, stands_on
+from things.standing import stands_on
+from things.steps import is_dragged
 from true_poses import true_blocks
 
 

@@ -13,7 +13,7 @@ from explain.shown_pictures import read_picture, select_frames
 from explain.tops import measure_ball, measure_top
 from things.blocks import Block
 from things.kinds import has_parts_of
-from things.steps import stands_on
+from things.standing import stands_on
 
 
 def measure_objects(demo, needed):

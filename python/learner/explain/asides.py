@@ -8,7 +8,7 @@ from constants import TASK_MODEL as C
 from explain.object_roles import is_same_pose
 from explain.shown_pictures import mask_around, picture_frames, read_picture
 from things.blocks import Block
-from things.steps import stands_on
+from things.standing import stands_on
 
 
 @dataclass(eq=False)

@@ -7,7 +7,8 @@ import numpy as np
 from constants import TASK_MODEL as C
 from explain.placed_steps import step_of
 from things.kinds import is_same_kind
-from things.steps import TABLE, StartSupport, stands_on
+from things.standing import stands_on
+from things.steps import TABLE, StartSupport
 
 
 def with_start_supports(demo, steps):

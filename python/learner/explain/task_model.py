@@ -13,7 +13,8 @@ from explain.placed_steps import step_of
 from explain.shown_containers import measure_container
 from explain.start_supports import with_start_supports
 from relate.dragging import was_dragged
-from things.steps import is_above, is_around, is_dragged, stands_on
+from things.standing import is_above, is_around, stands_on
+from things.steps import is_dragged
 
 
 def infer_task(demo, attention, needs=None):

@@ -10,7 +10,7 @@ from match.sites import NoSite, first_within_reach, site_cost
 from things.areas import rotated
 from things.blocks import has_equal_sides, yaw_difference
 from things.kinds import is_in_place, is_same_kind
-from things.steps import stands_on
+from things.standing import stands_on
 
 
 def place_by_what_stays(steps, known, arms, eye):

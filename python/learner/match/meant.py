@@ -4,7 +4,7 @@ import numpy as np
 
 from constants import BELIEFS as C, PERCEPTION
 from things.kinds import is_same_kind
-from things.steps import stands_on
+from things.standing import stands_on
 
 
 def meant_blocks(steps, known):

@@ -8,7 +8,7 @@ from plan.obstruction import is_close
 from plan.pick_and_place import plan_pick_and_place
 from plan.places_on_others import places_on_others
 from see.sight import is_top_hidden
-from things.steps import stands_on
+from things.standing import stands_on
 
 
 def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, failures, left,

@@ -7,7 +7,7 @@ import numpy as np
 from constants import RELATE as C, TASK_MODEL
 from things.areas import footprint, is_inside, overlap
 from things.blocks import yaw_difference
-from things.steps import stands_on
+from things.standing import stands_on
 
 
 def relations(demo, k, name, there, container):

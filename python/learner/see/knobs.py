@@ -11,7 +11,7 @@ import numpy as np
 from see.unknown_objects import detect_unknown_objects
 from things.areas import rotated
 from things.kinds import is_same_kind
-from things.steps import stands_on
+from things.standing import stands_on
 
 
 def find_knobs(steps, seen, picture, eye, heights):

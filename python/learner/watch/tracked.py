@@ -8,7 +8,7 @@ import numpy as np
 from constants import WATCHING as C
 from watch.palette import BACKGROUND
 from things.blocks import Block
-from things.steps import stands_on
+from things.standing import stands_on
 
 
 @dataclass(eq=False)

@@ -5,7 +5,7 @@ import numpy as np
 from constants import PERCEPTION, TASK_MODEL, WATCHING as C
 from things.areas import footprint, overlap
 from things.blocks import yaw_difference
-from things.steps import stands_on
+from things.standing import stands_on
 from watch.partial_fits import best_fit, fit_visible
 from watch.watched_pictures import areas_in
 

@@ -25,7 +25,7 @@ from things.grips import grips_of
 from things.held_parts import held_anyhow, held_part
 from things.kinds import is_same_kind
 from things.outlines import outline_of, same_outline
-from things.steps import is_around
+from things.standing import is_around
 
 
 def angle(x, y, yaw=0.0, bottom=0.0, mirror=1):

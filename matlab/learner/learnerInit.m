@@ -10,7 +10,9 @@ end
 needs = needsOf(aux, demo);
 [steps, container, appearances] = inferTask(demo, aux.attention, needs);
 [keyframes, goal] = explain(demo, appearances, container);
-aux.notes = strcat({'understood: '}, strtrim(printPage(keyframes, goal)));
+unclear = {};
+if isfield(demo, 'unclear'), unclear = demo.unclear; end
+aux.notes = strcat({'understood: '}, strtrim(printPage(keyframes, goal, unclear)));
 presses = inferDevices(demo, steps, appearances, needs);
 printSteps(steps);
 printPresses(presses, steps);
@@ -19,6 +21,7 @@ arms = armsOf(aux);
 hands = armsFor(steps, arms);
 eye = eyeOfRobot(aux);
 state = initialTaskState(steps, container, presses, demo.eye, choicesOf(aux));  % beliefs about this scene, and progress
+state.unclear = unclear;
 actions = {struct('kind', 'observe')};  % the next actions, in this order
 num_retreats = 0;                       % number of successive retreats after failed actions
 

@@ -35,7 +35,7 @@ def init(aux):
     aux.hands = arms_for(steps, arms)
     aux.eye = eye_of_robot(aux)
     # Beliefs and progress. Agents in python/examples/agents set what it does without, or another way to see.
-    aux.state = TaskState(steps, container, presses=presses, shown=demo.eye, choices=choices_of(aux),
+    aux.state = TaskState(steps, container, presses=presses, shown=demo.eye, unclear=demo.unclear, choices=choices_of(aux),
                           without=vars(aux).get("without", ()), see=vars(aux).get("see"))
     aux.actions = [Action("observe")]  # the next actions, in this order
     aux.num_retreats = 0  # number of successive retreats after failed actions

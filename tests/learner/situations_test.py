@@ -1,6 +1,6 @@
 """The learner does tasks in situations that need more than its usual ways: one of two objects that look the same is meant, by
 what it began on; the table has another size; the eye looks from the other side of the table; a block is where only the camera
-of a hand sees it.
+of a hand sees it. Of a demonstration that pictures alone do not explain, it claims no success.
 
     situations_test.py SMILE SOURCE
 
@@ -86,6 +86,16 @@ def main(smile, source):
         record(f"{source}/scenes/um.xml", f"{source}/examples/um.jsonl", "um")
         told = imitate("um", f"{source}/scenes/um_robot.xml", PYTHON, "--seed", "1068", "--level", "stacked")
         assert "action: looks at (" in told, told
+
+        # Two of the four yellow blocks are behind the robot's arms at first.
+        record(f"{source}/scenes/sizes.xml", f"{source}/examples/sizes.jsonl", "sizes")
+        subprocess.run([smile, "evaluate", "sizes", "--scene", f"{source}/scenes/sizes_robot.xml", "--brain", f"{source}/{PYTHON}",
+                        "--seed", "601", "--scenes", "1", "--keep", "none", "--demonstrators", "invisible", "--no-symbols",
+                        "--out", "watched"], check=True, stdout=subprocess.DEVNULL)
+        [run] = json.loads(Path("watched/evaluation.json").read_text())["brains"][0]["runs"]
+        assert run["claim"] == {"done": False, "right": True,
+                                "reason": "of the demonstration, something yellow was not understood"}, run
+        print("sizes, watched, with", PYTHON)
 
 
 main(*sys.argv[1:])

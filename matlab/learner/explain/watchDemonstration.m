@@ -1,6 +1,7 @@
 function demo = watchDemonstration(folder)
 % Reconstructs a demonstration from the pictures of a recording without texts: as readDemonstration, and with
 %   demo.appearances  as from measureObjects
+%   demo.unclear      words for the colors of what the last picture shows and nothing explains, 1xN cell
   eye = eyeOf(folder);
   pictures = picturesOf(folder);
   palette = newPalette(codesIn(pictures(1).file));
@@ -14,6 +15,13 @@ function demo = watchDemonstration(folder)
     tracker = trackPicture(tracker, it.frame, classes, it.isStill);
   end
   demo = demonstrationOf(folder, eye, tracker.objects(~cellfun(@isempty, {tracker.objects.block})), kinds);
+  if isempty(demo.placed)
+    error(['the pictures in %s show no block that moved: without texts, only upright blocks of one color are ', ...
+           'understood'], folder);
+  end
+  view = expectedView(restingBlocks(tracker.objects), size(classes), eye);
+  unclear = unclearColors(classes, view, kinds, palette);
+  demo.unclear = arrayfun(@(k) wordOf(unclear(k, :)), 1:rows(unclear), 'UniformOutput', false);
 end
 
 function demo = demonstrationOf(folder, eye, objects, kinds)
@@ -61,12 +69,9 @@ end
 
 function names = namesOf(objects, kinds)
 % Returns names for tracked objects, 1xN cell: their colors, and numbers.
-  words = {'Red', 'Green', 'Blue', 'Yellow', 'Cyan', 'Magenta', 'Orange', 'Brown', 'White', 'Gray', 'Black'};
-  colors = [1 0 0; 0 1 0; 0 0 1; 1 1 0; 0 1 1; 1 0 1; 1 0.5 0; 0.25 0.16 0.1; 1 1 1; 0.5 0.5 0.5; 0 0 0];
   names = cell(1, 0);
   for k = 1:numel(objects)
-    [~, nearest] = min(sum((colors - kinds(objects(k).kind).color) .^ 2, 2));
-    count = sum(strcmp(regexprep(names, '\d+$', ''), words{nearest}));
-    names{k} = sprintf('%s%d', words{nearest}, 1 + count);
+    word = wordOf(kinds(objects(k).kind).color);
+    names{k} = sprintf('%s%d', word, 1 + sum(strcmp(regexprep(names, '\d+$', ''), word)));
   end
 end

@@ -34,7 +34,11 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
     if ~isempty(actions) || ~isempty(problem), return; end
   end
   open = openSteps(state);
-  if isempty(open)
+  if isempty(open) && ~isempty(state.unclear)
+    what = lower(strjoin(state.unclear, ' and '));
+    state = giveUp(state, ['of the demonstration, something ', what, ' was not understood']);
+    return
+  elseif isempty(open)
     reason = sprintf('as seen within %.2f units and %.1f degrees', ...
                      max([state.placementErrors; 0, 0], [], 1) .* [1, 180 / pi]);
     state.claim = struct('done', true, 'reason', reason);

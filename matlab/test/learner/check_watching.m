@@ -22,6 +22,7 @@ function check_watching()
   places = vertcat(steps.position);
   check(max(max(abs(places - [-1, -1, 0.5; -2.5, -1, 1.5; 0.5, -1, 1.5]))) < 0.05, 'and their places');
   check(numel(explain(demo, appearances, container)) == 4, 'there are three deeds');
+  check(isempty(demo.unclear), 'nothing else is there');
 
   % What is seen last counts.
   start = [block(blue, [1.8, 1.6, 0.2], 0, 0, 0, 0.3), block(red, cube, 0, 0, 0.2, 0.3)];
@@ -34,11 +35,12 @@ function check_watching()
   check(isequal(demo.ids(demo.placed), {'Red1', 'Red1'}), 'after it was put aside');
 
   % A place of which too little is visible is not guessed.
-  start = [block(yellow, plank, -2, 2, 0, 0), block(red, cube, 2, -1, 0, 0)];
-  hidden = withHand(pictureOf([block(yellow, plank, 0, -1, 0, 0), start(2)]), [-1.6, -1, 1], 24);
+  start = [block(yellow, plank, -2, 2, 0, 0), block(red, cube, 4, -3.5, 0, 0)];
+  hidden = withHand(pictureOf([block(red, cube, 4, 1, 0, 0), block(yellow, plank, 0, -1, 0, 0)]), [-1.6, -1, 1], 24);
   demo = watch({pictureOf(start), pictureOf([block(yellow, plank, -1, 1, 1.5, 0), start(2)]), ...
                 withHand(hidden, [1.6, -1, 1], 24), []});
-  check(isequal(demo.ids, {'Red1'}), 'what can be in two places is not guessed');
+  check(isequal(demo.ids, {'Red1'}) && isequal(demo.placed, 1), 'what can be in two places is not guessed');
+  check(isequal(demo.unclear, {'Yellow'}), 'it is said that something was not understood');
 
   % A color that pixels show as two is one: 127 and 128 of 255.
   gray = block([0.5, 0.5, 0.5], [1.6, 1.2, 1.5], -1, 1, 0, 0);

@@ -1,7 +1,7 @@
 """Reads recordings of demonstrations."""
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -25,6 +25,7 @@ class Demonstration:
     eye: Eye  # camera of the observing robot
     appearances: dict = None  # of the objects, once they are measured
     segments: list = None  # of each event, the number of its text file; None for pictures alone
+    unclear: list = field(default_factory=list)  # words for the colors of what pictures alone did not explain
 
     def pose(self, n, frame):
         """Returns the pose of an object before an action of a frame: x y z [units], angles about x,

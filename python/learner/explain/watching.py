@@ -6,16 +6,14 @@ from pathlib import Path
 import numpy as np
 
 from constants import WATCHING as C
+from explain.color_words import names_of, word_of
 from explain.demonstration import Demonstration
 from explain.shown_pictures import eye_of
 from watch.palette import Palette
 from watch.tracking import Tracker
 from watch.watched_kinds import learn_kinds
 from watch.watched_pictures import codes_in, pictures_of
-
-COLORS = {"Red": (1, 0, 0), "Green": (0, 1, 0), "Blue": (0, 0, 1), "Yellow": (1, 1, 0),
-          "Cyan": (0, 1, 1), "Magenta": (1, 0, 1), "Orange": (1, 0.5, 0), "Brown": (0.25, 0.16, 0.1),
-          "White": (1, 1, 1), "Gray": (0.5, 0.5, 0.5), "Black": (0, 0, 0)}
+from watch.whereabouts import unclear_colors
 
 
 def watch_demonstration(folder):
@@ -32,8 +30,14 @@ def watch_demonstration(folder):
         raise ValueError(f"no picture in {folder} shows a block by itself")
     tracker = Tracker(kinds, palette, eye)
     for frame, file, is_still in pictures:
-        tracker.update(frame, palette.classes(codes_in(file)), is_still)
-    return demonstration_of(folder, eye, [it for it in tracker.objects if it.block])
+        classes = palette.classes(codes_in(file))
+        tracker.update(frame, classes, is_still)
+    demo = demonstration_of(folder, eye, [it for it in tracker.objects if it.block])
+    if not demo.placed:
+        raise ValueError(f"the pictures in {folder} show no block that moved: without texts, only upright blocks of one color "
+                         "are understood")
+    demo.unclear = [word_of(it) for it in unclear_colors(classes, tracker.view(), kinds, palette)]
+    return demo
 
 
 def telling(pictures):
@@ -67,12 +71,3 @@ def demonstration_of(folder, eye, objects):
 def pose_of(block, above):
     """Returns the pose of a Block, raised by a height: x y z [units], angles about x, y, z [degrees]."""
     return [*block.position[:2], block.position[2] + above, 0, 0, np.degrees(block.yaw)]
-
-
-def names_of(objects):
-    """Returns names for Tracked blocks: their colors, and numbers."""
-    names = []
-    for it in objects:
-        word = min(COLORS, key=lambda name: np.square(it.kind.color - COLORS[name]).sum())
-        names.append(f"{word}{1 + sum(name.rstrip('0123456789') == word for name in names)}")
-    return names

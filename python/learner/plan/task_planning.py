@@ -47,6 +47,9 @@ def choose_actions(state, sensor, eye, arms):
         if actions or reason:
             return actions
     steps = open_steps(state)
+    if not steps and state.unclear:
+        give_up(state, f"of the demonstration, something {' and '.join(state.unclear).lower()} was not understood")
+        return []
     if not steps:
         distance, angle = np.max([(0, 0), *state.placement_errors.values()], axis=0)
         state.claim = Claim(True, f"as seen within {distance:.2f} units and {math.degrees(angle):.1f} degrees")

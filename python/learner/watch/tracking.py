@@ -27,11 +27,11 @@ class Tracker:
         self._was_still = is_still
         if is_first:
             self._free = np.zeros(classes.shape, bool)
-        take_away(self._resting(), classes, self._view(), self._palette)
+        take_away(self._resting(), classes, self.view(), self._palette)
         doubt(self._resting())
         before, self._before = self._before, []
         while True:
-            found = candidates(classes, self._view(), self._kinds, self._palette)
+            found = candidates(classes, self.view(), self._kinds, self._palette)
             if not is_still and not is_first:
                 rested = [it for it in found if any(is_same_place(it.block, other) for other in before)]
                 self._before += [it.block for it in found if it not in rested]
@@ -43,13 +43,13 @@ class Tracker:
         believe(self.objects)
         if is_settled:
             for it in self._resting():
-                refine(it, classes, self._view, self._palette)
+                refine(it, classes, self.view, self._palette)
         self._free |= classes == BACKGROUND
 
     def _resting(self):
         return [it for it in self.objects if it.block]
 
-    def _view(self, but=None):
+    def view(self, but=None):
         """Returns what the eye would see of all blocks that rest, but one."""
         return ExpectedView([it.block for it in self._resting() if it is not but], self._free.shape, self._eye)
 

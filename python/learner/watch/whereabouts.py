@@ -28,6 +28,13 @@ def candidates(classes, view, kinds, palette):
     return [it for it in found if it]
 
 
+def unclear_colors(classes, view, kinds, palette):
+    """Returns the colors of which a picture shows tops that no block explains, a list. The arguments are as for candidates."""
+    tops = {palette.top(it.color): it.color for it in kinds}
+    return [color for top, color in sorted(tops.items(), key=lambda it: it[0])
+            if areas_in((classes == top) & ~view.explained(color), PERCEPTION.min_top_pixels)]
+
+
 def fits(row, column, top, classes, view, kinds):
     """Yields the Fits of some Kinds to the pixels of a top that are possible among the blocks that rest.
 

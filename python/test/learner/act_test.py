@@ -12,8 +12,10 @@ from act.arm_clearance import is_path_over
 from act.execution import execute_action
 from act.finger_room import grasp_yaws, is_grasp_blocked
 from act.joint_estimates import JointEstimates
+from act.segments import at_height
 from check.claims import Claim
 from constants import TASK_PLANNING
+from plan.arm_paths import plan_path_through
 from scenes import BLUE, CUBE, GREEN, PLANK, RED, block
 
 
@@ -121,6 +123,25 @@ class PathOverBlocksTest(unittest.TestCase):
         self.assertFalse(self.is_over(3.7, tower, y=2), "with the end of its bar")
         self.assertTrue(self.is_over(3.7, tower, y=3))
         self.assertTrue(self.is_over(3.7))
+
+    def test_on_its_way_back_an_arm_passes_over_what_it_placed_raised_first_if_necessary(self):
+        placed = block(RED, CUBE, 0, -2)
+        arm = SimpleNamespace(starts=[np.zeros(1)], parked=np.zeros(1), forward=lambda q: at_height(np.eye(4), q[0]))
+
+        def path_of(points):
+            return SimpleNamespace(positions=np.array([np.ravel(it) for it in points], float))
+
+        with (patch("plan.arm_paths.solve_pose_sequence", return_value=np.array([3.0])),
+              patch("plan.arm_paths.move_joints", side_effect=lambda _, points: path_of(points)),
+              patch("plan.arm_paths.move_line", side_effect=lambda _, before, goal: path_of([*before.positions[-1], goal[2, 3]])),
+              patch("plan.arm_paths.is_arm_clear", return_value=True), patch("plan.arm_paths.is_path_valid", return_value=True),
+              patch("plan.arm_paths.is_path_over",
+                    side_effect=lambda _, path, obstacles: placed not in obstacles or path.positions.max() > 3.9)):
+            poses = [at_height(np.eye(4), height) for height in (3, 1, 3)]
+            for left, home in (([], [3, 0]), ([placed], [3, 4, 0])):
+                path = plan_path_through(arm, poses, [], np.zeros(1), left)
+                self.assertEqual(path[-1].positions.ravel().tolist(), home)
+                self.assertEqual(len(path), 4)
 
 
 class FingerRoomTest(unittest.TestCase):

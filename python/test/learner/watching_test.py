@@ -67,6 +67,7 @@ class WatchingTest(unittest.TestCase):
         for step, x, z in zip(steps, (-1, -2.5, 0.5), (0.5, 1.5, 1.5)):
             np.testing.assert_allclose(step.position, [x, -1, z], atol=0.05)
         self.assertEqual(len(explain(demo, None).keyframes), 4)
+        self.assertEqual(demo.unclear, [])
 
     def test_what_is_seen_last_counts(self):
         plate, red = block(BLUE, PLATE, 0, 0, yaw=0.3), block(RED, CUBE, 0, 0, 0.2, 0.3)
@@ -81,11 +82,15 @@ class WatchingTest(unittest.TestCase):
         self.assertEqual(demo.placed, [demo.ids.index("Red1")] * 2)
 
     def test_a_place_of_which_too_little_is_visible_is_not_guessed(self):
-        yellow, red = block(YELLOW, PLANK, -2, 2), block(RED, CUBE, 2, -1)
+        yellow, red = block(YELLOW, PLANK, -2, 2), block(RED, CUBE, 4, -3.5)
         placed = block(YELLOW, PLANK, 0, -1)
+        moved = block(RED, CUBE, 4, 1)
         demo = self.watch(picture_of([yellow, red]), picture_of([block(YELLOW, PLANK, -1, 1, 1.5), red]),
-                          with_hand(with_hand(picture_of([placed, red]), (-1.6, -1, 1), 24), (1.6, -1, 1), 24), None)
-        self.assertEqual(demo.ids, ["Red1"])
+                          with_hand(with_hand(picture_of([moved, placed]), (-1.6, -1, 1), 24), (1.6, -1, 1), 24), None)
+        self.assertEqual((demo.ids, demo.placed), (["Red1"], [0]))
+        self.assertEqual(demo.unclear, ["Yellow"], "it is said that something was not understood")
+        with self.assertRaisesRegex(ValueError, "show no block that moved: without texts, only upright blocks of one color"):
+            self.watch(picture_of([yellow, red]), None)
 
     def test_a_color_that_pixels_show_as_two_is_one(self):
         red, gray = block(RED, CUBE, 2, -1), block(np.array([0.5, 0.5, 0.5]), [1.6, 1.2, 1.5], -1, 1)

@@ -47,8 +47,8 @@ TEST_P(LearnerWithAnotherRobot, BuildsTheTowerWithASingleArm) {
 TEST_P(LearnerWithAnotherRobot, RefusesARobotWithoutAGripperForTheBlocks) {
   const Answer answer = Imitate("--gripper none");
   EXPECT_NE(answer.exit_code, 0);
-  EXPECT_NE(answer.err.find("the robot has no gripper for blocks that are 1.01 units wide: found "
-                            "left: none, right: none; expected one that opens at least 1.11 units"),
+  EXPECT_NE(answer.err.find("the robot has no gripper for blocks that are 1.00 units wide: found "
+                            "left: none, right: none; expected one that opens at least 1.10 units"),
             std::string::npos)
       << answer.err;
 }

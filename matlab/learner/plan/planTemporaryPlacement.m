@@ -1,6 +1,6 @@
 function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, others, sites, sensor, goal, failures, ...
                                                            left, unexplained)
-% Plans the actions that bring a block to a free place on the table, within the eye's view. Returns them
+% Plans the actions that bring a block to a free place on the table or on another block, within the eye's view. Returns them
 % and that place; {} and a reason if there is none.
 %   others  obstacles, as blocks
 %   sites   cell of lists of blocks to keep clear of, existing or planned; the first list that leaves a

@@ -1,4 +1,4 @@
-"""Plans to bring blocks to temporary places on the table."""
+"""Plans to bring blocks to temporary places, on the table or, where that is full, on other blocks."""
 
 from act.finger_room import grasp_yaws, is_grasp_blocked
 from act.reach import can_reach
@@ -13,7 +13,7 @@ from things.standing import stands_on
 
 def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, failures, left,
                              unexplained):
-    """Plans the actions that bring a block to a free place on the table, within the eye's view.
+    """Plans the actions that bring a block to a free place on the table or on another block, within the eye's view.
 
     others:   obstacles, as Blocks
     sites:    lists of blocks to keep clear of, existing or planned; the first list that leaves a

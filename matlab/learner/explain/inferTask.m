@@ -57,8 +57,7 @@ function found = supportsOf(steps, others)
   is_found = false(1, numel(others));
   while ~isempty(steps)
     is_below = false(1, numel(others));
-    isWith = @(step, other) standsOn(step, other) || isAround(step, other);
-    for k = find(~is_found), is_below(k) = any(arrayfun(@(step) isWith(step, others(k)), steps)); end
+    for k = find(~is_found), is_below(k) = any(arrayfun(@(step) isPlacedBy(step, others(k)), steps)); end
     steps = others(is_below);
     is_found = is_found | is_below;
   end

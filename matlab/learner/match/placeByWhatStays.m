@@ -27,10 +27,10 @@ function steps = siteByAnchor(steps, known, arms, eye)
 end
 
 function groups = groupsOf(steps)
-% Returns the numbers of the steps that stand on each other, directly or not: a 1xN cell.
+% Returns the numbers of the steps that stand on each other or are around each other, directly or not: a 1xN cell.
   groups = {};
   for k = 1:numel(steps)
-    is_below = cellfun(@(group) any(arrayfun(@(it) standsOn(steps(k), it), steps(group))), groups);
+    is_below = cellfun(@(group) any(arrayfun(@(it) isPlacedBy(steps(k), it), steps(group))), groups);
     groups = [groups(~is_below), {sort([groups{is_below}, k])}];
   end
 end

@@ -57,7 +57,9 @@ function check_outlines()
   ring.outline = kind.outline;
   post = block([0, 0, 1], [0.5, 0.5, 1], 2, -1, 0, 0);
   check(isAround(ring, post) && ~isAround(post, ring), 'a ring is around what is in its hole');
-  check(~isAround(ring, block([0, 0, 1], [0.5, 0.5, 1], 4, -1, 0, 0)), 'not around what is beside it');
+  far = block([0, 0, 1], [0.5, 0.5, 1], 4, -1, 0, 0);
+  check(~isAround(ring, far), 'not around what is beside it');
+  check(isPlacedBy(ring, post) && ~isPlacedBy(ring, far), 'that tells where it is');
   grip = gripsOf(points(:, 1), points(:, 2), 0.02, red, 0.5)(1);
   check(abs(grip.size(2) - 1.8) < 0.05 && norm(grip.position) < 0.05, 'a ring is held around its middle');
 end

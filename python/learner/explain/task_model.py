@@ -13,7 +13,7 @@ from explain.placed_steps import step_of
 from explain.shown_containers import measure_container
 from explain.start_supports import with_start_supports
 from relate.dragging import was_dragged
-from things.standing import is_above, is_around, stands_on
+from things.standing import is_above, is_placed_by, stands_on
 from things.steps import is_dragged
 
 
@@ -67,7 +67,7 @@ def supports_of(steps, others):
     upper = list(steps)
     while upper:
         step = upper.pop()
-        below = [it for it in others if it not in found and (stands_on(step, it) or is_around(step, it))]
+        below = [it for it in others if it not in found and is_placed_by(step, it)]
         found += below
         upper += below
     return sorted(found, key=lambda step: (step.position[2], others.index(step)))

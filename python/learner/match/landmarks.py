@@ -10,7 +10,7 @@ from match.sites import NoSite, first_within_reach, site_cost
 from things.areas import rotated
 from things.blocks import has_equal_sides, yaw_difference
 from things.kinds import is_in_place, is_same_kind
-from things.standing import stands_on
+from things.standing import is_placed_by
 
 
 def place_by_what_stays(steps, known, arms, eye):
@@ -33,10 +33,10 @@ def place_by_what_stays(steps, known, arms, eye):
 
 
 def groups_of(steps):
-    """Returns the numbers of the steps that stand on each other, directly or not: a list of lists."""
+    """Returns the numbers of the steps that stand on each other or are around each other, directly or not: a list of lists."""
     groups = []
     for k, step in enumerate(steps):
-        below = [group for group in groups if any(stands_on(step, steps[j]) for j in group)]
+        below = [group for group in groups if any(is_placed_by(step, steps[j]) for j in group)]
         groups = [group for group in groups if group not in below]
         groups.append(sorted(sum(below, [k])))
     return groups

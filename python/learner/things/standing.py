@@ -17,6 +17,11 @@ def is_around(outer, inner):
     return outer.outline is not None and is_level and overlap(footprint([outer], 0)[0], footprint([inner], 0)).any()
 
 
+def is_placed_by(one, other):
+    """Returns true if another block tells where one is: it stands on that, or is around it."""
+    return stands_on(one, other) or is_around(one, other)
+
+
 def is_above(upper, lower):
     """Returns true if a block is over another one, at any distance."""
     [one] = footprint([upper], -C.min_above)

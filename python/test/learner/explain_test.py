@@ -11,9 +11,10 @@ from check.task_state import TaskState
 from explain.demonstration import read_demonstration
 from explain.explanation import explain
 from explain.sentences import page_of
+from explain.shown_pictures import select_frames
 from explain.task_model import infer_task
 from recordings import RecordingTest
-from scenes import BLUE, CUBE, GREEN, RED, block, picture_of
+from scenes import BLUE, CUBE, EYE, GREEN, RED, block, picture_of
 from things.blocks import yaw_difference
 
 
@@ -105,6 +106,15 @@ class InferenceTest(RecordingTest):
         # Nothing else is there.
         self.write(0, [line for line in lines if "Blue" in line])
         self.assertEqual(anchors(*put, "6,move,Blue,2.0,-4.0,0.5,0.0,0.0,40.0"), [("Blue", "the table", False)])
+
+    def test_an_object_is_measured_where_a_pixel_shows_the_least_of_it(self):
+        self.write(3, [f"{12 + k},move,Blue,-2.0,1.0,{height},0.0,0.0,0.0" for k, height in enumerate((8, 6, 3))])
+        frames = select_frames(read_demonstration(self.folder), list(self.objects).index("Blue"))
+        self.assertEqual(frames[0, 0], 0, "its first place comes first")
+        away = EYE.pose[:3, 3] - frames[1:, 1:4]
+        extents = (away**2).sum(axis=1) / away[:, 2]
+        self.assertTrue((np.diff(extents) >= 0).all(), extents)
+        self.assertEqual(frames[-1, 3], 8, "high and far from the eye, it is seen at a grazing angle")
 
     def test_a_recording_without_pictures_is_reported(self):
         file = self.folder / "demo.json"

@@ -13,6 +13,7 @@ from check.verdicts import verdicts_on
 from explain.appearances import measure_objects
 from explain.demonstration import read_demonstration
 from explain.task_model import supports_of
+from match.landmarks import groups_of
 from recordings import RecordingTest
 from scenes import BLUE, EYE, RED, block, picture_of, step, view_of
 from see.detection import detect_blocks
@@ -103,7 +104,9 @@ class OutlinesTest(RecordingTest):
         self.assertFalse(is_around(replace(ring, outline=None), post))
         step_of_ring, step_of_post = step(ring, []), step(post, [])
         step_of_ring.outline = ring.outline
-        self.assertEqual(supports_of([step_of_ring], [step_of_post, step(far, [])]), [step_of_post])
+        step_of_far = step(far, [])
+        self.assertEqual(supports_of([step_of_ring], [step_of_post, step_of_far]), [step_of_post])
+        self.assertEqual(groups_of([step_of_post, step_of_far, step_of_ring]), [[1], [0, 2]], "each goes with its own post")
 
     def test_a_piece_looks_the_same_after_some_turns(self):
         for points, fold in (TRIANGLE, 3), (CROSS, 4), (RING, 0):

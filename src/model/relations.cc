@@ -89,16 +89,15 @@ bool IsBeside(const scene::Bounds& piece, const Vector3& p, int axis, bool is_ab
          p.z() <= piece.high.z();
 }
 
-/// Returns true if pieces of `around` are on all four sides of a point in the lower part of the
-/// object.
-bool LiesIn(const Placed& object, const Placed& around) {
-  if (!object.bounds.Meets(around.bounds)) return false;
-  // In the container's own frame, where its walls are along the axes.
-  const RigidTransform X_BW = around.object->pose_in_world().inverse();
-  const scene::Bounds inner = scene::BoundsOf(object.solids, X_BW * object.object->pose_in_world());
-  Vector3 p = inner.center();
-  // A quarter of the height: an object may stick out of a flat container and is still in it.
-  p.z() = inner.low.z() + inner.size().z() / 4;
+/// Returns the bounds of an object in the frame of another one, where the walls of a container are
+/// along the axes.
+scene::Bounds BoundsIn(const Placed& object, const Placed& around) {
+  return scene::BoundsOf(object.solids, around.object->pose_in_world().inverse() *
+                                            object.object->pose_in_world());
+}
+
+/// Returns true if pieces of an object are on all four sides of a point in its own frame.
+bool HasOnAllSides(const Placed& around, const Vector3& p) {
   std::array<bool, 4> sides{};
   for (const scene::Solid& solid : around.solids) {
     const scene::Bounds piece = scene::BoundsOf(solid.shape, solid.X_BS);
@@ -107,6 +106,17 @@ bool LiesIn(const Placed& object, const Placed& around) {
     }
   }
   return std::ranges::all_of(sides, [](bool is_closed) { return is_closed; });
+}
+
+/// Returns true if pieces of `around` are on all four sides of a point in the lower part of the
+/// object.
+bool LiesIn(const Placed& object, const Placed& around) {
+  if (!object.bounds.Meets(around.bounds)) return false;
+  const scene::Bounds inner = BoundsIn(object, around);
+  Vector3 p = inner.center();
+  // A quarter of the height: an object may stick out of a flat container and is still in it.
+  p.z() = inner.low.z() + inner.size().z() / 4;
+  return HasOnAllSides(around, p);
 }
 
 /// Returns true if an object's lowest point is on the table top and its center above the table.
@@ -192,6 +202,15 @@ std::vector<Relation> RelationsOf(const scene::SceneSpec& scene,
     }
   }
   return relations;
+}
+
+bool IsAround(const scene::ObjectSpec& outer, const scene::ObjectSpec& inner) {
+  const Placed ring = PlacedOf(outer), post = PlacedOf(inner);
+  if (!ring.bounds.Meets(post.bounds)) return false;
+  const scene::Bounds within = BoundsIn(post, ring);
+  Vector3 p = within.center();
+  p.z() = BoundsIn(ring, ring).center().z();
+  return within.low.z() <= p.z() && p.z() <= within.high.z() && HasOnAllSides(ring, p);
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> NearPairsOf(

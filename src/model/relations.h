@@ -36,6 +36,10 @@ struct Relation {
 std::vector<Relation> RelationsOf(const scene::SceneSpec& scene,
                                   const std::vector<scene::ObjectSpec>& objects);
 
+/// Returns true if an object's pieces are on all four sides of another one, in the middle of the
+/// first one's height: a ring around a post, however high the post is.
+bool IsAround(const scene::ObjectSpec& outer, const scene::ObjectSpec& inner);
+
 /// Returns the pairs of objects whose surfaces are within a distance of each other [m], as indices,
 /// the lower one first; in ascending order. Distances are those of bounding boxes in height, and of
 /// outlines from above.

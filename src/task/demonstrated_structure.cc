@@ -23,19 +23,37 @@ constexpr std::size_t kMaxObjects = 500;
 /// Pair (object, other): if the object is part of a structure, the other one is as well.
 using Belonging = std::pair<std::string, std::string>;
 
+/// Returns what hands put around objects that stayed where they were.
+std::vector<Surrounding> SurroundingsIn(const Episode& episode, const Structure& structure) {
+  const std::vector<scene::ObjectSpec> before = ObjectsAt(episode.scene, episode.begin);
+  std::vector<Surrounding> surroundings;
+  for (const scene::ObjectSpec& outer : structure.objects) {
+    if (std::ranges::find(structure.order, outer.id()) == structure.order.end()) continue;
+    for (const scene::ObjectSpec& inner : structure.objects) {
+      const auto start = std::ranges::find(before, inner.id(), &scene::ObjectSpec::id);
+      const bool has_stayed =
+          start != before.end() && !HasMoved(start->pose_in_world(), inner.pose_in_world());
+      if (inner.id() != outer.id() && has_stayed && model::IsAround(outer, inner)) {
+        surroundings.push_back({outer.id(), inner.id()});
+      }
+    }
+  }
+  return surroundings;
+}
+
 /// Returns the pairs of objects that belong together. A support or container belongs to what it
-/// carries, but not the reverse: other objects on the same plank may be unrelated. Sliders and
-/// bonds connect both ways.
-std::vector<Belonging> BelongingsIn(const Episode& episode,
-                                    const std::vector<Relation>& relations) {
+/// carries, but not the reverse: other objects on the same plank may be unrelated. What stayed
+/// belongs to what was put around it. Sliders and bonds connect both ways.
+std::vector<Belonging> BelongingsIn(const Episode& episode, const Structure& structure) {
   std::vector<Belonging> belongings;
   const auto add_both = [&](const std::string& a, const std::string& b) {
     belongings.emplace_back(a, b);
     belongings.emplace_back(b, a);
   };
-  for (const Relation& relation : relations) {
+  for (const Relation& relation : structure.relations) {
     if (!relation.support.empty()) belongings.emplace_back(relation.object, relation.support);
   }
+  for (const Surrounding& it : structure.around) belongings.emplace_back(it.object, it.inner);
   for (const scene::SliderSpec& slider : episode.scene.sliders) {
     add_both(episode.scene.objects[slider.first_object].id(),
              episode.scene.objects[slider.first_object + 1].id());
@@ -96,17 +114,19 @@ Structure StructureOf(const recording::Recording& demonstration) {
   const Episode episode = EpisodeOf(demonstration);
   Structure structure{.objects = ObjectsAt(episode.scene, episode.end),
                       .relations = {},
+                      .around = {},
                       .order = PlacementsOf(episode),
                       .effects = EffectsOf(episode),
                       .others = {},
                       .fallen = FallenObjects(episode),
                       .attention = recording::AttentionOf(demonstration)};
   structure.relations = model::RelationsOf(episode.scene, structure.objects);
+  structure.around = SurroundingsIn(episode, structure);
 
   // The structure consists of what hands touched and what belongs to it.
   const std::vector<std::string> touched = TouchedByHands(episode);
   std::set<std::string> members =
-      WithBelongings({touched.begin(), touched.end()}, BelongingsIn(episode, structure.relations));
+      WithBelongings({touched.begin(), touched.end()}, BelongingsIn(episode, structure));
   const std::set<std::string> concerned = ConcernedBy(structure.effects);
   // What was removed from the table has no place, wherever it lies; its last pose there stands for
   // its looks.
@@ -132,6 +152,8 @@ Structure StructureOf(const recording::Recording& demonstration) {
   FindAnchor(episode, &structure);
   std::erase_if(structure.relations,
                 [&](const Relation& relation) { return !structure.Contains(relation.object); });
+  std::erase_if(structure.around,
+                [&](const Surrounding& it) { return !structure.Contains(it.object); });
   structure.neighbors = NeighborsOf(structure);
   structure.bystanders = BystandersOf(structure, episode);
   structure.support_rules = SupportRulesOf(structure.attention, episode);

@@ -27,13 +27,17 @@ std::vector<Structure> PartsOf(const Structure& structure) {
     parts.emplace_back();
   }
   if (parts.size() <= 1) return {structure};
-  // From supports to what they carry, over several levels.
+  // From supports to what they carry, and from what stayed to what is around it, over several
+  // levels.
+  std::vector<std::pair<std::string, std::string>> placed_by;
+  for (const Relation& it : structure.relations) placed_by.emplace_back(it.object, it.support);
+  for (const Surrounding& it : structure.around) placed_by.emplace_back(it.object, it.inner);
   for (bool has_grown = true; has_grown;) {
     has_grown = false;
-    for (const Relation& relation : structure.relations) {
-      const auto support = part_of.find(relation.support);
-      if (support == part_of.end()) continue;
-      has_grown = part_of.emplace(relation.object, support->second).second || has_grown;
+    for (const auto& [object, other] : placed_by) {
+      const auto part = part_of.find(other);
+      if (part == part_of.end()) continue;
+      has_grown = part_of.emplace(object, part->second).second || has_grown;
     }
   }
   for (const scene::ObjectSpec& object : structure.objects) {

@@ -27,6 +27,13 @@ struct Neighbors {
   bool operator==(const Neighbors&) const = default;
 };
 
+/// An object that was put around another one, which stayed: a ring around a post.
+struct Surrounding {
+  std::string object, inner;  ///< ids
+
+  bool operator==(const Surrounding&) const = default;
+};
+
 /// Rule that an object never stands on a smaller one, see RuleBreaksOf().
 struct SupportRule {
   scene::ObjectSpec object;
@@ -36,11 +43,12 @@ struct SupportRule {
 /// Result of a demonstration: the task is to achieve the same, anywhere on the table unless
 /// something determines the place.
 struct Structure {
-  /// Objects that hands moved, their supports and containers down to the table, and objects that
-  /// slide in them or are fastened to them; in scene order, with their final poses. Empty if the
+  /// Objects that hands moved, their supports and containers down to the table, what they were put
+  /// around, and objects that slide in them or are fastened to them; in scene order, with their final poses. Empty if the
   /// demonstration only pressed switches.
   std::vector<scene::ObjectSpec> objects;
   std::vector<Relation> relations;  ///< of these objects, at the end
+  std::vector<Surrounding> around;  ///< of these objects, at the end
   std::vector<std::string> order;   ///< of their placements, see PlacementsOf()
   std::vector<Effect> effects;
   /// Other objects that effects refer to, in scene order; they have no place in the structure.
@@ -65,7 +73,7 @@ struct Structure {
 };
 
 /// Returns a structure in parts, each of which has one place: each fixed object with all that it
-/// carries; objects that stand on no fixed object belong to the first part. A structure with one
+/// carries, and what was put around any of this; all other objects belong to the first part. A structure with one
 /// fixed object or none is one part.
 std::vector<Structure> PartsOf(const Structure& structure);
 

@@ -101,11 +101,15 @@ Json ToJson(const Structure& structure, double meters_per_unit) {
   for (const scene::ObjectSpec& object : structure.objects) {
     poses[object.id()] = object.pose_in_world();
   }
-  Json relations = Json::array(), effects = Json::array();
+  Json relations = Json::array(), around = Json::array(), effects = Json::array();
   for (const Relation& relation : structure.relations) relations.push_back(ToJson(relation));
+  for (const Surrounding& it : structure.around) {
+    around.push_back({{"object", it.object}, {"inner", it.inner}});
+  }
   for (const Effect& effect : structure.effects) effects.push_back(ToJson(effect, meters_per_unit));
   return {{"objects", PosesJson(poses, meters_per_unit)},
           {"relations", relations},
+          {"around", around},
           {"order", structure.order},
           {"effects", effects},
           {"fallen", structure.fallen},
@@ -156,6 +160,9 @@ std::vector<std::string> WordsOf(const Structure& structure, double meters_per_u
   }
   for (const Effect& effect : structure.effects) {
     lines.push_back("achieved: " + WordsOf(effect, meters_per_unit));
+  }
+  for (const Surrounding& it : structure.around) {
+    lines.push_back("what matters is that " + it.object + " is around " + it.inner);
   }
   if (structure.anchor == Anchor::kLandmark) {
     lines.push_back("what matters is the place relative to " + structure.landmark);

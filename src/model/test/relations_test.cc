@@ -44,5 +44,15 @@ TEST(Relations, AThingLiesInWhatIsAroundIt) {
             (Relations{{"tray", kOn, ""}, {"c", kOn, "tray"}}));
 }
 
+TEST(IsAround, ARingIsAroundAPostHoweverHigh) {
+  const scene::Ring ring{.radius_outer = 0.1, .radius_inner = 0.08, .height = 0.05};
+  const scene::ObjectSpec around = ObjectAt("ring", ring, {0.5, 0, 0.025});
+  const scene::Block post{{0.05, 0.05, 0.4}};
+  EXPECT_TRUE(IsAround(around, ObjectAt("post", post, {0.5, 0.02, 0.2})));
+  EXPECT_FALSE(IsAround(around, ObjectAt("beside", post, {0.63, 0, 0.2})));
+  EXPECT_FALSE(IsAround(around, ObjectAt("above", post, {0.5, 0, 0.25})));
+  EXPECT_FALSE(IsAround(ObjectAt("post", post, {0.5, 0.02, 0.2}), around));
+}
+
 }  // namespace
 }  // namespace smile::model

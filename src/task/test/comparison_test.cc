@@ -168,6 +168,26 @@ TEST(StructureComparison, EachFixedObjectHasAPlaceOfItsOwn) {
   EXPECT_FALSE(beside.errors.at("e").is_within());
 }
 
+TEST(StructureComparison, ARingHasItsPlaceWhereItsFixedPostIs) {
+  const scene::Ring ring{.radius_outer = 0.1, .radius_inner = 0.08, .height = 0.05};
+  const scene::Block post{{0.05, 0.05, 0.4}};
+  Structure structure{
+      .objects = {ObjectAt("p", post, {0, 0, 0.2}), ObjectAt("q", post, {0.4, 0, 0.2}),
+                  ObjectAt("r", ring, {0, 0, 0.025}),
+                  ObjectAt("s", ring, {0.4, 0, 0.025}, {1, 0, 0})},
+      .around = {{"r", "p"}, {"s", "q"}}};
+  structure.objects[0].mass = structure.objects[1].mass = 0;
+  std::vector<scene::ObjectSpec> outcome = structure.objects;
+  for (std::size_t i : {1u, 3u}) {
+    outcome[i].whole.X_PE =
+        RigidTransform(Vector3(0, 0.2, 0)) * structure.objects[i].pose_in_world();
+  }
+  EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
+  // Where the ring would be relative to the other post.
+  outcome[3].whole.X_PE = structure.objects[3].pose_in_world();
+  EXPECT_EQ(CompareWith(structure, EpisodeTo(outcome)).score, 0.75);
+}
+
 TEST(StructureComparison, AChainMayBeCutAnywhereButNoOtherChain) {
   Structure structure{.objects = {CubeAt("scissors", {0, 0, 0.05})},
                       .effects = {CutEffect{"rope-link0", "rope between link 0 and 1", "scissors"}},

@@ -111,6 +111,28 @@ TEST_F(StructureTest, IsAnchoredToTheNearestObjectThatStayed) {
             "what matters is the place relative to near\n");
 }
 
+TEST_F(StructureTest, WhatARingWasPutAroundBelongsToTheTask) {
+  const Structure structure = StructureOf(recording::OpenRecording(
+      Record(R"({"hand":"left","do":"grasp","object":"ring"}
+{"hand":"left","do":"move_to","position":[-4,0,5]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"move_to","position":[2,0,5]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"move_to","position":[2,0,0.5]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"release"}
+{"do":"wait","until":"still"})",
+             false, nullptr, R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+<ring id="ring" location="(-4, 0, 0.25)" radiusOuter="1" radiusInner="0.8" zspan="0.5"/>
+<block id="post" location="(2, 0, 1.5)" xspan="0.5" yspan="0.5" zspan="3" mass="0"/>
+<block id="other" location="(-2, 3, 0.5)" mass="0"/></tabletop>)xml")));
+  EXPECT_EQ(structure.around, (std::vector<Surrounding>{{"ring", "post"}}));
+  EXPECT_EQ(TextOf(structure),
+            "1. ring on the table\nas it was: post on the table, fixed\n"
+            "what matters is that ring is around post\n");
+  EXPECT_EQ(ToJson(structure, 0.1)["around"], Json({{{"object", "ring"}, {"inner", "post"}}}));
+}
+
 TEST_F(StructureTest, ReportsAttention) {
   const Structure structure = StructureOf(recording::OpenRecording(Record(
       R"({"hand":"left","do":"grasp","object":"a"}

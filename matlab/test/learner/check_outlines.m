@@ -39,9 +39,10 @@ function check_outlines()
   check(strcmp(verdict.word, 'contradicted'), 'a piece is gone where the table is seen');
 
   [x, y] = meshgrid(-0.99:0.02:1);
-  is_in = {x > -0.4 & x + sqrt(3) * abs(y) < 0.8, abs(x) < 0.3 | abs(y) < 0.3, abs(hypot(x, y) - 0.7) < 0.2};
-  fold = [3, 4, 0];
-  for k = 1:3
+  hexagon = abs(y) < 0.5 * sqrt(3) & sqrt(3) * abs(x) + abs(y) < sqrt(3);
+  is_in = {x > -0.4 & x + sqrt(3) * abs(y) < 0.8, abs(x) < 0.3 | abs(y) < 0.3, hexagon, abs(hypot(x, y) - 0.7) < 0.2};
+  fold = [3, 4, 6, 0];
+  for k = 1:4
     points = [x(is_in{k}), y(is_in{k})];
     area = repmat(0.0004, rows(points), 1);
     kind.outline = outlineOf(points(:, 1), points(:, 2), area);
@@ -53,6 +54,9 @@ function check_outlines()
     points = rotated(points, turn);
     check(sameOutline(kind.outline, outlineOf(points(:, 1), points(:, 2), area)), 'and is then the same');
   end
+  disc = hypot(x, y) < 0.2;
+  check(isPolygon(x(hexagon), y(hexagon), repmat(0.0004, nnz(hexagon), 1)), 'a hexagon is no disc');
+  check(~isPolygon(x(disc), y(disc), repmat(0.0004, nnz(disc), 1)), 'a small disc is one');
   ring = block(red, [1.8, 1.8, 0.5], 2, -1, 0, 0);
   ring.outline = kind.outline;
   post = block([0, 0, 1], [0.5, 0.5, 1], 2, -1, 0, 0);

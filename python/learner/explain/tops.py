@@ -9,14 +9,14 @@ from explain.object_roles import may_be_ball
 from see.balls import ball_color
 from see.colors import color_mask
 from see.eye import onto_plane, pixel_at
-from see.faces import fit_face
+from see.faces import fit_face, is_polygon
 from see.regions import label_regions
 from things.blocks import Block
 
 
 def measure_top(picture, eye, pose, height):
     """Measures the top of an upright object: its color, and its Face, the sides along the object's x
-    and y axes; None if it is not entirely visible.
+    and y axes; None if it is not entirely visible, or has another shape.
 
     pose: x y z of its center [units], angles about x, y, z [degrees]
     """
@@ -27,10 +27,11 @@ def measure_top(picture, eye, pose, height):
     color = picture[pixel]
     number = label_regions(color_mask(picture, color))
     row, column = np.nonzero(number == number[pixel])
-    face = fit_face(*onto_plane(row, column, eye, top[2]), math.radians(pose[5]))
+    pieces = onto_plane(row, column, eye, top[2])
+    face = fit_face(*pieces, math.radians(pose[5]))
     off = np.hypot(*(face.center - top[:2]))
     is_whole = off < C.max_center_error and face.misfit < PERCEPTION.misfit
-    return (color, face) if is_whole else None
+    return (color, face) if is_whole and not (face.is_round and is_polygon(*pieces)) else None
 
 
 def measure_ball(demo, n, start, frames, pictures):

@@ -48,6 +48,13 @@ def is_round(x, y, area):
                for power in (2, 4))
 
 
+def is_polygon(x, y, area):
+    """Returns true if the fifth or sixth powers of points have a direction from their middle: those of a regular pentagon keep
+    0.31 of it, those of a hexagon 0.24."""
+    z = x + 1j * y - (area * (x + 1j * y)).sum() / area.sum()
+    return any(abs((area * z**power).sum()) > C.corners * (area * abs(z) ** power).sum() for power in (5, 6))
+
+
 def yaw_of(x, y, area):
     """Estimates the yaw of a rectangle around the origin [rad].
 

@@ -18,6 +18,7 @@ from recordings import RecordingTest
 from scenes import BLUE, EYE, RED, block, picture_of, step, view_of
 from see.detection import detect_blocks
 from see.eye import to_pixel
+from see.faces import is_polygon
 from see.sight import top_points
 from see.unknown_objects import detect_unknown_objects
 from things.areas import rotated
@@ -48,6 +49,7 @@ def points_of(is_inside):
 
 CROSS = points_of(lambda x, y: (abs(x) < 0.3) | (abs(y) < 0.3))
 RING = points_of(lambda x, y: abs(np.hypot(x, y) - 0.7) < 0.2)
+HEXAGON = points_of(lambda x, y: (abs(y) < 0.5 * math.sqrt(3)) & (math.sqrt(3) * abs(x) + abs(y) < math.sqrt(3)))
 TRIANGLE = points_of(lambda x, y: (x > -0.4) & (x + math.sqrt(3) * abs(y) < 0.8))
 
 
@@ -109,7 +111,7 @@ class OutlinesTest(RecordingTest):
         self.assertEqual(groups_of([step_of_post, step_of_far, step_of_ring]), [[1], [0, 2]], "each goes with its own post")
 
     def test_a_piece_looks_the_same_after_some_turns(self):
-        for points, fold in (TRIANGLE, 3), (CROSS, 4), (RING, 0):
+        for points, fold in (TRIANGLE, 3), (CROSS, 4), (HEXAGON, 6), (RING, 0):
             piece = replace(self.kind, outline=outline_of(*points), yaw=0.0)
             self.assertEqual(piece.outline.fold, fold)
             turn = 2 * math.pi / fold if fold else 1.0
@@ -117,6 +119,10 @@ class OutlinesTest(RecordingTest):
             self.assertTrue(same_outline(piece.outline, outline_of(*rotated(points[:2], turn), points[2])))
         self.assertFalse(same_outline(outline_of(*CROSS), outline_of(*rotated(CROSS[:2], 0.5), CROSS[2])))
         self.assertEqual(yaw_difference(self.kind, self.kind.yaw + math.pi), math.pi)
+
+    def test_a_hexagon_is_no_disc(self):
+        disc = points_of(lambda x, y: np.hypot(x, y) < 0.2)
+        self.assertEqual([is_polygon(*it) for it in (HEXAGON, disc)], [True, False])
 
     def test_a_piece_is_held_where_it_is_narrow_and_its_sides_are_parallel(self):
         held = held_part(replace(self.kind, yaw=1.0, position=np.array([3, -2, 0.3])))

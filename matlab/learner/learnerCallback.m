@@ -16,7 +16,7 @@ if strcmp(status, 'done')
   end
 elseif ~strcmp(status, 'busy')
   state.notes(end + 1) = asNote('contradicted', status);
-  if num_retreats == 0, state = rememberFailure(state, actions); end
+  if num_retreats == 0, state = rememberFailure(state, actions, status); end
   num_retreats = num_retreats + 1;
   if num_retreats <= constants().task_planning.max_retreats
     q = sensor.arms(action.arm.index).joints(:)';

@@ -64,7 +64,7 @@ def step(sensor, motor, aux):
     elif status != "busy":
         aux.state.notes.append(Note("contradicted", status))
         if aux.num_retreats == 0:
-            remember_failure(aux.state, aux.actions)
+            remember_failure(aux.state, aux.actions, status)
         arm = aux.actions[0].arm
         aux.num_retreats += 1
         if aux.num_retreats <= TASK_PLANNING.max_retreats:

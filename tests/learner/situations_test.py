@@ -1,6 +1,6 @@
 """The learner does tasks in situations that need more than its usual ways: one of two objects that look the same is meant, by
 what it began on; the table has another size; the eye looks from the other side of the table; a block is where only the camera
-of a hand sees it. Of a demonstration that pictures alone do not explain, it claims no success.
+of a hand sees it; a block is too heavy. Of a demonstration that pictures alone do not explain, it claims no success.
 
     situations_test.py SMILE SOURCE
 
@@ -75,6 +75,14 @@ def main(smile, source):
         shutil.copy(f"{source}/robots/tern.robot.json", "opposite.robot.json")
         record(f"{source}/scenes/tower.xml", f"{source}/examples/tower.jsonl", "tower")
         imitate("tower", f"{source}/scenes/tower_robot.xml", OCTAVE, "--robot", "opposite.urdf", "--seed", "2")
+
+        light = Path(f"{source}/scenes/tower_robot.xml").read_text()
+        Path("heavy.xml").write_text(light.replace('<block id="GreenBlock"', '<block id="GreenBlock" mass="30"'))
+        for out, brain in ("heavy-python", PYTHON), ("heavy-octave", OCTAVE):
+            told = subprocess.run([smile, "imitate", "tower", "heavy.xml", "--seed", "3", "--brain", f"{source}/{brain}", "--no-pictures",
+                                   "--timeout", "60", "--out", out], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True).stdout
+            assert re.search("gave up: at GreenBlock .*: it is too heavy to be lifted", told), told
+            print("a heavy block, with", brain, flush=True)
 
         # Without a robot, nothing hides a part of the L: its whole outline counts, not a flat top in it.
         record(f"{source}/scenes/pieces.xml", f"{source}/examples/pieces.jsonl", "pieces", "--no-robot")

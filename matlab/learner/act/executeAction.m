@@ -7,6 +7,7 @@ function [action, motor, status, image_seconds, sensor] = executeAction(action, 
 %   action.kind  'observe'  waits for pictures of the arms at rest
 %                'look'     waits for a picture of the camera of an arm's hand
 %                'follow'   follows a path with an arm
+%                'lift'     likewise with a block, until the arm does not keep up
 %                'press'    likewise, until something stops it, and back
 %                'open'     brings the fingers of an arm to an opening `to` [units]
 %                'grasp'    closes the fingers on a block of a `width` [units]
@@ -28,7 +29,7 @@ function [action, motor, status, image_seconds, sensor] = executeAction(action, 
       end
       image_seconds = c.no_image_s;
       status = 'done';
-    case 'follow'
+    case {'follow', 'lift'}
       [action, velocities, status] = followPath(action, sensor, aux);
       motor.ticks = size(velocities, 2);
       motor.arms(action.arm.index).velocities = velocities;

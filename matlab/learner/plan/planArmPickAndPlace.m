@@ -37,6 +37,7 @@ function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, h
   attempt = newGrasp(block.position, arm, grasp_yaw);
   grasp = struct('kind', 'grasp', 'arm', arm, 'width', width, 'grasp', attempt);
   n = numel(to_block);
+  if ~isDragged(goal), follow{n + 1}.kind = 'lift'; end
   actions = [{open}, follow(1:n), {grasp}, follow(n + 1:end - 2), {open}, follow(end - 1:end), ...
              {struct('kind', 'observe')}];
 end

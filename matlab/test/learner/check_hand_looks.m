@@ -19,7 +19,7 @@ function check_hand_looks()
   check(norm(state.handLooks - behind.position(1:2)) < 1.5, 'behind what hides the table');
   [~, again] = planHandLook(1, state, [], robotEye(), arm, sensor);
   check(rows(again.handLooks) == 1 || norm(diff(again.handLooks)) >= 2, 'once at each place');
-  stopped = rememberFailure(state, actions);
+  stopped = rememberFailure(state, actions, 'an obstacle');
   check(numel(stopped.known) == 4 && numel(stopped.failures) == 1, 'no block is lost if the arm is stopped');
   check(isempty(planHandLook(2, state, 1, robotEye(), arm, sensor)), 'not if nothing is missing');
   arm.camera = '';

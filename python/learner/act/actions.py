@@ -7,6 +7,7 @@ import numpy as np
 from smile.motion import Trajectory
 
 from act.arms import Arm
+from things.blocks import Block
 
 
 @dataclass
@@ -16,6 +17,7 @@ class Grasp:
     position: np.ndarray  # of the block's center [units]
     arm: int  # number of the arm
     yaw: float  # direction from finger to finger [rad]
+    too_heavy: Optional[Block] = None  # the block, if the arm could not lift it
 
 
 @dataclass
@@ -25,6 +27,7 @@ class Action:
     kind: str  # 'observe': waits for a picture of the arms at rest
     #            'look': waits for a picture of the camera of an arm's hand
     #            'follow': follows a path with an arm
+    #            'lift': likewise with a block, until the arm does not keep up
     #            'press': likewise, until something stops it, and back
     #            'open': brings the fingers of an arm to an opening
     #            'grasp': closes the fingers on a block of a width

@@ -4,7 +4,7 @@ import numpy as np
 
 from act.actions import ticks_within
 from act.gripping import grasp, open_fingers
-from act.path_following import follow, press
+from act.path_following import follow, lift, press
 from constants import EXECUTION as C
 from see.denoising import without_noise
 from see.pictures import noise_of, num_pictures
@@ -20,7 +20,7 @@ def execute_action(action, sensor, motor, aux):
     aux.imageSeconds = C.no_image_s
     aux.cameras = []  # pictures of the hands take time
     action.time += sensor.timeElapsed
-    execute = {"observe": observe, "look": look, "follow": follow, "press": press, "open": open_fingers, "grasp": grasp}
+    execute = {"observe": observe, "look": look, "follow": follow, "lift": lift, "press": press, "open": open_fingers, "grasp": grasp}
     return execute[action.kind](action, sensor, motor, aux)
 
 

@@ -5,8 +5,10 @@ import numpy as np
 from act.actions import ticks_within
 from constants import EXECUTION as C
 
+CANNOT_LIFT = "the arm cannot lift it"  # how a lift ends if the arm does not keep up
 
-def follow(action, sensor, motor, aux):
+
+def follow(action, sensor, motor, aux, chunk=C.chunk_ticks):
     """Follows a path until the measured joints have arrived, not until a fixed time. The velocities
     along the path are chunks of some ticks. After its end, each tick has feedback."""
     q = sensor.arms[action.arm.index].joints
@@ -15,13 +17,22 @@ def follow(action, sensor, motor, aux):
     status = arrival(action.path.positions[-1], q, delay)
     if status == "done":
         return status
-    num_ticks = min(ticks_within(-delay, aux) + 1, C.chunk_ticks)
+    num_ticks = min(ticks_within(-delay, aux) + 1, chunk)
     # action.time is the end of the first of these ticks.
     wanted, _ = action.path.at(speed * (action.time + aux.tickSeconds * np.arange(num_ticks)))
     motor.ticks = num_ticks
     velocities = np.diff([q, *wanted], axis=0).T / aux.tickSeconds
     motor.arms[action.arm.index].velocities = velocities
     return status
+
+
+def lift(action, sensor, motor, aux):
+    """Follows a path with a block, as long as the arm keeps up: what is too heavy is not dragged away."""
+    # action.time is the end of this tick.
+    time = vars(aux).get("variationSpeed", 1) * (action.time - aux.tickSeconds)
+    [expected], _ = action.path.at(np.array([time]))
+    lag = np.abs(expected - sensor.arms[action.arm.index].joints).max()
+    return CANNOT_LIFT if lag > C.max_lag_rad else follow(action, sensor, motor, aux, C.lift_ticks)
 
 
 def press(action, sensor, motor, aux):

@@ -4,8 +4,10 @@ import math
 
 import numpy as np
 
+from act.path_following import CANNOT_LIFT
 from constants import MOTION_PLANNING as C
 from things.held_parts import held_part
+from things.kinds import is_same_kind
 
 
 def has_failed(grasp, failures):
@@ -18,13 +20,20 @@ def has_failed(grasp, failures):
     return False
 
 
-def remember_failure(state, actions):
-    """Remembers that the first of the remaining actions failed: its grasp is not repeated. Unless
+def remember_failure(state, actions, status):
+    """Remembers that the first of the remaining actions failed, and how: its grasp is not repeated. Unless
     the block was released already, it is not where it was to go."""
+    if status == CANNOT_LIFT:
+        state.grasp.too_heavy = state.known[-1]
     if any(action.kind == "open" for action in actions[1:]):
         state.known.pop()
     state.moved = ""
     state.failures.append(state.grasp)
+
+
+def is_too_heavy(block, arm, failures):
+    """Returns true if an arm could not lift a block that looks like this one."""
+    return any(it.arm == arm.index and it.too_heavy and is_same_kind(it.too_heavy, block) for it in failures)
 
 
 def num_failures(state, block):

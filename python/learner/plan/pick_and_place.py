@@ -9,7 +9,7 @@ from act.actions import Grasp
 from act.finger_room import grasp_yaws
 from act.grippers import can_hold, nearest_first
 from check.choices import Way
-from check.failures import has_failed
+from check.failures import has_failed, is_too_heavy
 from constants import MOTION_PLANNING as C
 from plan.heights import has_low_way, transfer_height
 from plan.transfers import plan_arm_pick_and_place
@@ -40,13 +40,15 @@ def plan_held_pick_and_place(arms, block, goal, others, sensor, failures, way):
     """Plans how a block that is held in one way is brought to a goal, see plan_pick_and_place."""
     goal = replace(goal, knob=block.knob)
     held, target = held_part(block), held_part(goal)
-    at_start = grasp_yaws(block, others)
-    at_goal = grasp_yaws(goal, others)
+    at_start, at_goal = grasp_yaws(block, others), grasp_yaws(goal, others)
     if not at_start or not at_goal:
         return [], "there is no room for the fingers"
     able = [arm for arm in arms if can_hold(arm, held.size[1])]
     if not able:
         return [], "it is wider than the gripper opens"
+    able = [arm for arm in able if not is_too_heavy(block, arm, failures)]
+    if not able:
+        return [], "it is too heavy to be lifted"
     can_be_low = not is_dragged(goal) and not block.knob and has_low_way(block, goal, others)
     for is_low, rise, arm in product([False, True] if can_be_low else [False], way.rises(),
                                      nearest_first(able, block.position[0] + goal.position[0])):

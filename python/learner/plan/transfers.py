@@ -45,6 +45,8 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
     if not path:
         return []
     moves = [Action("follow", arm, it) for it in path]
+    if not is_goal_dragged:
+        moves[len(to_block)].kind = "lift"
     return [Action("open", arm, to=opening), *moves[:len(to_block)],
             Action("grasp", arm, width=width, grasp=Grasp(block.position, arm.index, grasp_yaw)),
             *moves[len(to_block):-2],

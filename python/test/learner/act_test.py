@@ -80,6 +80,25 @@ class PressTest(unittest.TestCase):
             self.assertAlmostEqual(num_ticks * self.TICK, 1 / speed, delta=0.1 / speed)
 
 
+class LiftTest(unittest.TestCase):
+    """An arm of one joint lifts something in a second, on a path to 1 rad."""
+
+    def test_a_lift_ends_soon_where_the_arm_does_not_keep_up(self):
+        path = SimpleNamespace(positions=np.array([[0.0], [1.0]]), duration=1.0,
+                               at=lambda times: (np.clip(times, 0, 1)[:, None], None))
+        for share, expected in (1, "done"), (0.5, "the arm cannot lift it"):
+            action, aux = Action("lift", SimpleNamespace(index=0), path), SimpleNamespace(tickSeconds=0.01, maxTicks=100)
+            q, status, ticks = np.zeros(1), "busy", 1
+            while status == "busy":
+                sensor = SimpleNamespace(arms=[SimpleNamespace(joints=q)], timeElapsed=0.01 * ticks)
+                motor = SimpleNamespace(arms=[SimpleNamespace()])
+                status = execute_action(action, sensor, motor, aux)
+                ticks = motor.ticks
+                q = q + share * 0.01 * np.reshape(motor.arms[0].velocities, (1, -1)).sum(axis=1)
+            self.assertEqual(status, expected)
+        self.assertLess(action.time, 0.2)
+
+
 class CaughtArmTest(unittest.TestCase):
     """An arm is stopped, and so is each of its retreats."""
 

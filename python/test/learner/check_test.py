@@ -2,18 +2,20 @@
 
 import math
 import unittest
+from types import SimpleNamespace
 
 import numpy as np
 
 from act.actions import Action, Grasp
 from check.choices import Choices
-from check.failures import has_failed, num_failures, remember_failure
+from check.failures import has_failed, is_too_heavy, num_failures, remember_failure
 from check.looking import compare
 from check.notes import tops_of
 from check.progress import assess_progress, open_steps
 from check.task_state import TaskState
 from check.verdict_notes import verdict_notes
 from check.verdicts import verdicts_on
+from plan.pick_and_place import plan_pick_and_place
 from scenes import BLUE, CUBE, EYE, GREEN, RED, block, picture_of, step, update_beliefs, view_of
 
 
@@ -101,12 +103,28 @@ class CheckTest(unittest.TestCase):
         state = TaskState(self.steps)
         state.known = [goal]
         state.grasp = Grasp(there.position, 0, 0.5)
-        remember_failure(state, [Action("grasp"), Action("follow"), Action("open")])
+        remember_failure(state, [Action("grasp"), Action("follow"), Action("open")], "an obstacle")
         self.assertEqual(state.known, [], "it is not where it was to go")
         self.assertEqual(num_failures(state, there), 1)
         self.assertEqual(num_failures(state, goal), 0)
         for arm, yaw, expected in (0, 0.6, True), (0, 0.5 + math.pi, False), (1, 0.5, False):
             self.assertEqual(has_failed(Grasp(there.position, arm, yaw), state.failures), expected)
+
+    def test_what_an_arm_could_not_lift_is_too_heavy_for_it_wherever_it_is(self):
+        there, goal = block(RED, CUBE, 3, -2), block(RED, CUBE, 0, -2)
+        right, left = (SimpleNamespace(index=k, opening=2) for k in range(2))
+        state = TaskState(self.steps)
+        state.known, state.grasp = [goal], Grasp(there.position, 0, 0.5)
+        remember_failure(state, [Action("lift"), Action("follow"), Action("open")], "an obstacle is in the way of the arm")
+        self.assertFalse(is_too_heavy(there, right, state.failures))
+        state.known, state.grasp = [goal], Grasp(there.position, 0, 0.5)
+        remember_failure(state, [Action("lift"), Action("follow"), Action("open")], "the arm cannot lift it")
+        elsewhere = block(RED, CUBE, 5, -2)
+        self.assertTrue(is_too_heavy(elsewhere, right, state.failures))
+        self.assertFalse(is_too_heavy(elsewhere, left, state.failures))
+        self.assertFalse(is_too_heavy(block(BLUE, CUBE, 5, -2), right, state.failures))
+        _, reason = plan_pick_and_place([right], elsewhere, goal, [], None, state.failures)
+        self.assertEqual(reason, "it is too heavy to be lifted")
 
 
 if __name__ == "__main__":

@@ -40,7 +40,7 @@ class HandLooksTest(unittest.TestCase):
         places, kinds = self.looks()
         self.assertEqual(kinds, [["follow", "look", "follow", "observe"]] * len(places))
         tower_failures = num_failures(self.state, TOWER[3])
-        remember_failure(self.state, [Action("follow"), Action("look"), Action("follow"), Action("observe")])
+        remember_failure(self.state, [Action("follow"), Action("look"), Action("follow"), Action("observe")], "an obstacle")
         self.assertEqual((len(self.state.known), num_failures(self.state, TOWER[3])), (4, tower_failures), "if it is stopped")
         self.assertLess(np.linalg.norm(places[0] - BEHIND.position[:2]), 1.5)
         apart = [np.linalg.norm(one - other) for k, one in enumerate(places) for other in places[:k]]

@@ -1,4 +1,5 @@
 % Callback: continues the first action. After the last one, a picture of the table determines the next.
+if isempty(state), return; end  % it ended at the beginning
 [joints, sensor] = correctJoints(joints, sensor, aux.tickSeconds);
 [action, motor, status, aux.imageSeconds, sensor] = executeAction(actions{1}, sensor, aux);
 joints.told = arrayfun(@(arm) arm.velocities, motor.arms, 'UniformOutput', false);
@@ -15,15 +16,7 @@ if strcmp(status, 'done')
     num_retreats = 0;
   end
 elseif ~strcmp(status, 'busy')
-  state.notes(end + 1) = asNote('contradicted', status);
-  if num_retreats == 0, state = rememberFailure(state, actions, status); end
-  num_retreats = num_retreats + 1;
-  if num_retreats <= constants().task_planning.max_retreats
-    q = sensor.arms(action.arm.index).joints(:)';
-    actions = retreat(action.arm, q, num_retreats == 1);
-  else
-    actions = {struct('kind', 'observe')};  % all may be done already
-  end
+  [actions, state, num_retreats] = recover(status, sensor, actions, state, num_retreats);
 end
 aux.cameras = {};  % pictures of the hands take time
 if ~isempty(actions) && strcmp(actions{1}.kind, 'look'), aux.cameras = {actions{1}.arm.camera}; end
@@ -37,9 +30,6 @@ if ~isempty(state.notes)
   state.notes(:) = [];
 end
 if ~isempty(state.claim)
-  if state.claim.done, word = 'done'; else, word = 'gave up'; end
-  aux.claim = [word, ': ', state.claim.reason];
-  fprintf('%5.1f s: %s\n', sensor.simTime, aux.claim);
-  aux.exit = true;
+  aux = endWith(state.claim, sensor.simTime, aux);
   actions = {struct('kind', 'observe')};
 end

@@ -2,26 +2,20 @@
 if ~isfield(aux, 'demonstration')
   error('this brain needs a demonstration: smile imitate DEMO SCENE --brain matlab/learner');
 end
-if exist(fullfile(aux.demonstration, '0.txt'), 'file')
-  demo = readDemonstration(aux.demonstration);
-else  % a recording without texts: from its pictures alone
-  demo = watchDemonstration(aux.demonstration);
+state = [];
+try
+  [demo, steps, container, presses, aux.notes] = understand(aux);
+catch problem
+  if ~strcmp(problem.identifier, 'learner:notUnderstood'), rethrow(problem); end
+  aux = endWith(struct('done', false, 'reason', problem.message), 0, aux);
+  return
 end
-needs = needsOf(aux, demo);
-[steps, container, appearances] = inferTask(demo, aux.attention, needs);
-[keyframes, goal] = explain(demo, appearances, container);
-unclear = {};
-if isfield(demo, 'unclear'), unclear = demo.unclear; end
-aux.notes = strcat({'understood: '}, strtrim(printPage(keyframes, goal, unclear)));
-presses = inferDevices(demo, steps, appearances, needs);
-printSteps(steps);
-printPresses(presses, steps);
 
 arms = armsOf(aux);
 hands = armsFor(steps, arms);
 eye = eyeOfRobot(aux);
 state = initialTaskState(steps, container, presses, demo.eye, choicesOf(aux));  % beliefs about this scene, and progress
-state.unclear = unclear;
+state.unclear = demo.unclear;
 actions = {struct('kind', 'observe')};  % the next actions, in this order
 num_retreats = 0;                       % number of successive retreats after failed actions
 

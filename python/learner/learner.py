@@ -11,17 +11,16 @@ from act.actions import Action
 from act.execution import execute_action
 from act.grippers import arms_for
 from act.joint_estimates import JointEstimates
-from act.retreats import retreat
 from act.robot_arms import arms_of
 from check.choices import choices_of
-from check.claims import give_up
-from check.failures import remember_failure
+from check.claims import Claim, end, give_up
 from check.hand_views import see_from_hand
-from check.notes import Note
 from check.task_state import TaskState
 from check.telling import tell
 from constants import TASK_PLANNING
+from explain.limits import NotUnderstood
 from explain.understanding import understand
+from plan.recovery import recover
 from plan.task_planning import choose_actions
 from see.framing import eye_of_robot
 
@@ -30,7 +29,12 @@ def init(aux):
     """Infers the task from the demonstration. This scene is unknown before the first picture."""
     if "demonstration" not in aux:
         raise ValueError("this brain needs a demonstration: smile imitate DEMO SCENE --brain python/learner/learner.py")
-    demo, steps, container, presses = understand(aux)
+    aux.state = None
+    try:
+        demo, steps, container, presses = understand(aux)
+    except NotUnderstood as problem:
+        end(Claim(False, str(problem)), 0, aux)
+        return
     arms = arms_of(aux)
     aux.hands = arms_for(steps, arms)
     aux.eye = eye_of_robot(aux)
@@ -49,6 +53,8 @@ def init(aux):
 
 def step(sensor, motor, aux):
     """Continues the first action. After the last one, a picture of the table determines the next."""
+    if not aux.state:
+        return
     aux.joints.correct(sensor, aux.tickSeconds)
     status = execute_action(aux.actions[0], sensor, motor, aux)
     aux.joints.remember(motor)
@@ -62,18 +68,7 @@ def step(sensor, motor, aux):
                 give_up(aux.state, "because the arm is stuck")
             aux.num_retreats = 0
     elif status != "busy":
-        aux.state.notes.append(Note("contradicted", status))
-        if aux.num_retreats == 0:
-            remember_failure(aux.state, aux.actions, status)
-        arm = aux.actions[0].arm
-        aux.num_retreats += 1
-        if aux.num_retreats <= TASK_PLANNING.max_retreats:
-            q = sensor.arms[arm.index].joints
-            aux.actions = retreat(arm, q, can_rise=aux.num_retreats == 1)
-        else:
-            aux.actions = [Action("observe")]  # all may be done already
+        recover(status, sensor, aux)
     tell(aux, sensor.simTime)
     if aux.state.claim:
-        aux.claim = f"{'done' if aux.state.claim.done else 'gave up'}: {aux.state.claim.reason}"
-        print(f"{sensor.simTime:5.1f} s: {aux.claim}")
-        aux.exit = True
+        end(aux.state.claim, sensor.simTime, aux)

@@ -10,7 +10,7 @@ function drive = driveAt(demo, event, after, earlier, appearances)
   name = uses(1).fields{2};
   n = find(strcmp(demo.ids, name));
   is_turning = all(arrayfun(@(it) any(strcmp(constants().uses.turning, it.fields{3})), uses));
-  if ~any(toolsOf(demo) == n) || ~is_turning, error('%s was not put back after its use on %s', name, uses(1).fields{4}); end
+  if ~any(toolsOf(demo) == n) || ~is_turning, notUnderstood('%s was not put back after its use on %s', name, uses(1).fields{4}); end
   what = arrayfun(@(it) strjoin(it.fields(3:4), ','), uses, 'UniformOutput', false);
   turns = struct('fastener', {}, 'place', {}, 'number', {}, 'isLoosening', {});
   for it = unique(what, 'stable'), turns(end + 1) = turnsOf(demo, n, uses(strcmp(what, it{1}))); end

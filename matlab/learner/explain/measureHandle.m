@@ -31,7 +31,7 @@ function step = measureHandle(demo, n)
     end
   end
   if step.position(3) == 0
-    error('no picture of the demonstration shows the handle of %s', demo.ids{n});
+    notUnderstood('no picture of the demonstration shows the handle of %s', demo.ids{n});
   end
 end
 

@@ -15,7 +15,7 @@ function appearances = measureObjects(demo, needed)
       appearances(n) = found;
       at_start(end + 1) = found;
     elseif any(needed == n)
-      error('no picture of the demonstration shows %s entirely', demo.ids{n});
+      notUnderstood('no picture of the demonstration shows %s entirely', demo.ids{n});
     end
   end
   % What has the same layout is as high, whatever it stood on.

@@ -3,7 +3,7 @@ function moved = movedObjects(demo)
   last = zeros(1, numel(demo.ids));
   last(demo.placed) = 1:numel(demo.placed);
   moved = find(last > 0);
-  if isempty(moved), error('in this demonstration no hand moved anything'); end
+  if isempty(moved), notUnderstood('in this demonstration no hand moved anything'); end
   [~, order] = sort(last(moved));
   moved = moved(order);
 end

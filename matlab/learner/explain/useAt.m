@@ -4,9 +4,9 @@ function use = useAt(demo, event, after, appearances)
 %   after        numbers of the steps that were done before it
 %   appearances  as from measureObjects
   [name, action, target] = event.fields{2:4};
-  if ~any(strcmp(constants().uses.actions, action)), error('this learner cannot %s %s with %s', action, target, name); end
+  if ~any(strcmp(constants().uses.actions, action)), notUnderstood('this learner cannot %s %s with %s', action, target, name); end
   n = find(strcmp(demo.ids, name));
-  if ~any(toolsOf(demo) == n), error('%s was not put back after its use on %s', name, target); end
+  if ~any(toolsOf(demo) == n), notUnderstood('%s was not put back after its use on %s', name, target); end
   grasps = demo.events(strcmp({demo.events.word}, 'grasp'));
   frames = [grasps.frame];
   is_of_tool = arrayfun(@(it) strcmp(it.fields{2}, name), grasps);

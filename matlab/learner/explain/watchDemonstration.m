@@ -8,7 +8,7 @@ function demo = watchDemonstration(folder)
   % The first picture, those of a still scene, and the next one after each.
   is_telling = [true, pictures(1:end - 1).isStill] | [pictures.isStill];
   [kinds, palette] = learnKinds({pictures(is_telling).file}, palette, eye);
-  if isempty(kinds), error('no picture in %s shows a block by itself', folder); end
+  if isempty(kinds), notUnderstood('no picture of the demonstration shows a block by itself'); end
   tracker = newTracker(kinds, palette, eye);
   for it = pictures
     [classes, palette] = classesOf(codesIn(it.file), palette);
@@ -16,8 +16,8 @@ function demo = watchDemonstration(folder)
   end
   demo = demonstrationOf(folder, eye, tracker.objects(~cellfun(@isempty, {tracker.objects.block})), kinds);
   if isempty(demo.placed)
-    error(['the pictures in %s show no block that moved: without texts, only upright blocks of one color are ', ...
-           'understood'], folder);
+    notUnderstood(['the pictures of the demonstration show no block that moved: without texts, only upright blocks of one ', ...
+                   'color are understood']);
   end
   view = expectedView(restingBlocks(tracker.objects), size(classes), eye);
   unclear = unclearColors(classes, view, kinds, palette);

@@ -13,6 +13,17 @@ function check_container()
   check(max(abs(container.size - [5, 2.6, 0.9])) < 0.05, 'with its size');
   check(abs(container.floor - 0.2) < 1e-9, 'the height of its content determines that of its floor');
 
+  [other, remove_other] = newRecording({pictureOf([emptyBox(brown, -1, -1, 0), cube, block([1, 0, 0], [1, 1, 1], 5, -3, 0, 0)])});
+  write(other, '0.txt', {'0,create,Case,shape,box', '0,create,Blue,shape,block', '0,create,Red,shape,block', ...
+                         '0,move,Case,-1.0,-1.0,0.45,0.0,0.0,0.0', '0,move,Blue,3.0,-3.0,0.5,0.0,0.0,0.0', ...
+                         '0,move,Red,5.0,-3.0,0.5,0.0,0.0,0.0'});
+  write(other, '1.txt', {'1,grasp,LeftHand,Blue', '2,release,LeftHand', '2,move,Blue,0.5,-1.3,0.7,0.0,0.0,0.0', ...
+                         '3,grasp,LeftHand,Red', '4,release,LeftHand', '4,move,Red,4.0,1.0,0.7,0.0,0.0,0.0'});
+  message = '';
+  try, inferTask(readDemonstration(other), []); catch problem, message = problem.message; end
+  check(~isempty(strfind(message, 'something was put into Case, but Red on or into something else')), ...
+        'what is put into something else is not understood');
+
   there = block(blue, [1, 1, 1], 0.9, -1.6, 0.2, 0.3);
   picture = pictureOf([emptyBox(brown, 1, -2, 0.3), there]);
   [found, turn] = detectContainer(picture, robotEye(), container);

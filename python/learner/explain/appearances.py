@@ -6,6 +6,7 @@ import numpy as np
 
 from explain.covered_tops import measure_covered_top, measure_top_with_knob
 from explain.flat_tops import is_side_at
+from explain.limits import NotUnderstood
 from explain.object_roles import carried_along
 from explain.other_tops import measure_other_top
 from explain.part_measuring import measure_parts
@@ -32,7 +33,7 @@ def measure_objects(demo, needed):
         if found:
             appearances[n] = found
         elif n in needed:
-            raise ValueError(f"no picture of the demonstration shows {demo.ids[n]} entirely")
+            raise NotUnderstood(f"no picture of the demonstration shows {demo.ids[n]} entirely")
     for it in appearances.values():  # what has the same layout is as high, whatever it stood on
         it.size[2] = min(other.size[2] for other in appearances.values()
                          if other is it or has_parts_of(it, other, False))

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from constants import USES as C
+from explain.limits import NotUnderstood
 from explain.object_roles import tools_of
 from explain.placed_steps import step_of
 from explain.presses import Press
@@ -42,7 +43,7 @@ def drive_at(demo, frame, after, earlier):
     name = uses[0][1][1]
     n = demo.ids.index(name)
     if n not in tools_of(demo) or any(it[2] not in C.turning for _, it in uses):
-        raise ValueError(f"{name} was not put back after its use on {uses[0][1][3]}")
+        raise NotUnderstood(f"{name} was not put back after its use on {uses[0][1][3]}")
     turns = [turns_of(demo, n, [when for when, it in uses if it[3] == fastener], fastener, action == "loosen")
              for action, fastener in dict.fromkeys((it[2], it[3]) for _, it in uses)]
     names = {it.fastener for it in turns}

@@ -5,6 +5,7 @@ from itertools import product
 import numpy as np
 
 from constants import BLOCKS, PERCEPTION, TASK_MODEL as C
+from explain.limits import NotUnderstood
 from explain.shown_pictures import read_picture
 from see.colors import color_mask, frequent_colors
 from see.eye import onto_plane
@@ -44,7 +45,7 @@ def measure_handle(demo, n):
                             np.append(face.center, height / 2), face.yaw, demo.ids[n], [],
                             displacement, tolerance=drag_tolerance(displacement))
     if step is None:
-        raise ValueError(f"no picture of the demonstration shows the handle of {demo.ids[n]}")
+        raise NotUnderstood(f"no picture of the demonstration shows the handle of {demo.ids[n]}")
     return step
 
 

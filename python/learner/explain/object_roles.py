@@ -3,6 +3,7 @@
 import numpy as np
 
 from constants import TASK_MODEL as C
+from explain.limits import NotUnderstood
 from relate.dragging import has_shape
 
 
@@ -10,7 +11,7 @@ def moved_objects(demo):
     """Returns the numbers of the objects that hands moved, in the order of their last release."""
     last = {n: when for when, n in enumerate(demo.placed)}
     if not last:
-        raise ValueError("in this demonstration no hand moved anything")
+        raise NotUnderstood("in this demonstration no hand moved anything")
     return sorted(last, key=last.get)
 
 

@@ -6,6 +6,7 @@ from typing import Optional
 import numpy as np
 
 from constants import PRESSES as C
+from explain.limits import NotUnderstood
 from explain.shown_pictures import picture_frames, read_picture
 from see.regions import label_regions
 from things.steps import Step
@@ -61,11 +62,11 @@ def changes(demo, first, end, what):
     earlier = [it for it in frames if it < first]
     later = [it for it in frames if first <= it < end]
     if not earlier or not later:
-        raise ValueError(f"no picture of the demonstration shows what was done to {what}")
+        raise NotUnderstood(f"no picture of the demonstration shows what was done to {what}")
     before, after = (read_picture(demo, it[-1]) for it in (earlier, later))
     changed = large_regions(np.abs(after - before).max(axis=2) > C.min_change) > 0
     if not changed.any():
-        raise ValueError(f"no picture of the demonstration shows what was changed at {what}")
+        raise NotUnderstood(f"no picture of the demonstration shows what was changed at {what}")
     return before, after, changed
 
 

@@ -4,6 +4,7 @@ import numpy as np
 
 from constants import PERCEPTION as C, TASK_MODEL
 from explain.appearances import select_frames
+from explain.limits import NotUnderstood
 from explain.shown_pictures import read_picture
 from see.colors import frequent_colors
 from see.containers import detect_rims
@@ -20,6 +21,7 @@ def measure_container(demo, steps):
               and step.displacement is None and not step.takes_place_of]
     if not inside:
         return None
+    left_out = None  # a container of some of the steps, and one of the others
     still = [n for n in range(len(demo.ids)) if n not in demo.placed]
     for n in sorted(still, key=lambda n: np.hypot(*(demo.moves[n][0, 1:3] - inside[0].position[:2]))):
         x, y, z = demo.moves[n][0, 1:4]
@@ -29,9 +31,14 @@ def measure_container(demo, steps):
                                   min(step.bottom for step in inside),
                                   form="disc" if face.is_round else "block")
             is_there = np.hypot(*(face.center - [x, y])) < TASK_MODEL.max_center_error
-            if is_there and all(is_inside(container, step.position) for step in inside):
+            outside = [step for step in inside if not is_inside(container, step.position)]
+            if is_there and not outside:
                 return container
-    raise ValueError(f"no picture of the demonstration shows on or in what {inside[0].name} was put; an arm may hide it")
+            if is_there and len(outside) < len(inside):
+                left_out = container.name, outside[0].name
+    if left_out:
+        raise NotUnderstood("something was put into {}, but {} on or into something else: one container is understood".format(*left_out))
+    raise NotUnderstood(f"no picture of the demonstration shows on or in what {inside[0].name} was put; an arm may hide it")
 
 
 def rims_at(demo, n, top):

@@ -7,6 +7,7 @@ from typing import Optional
 import numpy as np
 
 from constants import USES as C
+from explain.limits import NotUnderstood
 from explain.object_roles import tools_of
 from explain.placed_steps import step_of
 from explain.presses import Press, changes
@@ -31,10 +32,10 @@ def use_at(demo, frame, fields, after):
     and from before a hand takes something again."""
     _, name, action, target = fields
     if action not in C.actions:
-        raise ValueError(f"this learner cannot {action} {target} with {name}")
+        raise NotUnderstood(f"this learner cannot {action} {target} with {name}")
     n = demo.ids.index(name)
     if n not in tools_of(demo):
-        raise ValueError(f"{name} was not put back after its use on {target}")
+        raise NotUnderstood(f"{name} was not put back after its use on {target}")
     taken = max(when for when, word, it in demo.events if word == "grasp" and it[1] == name and when < frame)
     taken_next = min((when for when, word, _ in demo.events if word == "grasp" and when > frame), default=np.inf)
     rows = demo.moves[n][demo.moves[n][:, 0] <= frame]

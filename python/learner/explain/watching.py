@@ -8,6 +8,7 @@ import numpy as np
 from constants import WATCHING as C
 from explain.color_words import names_of, word_of
 from explain.demonstration import Demonstration
+from explain.limits import NotUnderstood
 from explain.shown_pictures import eye_of
 from watch.palette import Palette
 from watch.tracking import Tracker
@@ -19,7 +20,7 @@ from watch.whereabouts import unclear_colors
 def watch_demonstration(folder):
     """Reconstructs a demonstration from the pictures of a recording without texts.
 
-    Raises ValueError if they show no block by itself, or none that moved.
+    Raises NotUnderstood if they show no block by itself, or none that moved.
     """
     folder = Path(folder)
     eye = eye_of(json.loads((folder / "demo.json").read_text()))
@@ -27,15 +28,15 @@ def watch_demonstration(folder):
     palette = Palette(codes_in(pictures[0][1]))
     kinds = learn_kinds(telling(pictures), palette, eye)
     if not kinds:
-        raise ValueError(f"no picture in {folder} shows a block by itself")
+        raise NotUnderstood("no picture of the demonstration shows a block by itself")
     tracker = Tracker(kinds, palette, eye)
     for frame, file, is_still in pictures:
         classes = palette.classes(codes_in(file))
         tracker.update(frame, classes, is_still)
     demo = demonstration_of(folder, eye, [it for it in tracker.objects if it.block])
     if not demo.placed:
-        raise ValueError(f"the pictures in {folder} show no block that moved: without texts, only upright blocks of one color "
-                         "are understood")
+        raise NotUnderstood("the pictures of the demonstration show no block that moved: without texts, only upright blocks of one "
+                            "color are understood")
     demo.unclear = [word_of(it) for it in unclear_colors(classes, tracker.view(), kinds, palette)]
     return demo
 

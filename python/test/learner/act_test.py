@@ -117,8 +117,9 @@ class CaughtArmTest(unittest.TestCase):
                 state.claim = claim
                 return [Action("press", arm)]
 
-            with patch.multiple(learner, execute_action=execute, choose_actions=choose, tell=Mock(), remember_failure=Mock(),
-                                retreat=lambda *_, **__: [Action("follow", arm)], print=Mock(), create=True):
+            with (patch.multiple(learner, execute_action=execute, choose_actions=choose, tell=Mock()),
+                  patch.multiple("plan.recovery", remember_failure=Mock(), retreat=lambda *_, **__: [Action("follow", arm)]),
+                  patch("check.claims.print", create=True)):
                 for _ in range(TASK_PLANNING.max_retreats + 2):
                     self.assertFalse(hasattr(aux, "claim"), "it does not look")
                     learner.step(sensor, SimpleNamespace(), aux)

@@ -10,6 +10,7 @@ from check.progress import assess_progress, open_steps
 from check.task_state import TaskState
 from explain.demonstration import read_demonstration
 from explain.explanation import explain
+from explain.limits import NotUnderstood
 from explain.task_model import infer_task
 from match.building_site import choose_site
 from plan.proposals import propose_moves
@@ -25,20 +26,28 @@ from things.walls import container_walls
 class ContainerTest(RecordingTest):
     """A blue cube is put into a box whose floor is 0.2 high."""
 
+    BEGIN = ["0,create,Case,shape,box", "0,create,Blue,shape,block", "0,move,Case,-1.0,-1.0,0.45,0.0,0.0,0.0",
+             "0,move,Blue,3.0,-3.0,0.5,0.0,0.0,0.0"]
+    PUT_IN = ["1,grasp,LeftHand,Blue", "2,release,LeftHand", "2,move,Blue,0.5,-1.3,0.7,0.0,0.0,0.0"]
+
     def setUp(self):
         cube = block(BLUE, CUBE, 3, -3)
         self.record(picture_of([*empty_box(-1, -1, 0), cube]))
-        self.write(0, ["0,create,Case,shape,box", "0,create,Blue,shape,block",
-                       "0,move,Case,-1.0,-1.0,0.45,0.0,0.0,0.0",
-                       "0,move,Blue,3.0,-3.0,0.5,0.0,0.0,0.0"])
-        self.write(1, ["1,grasp,LeftHand,Blue", "2,release,LeftHand",
-                       "2,move,Blue,0.5,-1.3,0.7,0.0,0.0,0.0"])
+        self.write(0, self.BEGIN)
+        self.write(1, self.PUT_IN)
         self.steps, self.container = self.infer_task()
 
     def test_it_is_measured_where_it_stands(self):
         np.testing.assert_allclose(self.container.position, [-1, -1, 0.45], atol=0.03)
         np.testing.assert_allclose(self.container.size, [5, 2.6, 0.9], atol=0.05)
         self.assertAlmostEqual(self.container.floor, 0.2)
+
+    def test_what_is_put_into_something_else_is_not_understood(self):
+        self.record(picture_of([*empty_box(-1, -1, 0), block(BLUE, CUBE, 3, -3), block(RED, CUBE, 5, -3)]))
+        self.write(0, [*self.BEGIN, "0,create,Red,shape,block", "0,move,Red,5.0,-3.0,0.5,0.0,0.0,0.0"])
+        self.write(1, [*self.PUT_IN, "3,grasp,LeftHand,Red", "4,release,LeftHand", "4,move,Red,4.0,1.0,0.7,0.0,0.0,0.0"])
+        with self.assertRaisesRegex(NotUnderstood, "something was put into Case, but Red on or into something else"):
+            self.infer_task()
 
     def test_it_is_detected_elsewhere_with_its_content(self):
         there = block(BLUE, CUBE, 0.9, -1.6, bottom=0.2, yaw=0.3)

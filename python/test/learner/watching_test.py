@@ -12,6 +12,7 @@ import numpy as np
 from PIL import Image
 
 from explain.explanation import explain
+from explain.limits import NotUnderstood
 from explain.watching import watch_demonstration
 from scenes import BLUE, CUBE, EYE, GREEN, PLANK, RED, TILT, block, picture_of
 from see.eye import to_pixel
@@ -89,7 +90,7 @@ class WatchingTest(unittest.TestCase):
                           with_hand(with_hand(picture_of([moved, placed]), (-1.6, -1, 1), 24), (1.6, -1, 1), 24), None)
         self.assertEqual((demo.ids, demo.placed), (["Red1"], [0]))
         self.assertEqual(demo.unclear, ["Yellow"], "it is said that something was not understood")
-        with self.assertRaisesRegex(ValueError, "show no block that moved: without texts, only upright blocks of one color"):
+        with self.assertRaisesRegex(NotUnderstood, "show no block that moved: without texts, only upright blocks of one color"):
             self.watch(picture_of([yellow, red]), None)
 
     def test_a_color_that_pixels_show_as_two_is_one(self):

@@ -4,7 +4,7 @@ if ~isfield(aux, 'demonstration')
 end
 state = [];
 try
-  [demo, steps, container, presses, aux.notes] = understand(aux);
+  [demo, steps, containers, presses, aux.notes] = understand(aux);
 catch problem
   if ~strcmp(problem.identifier, 'learner:notUnderstood'), rethrow(problem); end
   aux = endWith(struct('done', false, 'reason', problem.message), 0, aux);
@@ -14,7 +14,7 @@ end
 arms = armsOf(aux);
 hands = armsFor(steps, arms);
 eye = eyeOfRobot(aux);
-state = initialTaskState(steps, container, presses, demo.eye, choicesOf(aux));  % beliefs about this scene, and progress
+state = initialTaskState(steps, containers, presses, demo.eye, choicesOf(aux));  % beliefs about this scene, and progress
 state.unclear = demo.unclear;
 actions = {struct('kind', 'observe')};  % the next actions, in this order
 num_retreats = 0;                       % number of successive retreats after failed actions

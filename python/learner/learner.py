@@ -31,7 +31,7 @@ def init(aux):
         raise ValueError("this brain needs a demonstration: smile imitate DEMO SCENE --brain python/learner/learner.py")
     aux.state = None
     try:
-        demo, steps, container, presses = understand(aux)
+        demo, steps, containers, presses = understand(aux)
     except NotUnderstood as problem:
         end(Claim(False, str(problem)), 0, aux)
         return
@@ -39,7 +39,7 @@ def init(aux):
     aux.hands = arms_for(steps, arms)
     aux.eye = eye_of_robot(aux)
     # Beliefs and progress. Agents in python/examples/agents set what it does without, or another way to see.
-    aux.state = TaskState(steps, container, presses=presses, shown=demo.eye, unclear=demo.unclear, choices=choices_of(aux),
+    aux.state = TaskState(steps, containers, presses=presses, shown=demo.eye, unclear=demo.unclear, choices=choices_of(aux),
                           without=vars(aux).get("without", ()), see=vars(aux).get("see"))
     aux.actions = [Action("observe")]  # the next actions, in this order
     aux.num_retreats = 0  # number of successive retreats after failed actions

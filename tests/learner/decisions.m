@@ -25,8 +25,8 @@ function decideOn(folder, aux)
   printf('case %s\n', folder);
   shown = fullfile(folder, 'shown');
   if exist(fullfile(shown, '0.txt'), 'file'), demo = readDemonstration(shown); else, demo = watchDemonstration(shown); end
-  [steps, container, appearances] = inferTask(demo, struct('object', {}, 'properties', {}));
-  [keyframes, goal] = explain(demo, appearances, container);
+  [steps, containers, appearances] = inferTask(demo, struct('object', {}, 'properties', {}));
+  [keyframes, goal] = explain(demo, appearances, containers);
   for keyframe = keyframes
     printf('deed %s %d\n', keyframe.deed, keyframe.isMeans);
     printf('fact %s\n', keyframe.facts{:});
@@ -52,7 +52,7 @@ function decideOn(folder, aux)
     show(describePress(press), [press.after - 1, numel(row), sum(row - 1), sum(column - 1), press.pose, press.begin, ...
                                 press.height, turns]);
   end
-  state = initialTaskState(steps, container, presses, demo.eye);
+  state = initialTaskState(steps, containers, presses, demo.eye);
   sensor.rgbVision = double(imread(fullfile(folder, 'look.png'))) / 255;
   file = fopen(fullfile(folder, 'look.depth'));
   sensor.depthVision = fread(file, [size(sensor.rgbVision, 2), Inf], 'double')';

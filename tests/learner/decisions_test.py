@@ -125,10 +125,10 @@ def decisions(case, aux):
     """
     shown = f"{case}/shown"
     demo = read_demonstration(shown) if has_texts(shown) else watch_demonstration(shown)
-    steps, container = infer_task(demo, {})
+    steps, containers = infer_task(demo, {})
     presses = infer_devices(demo, steps)
-    building = TaskState(steps, container, presses=presses, shown=demo.eye)
-    explanation = explain(demo, container)
+    building = TaskState(steps, containers, presses=presses, shown=demo.eye)
+    explanation = explain(demo, containers)
     lines = [f"case {case}"]
     for keyframe in explanation.keyframes:
         lines.append(" ".join(f"deed {keyframe.deed} {keyframe.is_means:d}".split()))

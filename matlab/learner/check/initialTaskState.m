@@ -1,7 +1,7 @@
-function state = initialTaskState(steps, container, presses, shown, choices)
+function state = initialTaskState(steps, containers, presses, shown, choices)
 % Returns the state of the learner at the beginning of a task.
 %   steps      see newStep; once a site is chosen, at their places in this scene
-%   container  that some of them go into, see measureContainer; once a site is chosen, in this scene
+%   containers  that some of them go into, see measureContainers; once a site is chosen, in this scene
 %   hasSite    true once a site is chosen
 %   known      beliefs: the blocks at the places where they were last seen; see newBlock
 %   unknownObjects  appearances of blocks that belong to no step; their places are among known
@@ -40,7 +40,7 @@ function state = initialTaskState(steps, container, presses, shown, choices)
   end
   if nargin < 5, choices = choicesOf(struct()); end
   n = numel(steps);
-  state = struct('steps', steps, 'container', {container}, 'hasSite', false, 'known', noBlocks(), ...
+  state = struct('steps', steps, 'containers', {containers}, 'hasSite', false, 'known', noBlocks(), ...
                  'unknownObjects', noBlocks(), 'unexplained', zeros(0, 2), 'done', false(1, n), ...
                  'attempts', zeros(1, n), 'numTemporary', 0, 'placementErrors', NaN(n, 2), 'numBlocked', 0, ...
                  'firstFailure', '', 'intention', [], 'meant', NaN(n, 3), 'handLooks', zeros(0, 2), 'impossibleAmong', noBlocks(), ...

@@ -12,7 +12,7 @@ function state = knowLight(state, picture)
   end
   state.steps = lit(state.steps, gains);
   state.unknownObjects = lit(state.unknownObjects, gains);
-  state.container = lit(state.container, gains);
+  state.containers = lit(state.containers, gains);
 end
 
 function things = lit(things, gains)

@@ -3,16 +3,16 @@ function state = observe(state, picture, heights, eye)
 %   picture  HxWx3, 0 to 1
 %   heights  as from heightMap
   state = knowColors(state, picture, eye, heights);
-  container = state.container;
-  if ~state.hasSite, container = []; end  % its place in this scene is not known yet
+  containers = state.containers;
+  if ~state.hasSite, containers = []; end  % their places in this scene are not known yet
   [like, staying] = likes(state);
-  seen = detectBlocks(picture, eye, like, container, heights, staying);
+  seen = detectBlocks(picture, eye, like, containers, heights, staying);
   [state.steps, seen] = findKnobs(state.steps, seen, picture, eye, heights);
   is_odd = rows(state.unexplained) >= constants().perception.many_unexplained;
   if ~state.hasSite || state.numBlocked > 0 || is_odd
     unknown = detectUnknownObjects(picture, eye, withHeldParts([seen, state.known]), heights);
     state.unknownObjects = [state.unknownObjects, unknown];
-    seen = addKnobs(state.steps, detectBlocks(picture, eye, [like, unknown], container, heights, staying));
+    seen = addKnobs(state.steps, detectBlocks(picture, eye, [like, unknown], containers, heights, staying));
   end
   state = compare(state, seen, picture, eye, heights);
   state.unexplained = unexplainedPoints(withHeldParts(state.known), heights, eye);
@@ -23,7 +23,7 @@ function state = compare(state, seen, picture, eye, heights)
 % was just moved is not where it should be, its grasp failed.
   tolerance = constants().blocks.position_tolerance;
   % What is dropped into a container may lie anywhere inside.
-  if ~isempty(state.container), tolerance = constants().blocks.confined_tolerance; end
+  if ~isempty(state.containers), tolerance = constants().blocks.confined_tolerance; end
   verdicts = verdictsOn(state.known, seen, picture, eye, heights, tolerance);
   if isempty(state.known)
     state.notes(end + 1) = asNote('saw', sprintf('%d objects', numel(seen)), noBlocks(), seen);

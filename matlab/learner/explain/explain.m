@@ -1,4 +1,4 @@
-function [keyframes, goal] = explain(demo, appearances, container)
+function [keyframes, goal] = explain(demo, appearances, containers)
 % Explains a demonstration by facts (see factsAt) at the start and after each of its deeds: what was done, what
 % of it is the goal, and what was only a means.
 %   keyframes.deed     one line: who did what; empty at the start
@@ -34,7 +34,7 @@ function [keyframes, goal] = explain(demo, appearances, container)
   function keyframe = keyframeAt(deed, before, frame, world)
     others = strtrim(strcat(world.names, {' '}, world.values));
     if isempty(world.names), others = {}; end
-    facts = factsAt(demo, appearances, container, frame, world.held, others);
+    facts = factsAt(demo, appearances, containers, frame, world.held, others);
     keyframe = struct('deed', deed, 'facts', {facts}, 'made', {newFacts(facts, before)}, 'isMeans', false);
   end
 end

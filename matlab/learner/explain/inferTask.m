@@ -1,9 +1,9 @@
-function [steps, container, appearances] = inferTask(demo, attention, needs)
+function [steps, containers, appearances] = inferTask(demo, attention, needs)
 % Infers from a demonstration what is to be done: a list of steps (see newStep) in the order shown, one for each
 % object that takes part, except tools that were put back. Objects that were not moved but support others, or are in them, come
 % first; one that was not moved and tells where all others go comes last.
 %   attention    the properties of objects that matter, if the demonstrator specified some, as in aux
-%   container    the open box that objects were put into: see measureContainer
+%   containers   the open boxes that objects were put into: see measureContainers
 %   appearances  of all objects: see measureObjects
 %   needs        what the goal needs, if it is known: see needsOf
   if nargin < 3, needs = []; end
@@ -47,8 +47,8 @@ function [steps, container, appearances] = inferTask(demo, attention, needs)
   for k = 1:numel(steps)
     steps(k).beganOn = startSupport(demo, find(strcmp(demo.ids, steps(k).name)), steps(k), appearances);
   end
-  container = measureContainer(demo, steps(cellfun(@isempty, {steps.aside})));
-  if isempty(container), steps = withAnchor(demo, steps, others); end
+  containers = measureContainers(demo, steps(cellfun(@isempty, {steps.aside})));
+  if isempty(containers), steps = withAnchor(demo, steps, others); end
 end
 
 function found = supportsOf(steps, others)

@@ -1,4 +1,4 @@
-function [demo, steps, container, presses, notes] = understand(aux)
+function [demo, steps, containers, presses, notes] = understand(aux)
 % Reads or watches the demonstration of a brain, and prints what it shows: the steps of the task, see inferTask, and the presses
 % of switches and uses of tools, see inferDevices.
 %   notes  what was understood, one line each, a cell
@@ -9,8 +9,8 @@ function [demo, steps, container, presses, notes] = understand(aux)
   end
   if ~isfield(demo, 'unclear'), demo.unclear = {}; end
   needs = needsOf(aux, demo);
-  [steps, container, appearances] = inferTask(demo, aux.attention, needs);
-  [keyframes, goal] = explain(demo, appearances, container);
+  [steps, containers, appearances] = inferTask(demo, aux.attention, needs);
+  [keyframes, goal] = explain(demo, appearances, containers);
   notes = strcat({'understood: '}, strtrim(printPage(keyframes, goal, demo.unclear)));
   presses = inferDevices(demo, steps, appearances, needs);
   printSteps(steps);

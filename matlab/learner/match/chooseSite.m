@@ -8,8 +8,9 @@ function [state, problem] = chooseSite(state, arms, picture, eye)
   is_replacing = ~cellfun(@isempty, {state.steps.takesPlaceOf});
   is_returning = ~cellfun(@isempty, {state.steps.aside});
   carried = state.steps(~is_dragged & ~is_replacing & ~is_returning);
-  if ~isempty(state.container)
-    [carried, state.container, problem] = placeInContainer(carried, state.container, state.known, picture, eye);
+  if ~isempty(state.containers)
+    [carried, found, problem] = placeInContainers(carried, state.containers, state.known, picture, eye);
+    if isempty(problem), state.containers = found; end
   elseif ~isempty(carried) && ~isempty(carried(1).anchor)
     [carried, problem] = placeAtAnchor(carried, state.known, arms, eye);
   elseif ~isempty(carried)

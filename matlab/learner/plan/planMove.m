@@ -14,17 +14,18 @@ function [actions, place, is_temporary, reason] = planMove(state, k, move, eye, 
     return
   end
   others = withHeldParts(state.known([1:move.block - 1, move.block + 1:end]));
-  others = [others, assumedSupport(block), containerWalls(state.container)];
-  container = asBlocks(state.container);
-  sites = {[asBlocks(steps), container]};
+  others = [others, assumedSupport(block), containerWalls(state.containers)];
+  containers = asBlocks(state.containers);
+  sites = {[asBlocks(steps), containers]};
   is_temporary = false;
   goal = move.goal;
   if ~isempty(goal)
     % Where the fingers have no room in a container, it is released above the rim.
-    if isInside(state.container, goal.position) && isempty(graspYaws(goal, others))
-      goal.position(3) = state.container.position(3) + (state.container.size(3) + goal.size(3)) / 2;
+    around = containerAt(containers, goal.position);
+    if ~isempty(around) && isempty(graspYaws(goal, others))
+      goal.position(3) = around.position(3) + (around.size(3) + goal.size(3)) / 2;
     end
-    sites{2} = [asBlocks(steps(state.done)), container];
+    sites{2} = [asBlocks(steps(state.done)), containers];
     [actions, reason] = planPickAndPlace(arms, withDepth(block, state.surface), withDepth(goal, state.surface), others, ...
                                          sensor, state.failures, wayOf(state.choices, sum(state.attempts) + state.numTemporary));
     place = block;
@@ -37,7 +38,7 @@ function [actions, place, is_temporary, reason] = planMove(state, k, move, eye, 
                                         sensor, state.failures, state.unexplained);
     return
   elseif any(overlap(gripperClearance(steps(k)), footprint(block, 0)))
-    sites{2} = [asBlocks(steps([find(state.done), k])), container];
+    sites{2} = [asBlocks(steps([find(state.done), k])), containers];
   end
   is_temporary = true;
   left = state.left;

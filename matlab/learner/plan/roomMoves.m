@@ -5,8 +5,8 @@ function moves = roomMoves(state, k, moves, free, arms, eye, sensor)
 %   free  numbers of the known blocks that are in no step's place
   % An empty list may lack the fields of moves.
   if isempty(moves), moves = noMoves(); return; end
-  container = asBlocks(state.container);
-  sites = {[asBlocks(state.steps), container], [asBlocks(state.steps([find(state.done), k])), container]};
+  containers = asBlocks(state.containers);
+  sites = {[asBlocks(state.steps), containers], [asBlocks(state.steps([find(state.done), k])), containers]};
   proposed = moves(cellfun(@isempty, {moves.turns}));
   moves = noMoves();
   is_loose = ~arrayfun(@(i) hasObjectsOn(state.known(i), state.known(free)), free);

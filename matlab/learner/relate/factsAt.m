@@ -1,4 +1,4 @@
-function facts = factsAt(demo, appearances, container, frame, held, others)
+function facts = factsAt(demo, appearances, containers, frame, held, others)
 % Relates the objects of a demonstration: facts before an action of a frame, rows of words, 1xN cell, in the
 % order of the objects.
 %   on A B           A stands on B, or on the table
@@ -16,7 +16,7 @@ function facts = factsAt(demo, appearances, container, frame, held, others)
 %   turned A         A is on another face than at the start
 %
 %   appearances  as from measureObjects
-%   container    as from measureContainer
+%   containers   as from measureContainers
 %   held         number of the object in each hand, a struct
 %   others       facts about controls and joints at that time
   facts = others;
@@ -43,20 +43,21 @@ function facts = factsAt(demo, appearances, container, frame, held, others)
     end
   end
   there = [there{:}];
-  for k = 1:numel(there), facts = [facts, relations(k, there, container)]; end
+  for k = 1:numel(there), facts = [facts, relations(k, there, containers)]; end
 end
 
-function facts = relations(k, there, container)
+function facts = relations(k, there, containers)
 % Returns the facts about object number k of those that are there.
   block = there(k);
   numbers = 1:numel(there);
   below = numbers(arrayfun(@(it) standsOn(block, it), there) & numbers ~= k);
   beside = numbers(arrayfun(@(it) isBeside(block, it), there) & numbers > k);
   facts = arrayfun(@(it) sprintf('on %s %s', block.name, it.name), there(below), 'UniformOutput', false);
-  is_over = isInside(container, block.position) && ~strcmp(block.name, container.name);
-  if is_over && standsOn(block, container)
+  if ~isempty(containers), containers = containers(~strcmp({containers.name}, block.name)); end
+  container = containerAt(containers, block.position);
+  if ~isempty(container) && standsOn(block, container)
     facts{end + 1} = sprintf('on %s %s', block.name, container.name);
-  elseif is_over
+  elseif ~isempty(container)
     facts{end + 1} = sprintf('in %s %s', block.name, container.name);
   elseif isempty(below) && block.position(3) - block.size(3) / 2 < constants().task_model.max_support_gap
     facts{end + 1} = sprintf('on %s table', block.name);
@@ -70,7 +71,7 @@ function facts = relations(k, there, container)
   distances = arrayfun(@(it) norm(it.position(1:2) - block.position(1:2)), still);
   [~, order] = sort(distances);
   around = [there(below), still(order)];
-  if is_over
+  if ~isempty(container)
     around = struct('name', container.name, 'position', container.position, 'yaw', container.yaw);
   end
   facts{end + 1} = placeOf(block, around);

@@ -1,9 +1,9 @@
-function blocks = detectBlocks(picture, eye, like, container, heights, staying)
+function blocks = detectBlocks(picture, eye, like, containers, heights, staying)
 % Detects the blocks in a picture that look like given ones, at any place and height: a 1xN struct array,
 % see newBlock. Partly occluded blocks are not detected.
 %   picture    HxWx3, 0 to 1
 %   like       blocks or steps
-%   container  in which some may lie, or []
+%   containers  in which some may lie, or []
 %   heights    as from heightMap: separates tops of one color that meet in the picture; [] or omitted if the
 %              eye measures no depth
 %   staying    those on whose tops others stand, or a knob; optional
@@ -31,7 +31,7 @@ function blocks = detectBlocks(picture, eye, like, container, heights, staying)
         top = median(heights(pixels));
         if isCut(row, column, top, heights), max_error = constants().perception.max_cut_side_error; end
       end
-      found = fitBlocks(row, column, eye, kinds, container, is_possible, bottoms, top, max_error);
+      found = fitBlocks(row, column, eye, kinds, containers, is_possible, bottoms, top, max_error);
       % What stays carries others: they hide a part of its top from the start.
       if isempty(found) && ~isempty(top)
         found = fitCovered(row, column, eye, blockKinds(staying, color'), top, heights);

@@ -1,16 +1,16 @@
-function blocks = fitBlocks(row, column, eye, kinds, container, isPossible, bottoms, top, max_side_error)
+function blocks = fitBlocks(row, column, eye, kinds, containers, isPossible, bottoms, top, max_side_error)
 % Fits blocks to the pixels of a top face: one block of some kind, or equal blocks that touch in a row or
 % a grid. Returns a 1xN struct array, 1x0 if nothing fits.
 %   row, column  pixels, Nx1
 %   kinds        as from blockKinds
-%   container    in which they may lie, or []
+%   containers   in which they may lie, or []
 %   isPossible   predicate: returns true if there can be a block at such a place
 %   bottoms      for each kind, the heights where the bottom is expected [units], cell
 %   top          measured height of the face [units]; [] or omitted if there is none
 %   max_side_error  greatest relative error of the sides; optional
 %
 % On a lower plane the same pixels would be a larger top, on a higher one a smaller. Without a measured
-% height, the plane is the one of the expected ones at which the size of the top is right. Inside the
+% height, the plane is the one of the expected ones at which the size of the top is right. Inside a
 % container, all planes are higher by its floor. With a measured height, blocks whose bottom would be where
 % it is expected are preferred: the size of the top alone does not distinguish a high block from a low one
 % on a support.
@@ -24,8 +24,10 @@ function blocks = fitBlocks(row, column, eye, kinds, container, isPossible, bott
     for k = 1:numel(kinds)
       for plane = candidateTops(kinds(k).size, bottoms{k}, top, pass(2))
         face = faceAt(plane);
-        if isempty(top) && isInside(container, face.center)
-          plane = plane + container.floor;
+        around = [];
+        if isempty(top), around = containerAt(containers, face.center); end
+        if ~isempty(around)
+          plane = plane + around.floor;
           face = faceAt(plane);
         end
         if face.isRound ~= isRound(kinds(k)), continue; end

@@ -5,7 +5,7 @@ function state = withColor(state, color, seen)
     state.steps(k).beganOn.like = recolored(state.steps(k).beganOn.like, color, seen);
   end
   state.unknownObjects = recolored(state.unknownObjects, color, seen);
-  state.container = recolored(state.container, color, seen);
+  state.containers = recolored(state.containers, color, seen);
   for k = 1:numel(state.presses), state.presses(k).tool = recolored(state.presses(k).tool, color, seen); end
 end
 

@@ -7,8 +7,8 @@ function check_dragging()
   write(folder, '0.txt', {'0,create,Door,shape,composite', '0,move,Door,-2.2,-3.1,1.9,0.0,0.0,0.0'});
   write(folder, '1.txt', {'1,grasp,LeftHand,Door', '1,move,Door,-0.2,-2.1,1.9,0.0,0.0,0.0', ...
                           '1,release,LeftHand'});
-  [step, container] = inferTask(readDemonstration(folder), []);
-  check(isempty(container), 'there is no container');
+  [step, containers] = inferTask(readDemonstration(folder), []);
+  check(isempty(containers), 'there is no container');
   check(norm(step.displacement - [2, 1]) < 1e-9, 'it was dragged');
   check(abs(step.position(3) + step.size(3) / 2 - 3.2) < 0.05, 'its displacement in the pictures determines the height');
   check(norm(step.position(1:2) - [-2, -3]) < 0.03 && max(abs(step.size(1:2) - [1, 0.6])) < 0.03, ...

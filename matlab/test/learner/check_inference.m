@@ -32,8 +32,8 @@ function check_inference()
   steps = inferTask(demo, struct('object', {'Red'}, 'properties', {{'color', 'size', 'order'}}));
   check(isequal({steps.after}, {[], [], 2}), 'an order that matters is kept');
 
-  [~, container, appearances] = inferTask(demo, []);
-  [keyframes, goal] = explain(demo, appearances, container);
+  [~, containers, appearances] = inferTask(demo, []);
+  [keyframes, goal] = explain(demo, appearances, containers);
   check(isequal({keyframes.deed}, {'', 'LeftHand carries Blue', 'AnyHand carries Red', 'LeftHand carries Blue'}), ...
         'each carry is a deed');
   check(isequal([keyframes.isMeans], [false, true, false, false]), 'what is not kept is a means');

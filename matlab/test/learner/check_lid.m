@@ -10,19 +10,19 @@ function check_lid()
   write(folder, '1.txt', {'0,grasp,LeftHand,Lid', '1,move,Lid,2.0,0.0,0.1,0.0,0.0,0.0', '1,release,LeftHand', ...
                           '1,grasp,LeftHand,Red', '2,move,Red,-2.0,-2.0,0.7,0.0,0.0,0.0', '2,release,LeftHand', ...
                           '2,grasp,LeftHand,Lid', '2,move,Lid,-2.0,-2.0,1.6,0.0,0.0,0.0', '2,release,LeftHand'});
-  [steps, container] = inferTask(readDemonstration(folder), []);
+  [steps, containers] = inferTask(readDemonstration(folder), []);
   check(isequal({steps.name}, {'Red', 'Lid'}) && isequal({steps.after}, {[], 1}), 'a lid covers what is inside');
   check(isequal([steps.hasKnob], [false, true]) && isequal([steps.beginsThere], [false, true]), ...
         'it has a knob and begins where it ends');
   check(max(abs(steps(2).size - [2.8, 2.8, 0.2])) < 0.08, 'it is measured around its knob');
 
   [picture, heights] = pictureOf([lid(1, -2, 1.5), block(red, [1, 1, 1], -3, -2, 0, 0)]);
-  state = observe(initialTaskState(steps, container), picture, heights, robotEye());
+  state = observe(initialTaskState(steps, containers), picture, heights, robotEye());
   k = find(~cellfun(@isempty, {state.known.knob}));
   check(norm(heldPart(state.known(k)).position - [1, -2, 2.05]) < 0.05, 'its knob is found in the scene');
   check(numel(graspYaws(state.known(k), noBlocks())) == 4, 'and it is held by it');
   state = chooseSite(state, [], picture, robotEye());
-  check(norm(state.container.position - [1, -2, 0.75]) < 0.05, 'the pot is below the lid');
+  check(norm(state.containers.position - [1, -2, 0.75]) < 0.05, 'the pot is below the lid');
   [state, used] = assessProgress(state);
   moves = proposeMoves(state, 1, find(~used));
   check(~any(state.done) && moves(1).block == k, 'the lid is taken off before anything is put inside');

@@ -12,12 +12,12 @@ function check_uses()
   write(folder, '3.txt', {'6,release,LeftHand'});
   movefile(fullfile(folder, 'rgb', '1.png'), fullfile(folder, 'rgb', '6.png'));
   demo = readDemonstration(folder);
-  [steps, container, appearances] = inferTask(demo, []);
+  [steps, containers, appearances] = inferTask(demo, []);
   check(isempty(steps), 'a tool that was put back is no step');
   use = inferDevices(demo, steps, appearances);
   check(numel(use) == 1 && max(abs(use.pose - [-0.4, -2, 1, 0])) < 1e-9, 'but it was used there');
   check(max(abs(use.begin - [-1, -2, 1])) < 1e-9, 'on a straight way');
-  [~, goal] = explain(demo, appearances, container);
+  [~, goal] = explain(demo, appearances, containers);
   check(any(strcmp(goal, 'cut String Knife')), 'to cut is the goal');
   check(isempty(use.at), 'no link says where');
   checkSides(folder);

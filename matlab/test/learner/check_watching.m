@@ -16,12 +16,12 @@ function check_watching()
                 withHand(pictureOf([placed, on_it, aside]), [-2.5, -1, 2], 30), [], ...
                 withHand(pictureOf([placed, on_it, block(green, cube, 0.5, 0, 2.5, 0)]), [0.5, 0, 3], 30), ...
                 withHand(pictureOf([placed, block(green, cube, 0.5, -1, 1, 0), on_it]), [0.1, -1, 2], 12), []});
-  [steps, container, appearances] = inferTask(demo, []);
+  [steps, containers, appearances] = inferTask(demo, []);
   check(isequal({steps.name}, {'Yellow1', 'Red1', 'Green1'}), 'all blocks are understood in their order');
   check(isequal({steps.on}, {[], 1, 1}), 'and what they stand on');
   places = vertcat(steps.position);
   check(max(max(abs(places - [-1, -1, 0.5; -2.5, -1, 1.5; 0.5, -1, 1.5]))) < 0.05, 'and their places');
-  check(numel(explain(demo, appearances, container)) == 4, 'there are three deeds');
+  check(numel(explain(demo, appearances, containers)) == 4, 'there are three deeds');
   check(isempty(demo.unclear), 'nothing else is there');
 
   % What is seen last counts.

@@ -24,15 +24,15 @@ def observe(state, sensor, picture, eye):
         return
     if heights is not None:
         know_colors(state, picture, eye, heights)
-    # The place of the container is not known before a site is chosen.
-    container = state.container if state.has_site else None
-    seen = detect_blocks(picture, eye, likes(state), container, heights)
+    # The places of containers are not known before a site is chosen.
+    containers = state.containers if state.has_site else []
+    seen = detect_blocks(picture, eye, likes(state), containers, heights)
     if heights is not None:
         find_knobs(state.steps, seen, picture, eye, heights)
     if not state.has_site or state.num_blocked > 0 or len(state.unexplained) >= C.many_unexplained:
         whole = with_held_parts(seen + state.known)
         state.unknown_objects += detect_unknown_objects(picture, eye, whole, heights)
-        seen = detect_blocks(picture, eye, likes(state), container, heights)
+        seen = detect_blocks(picture, eye, likes(state), containers, heights)
         add_knobs(state.steps, seen)
     compare(state, seen, picture, eye, heights)
     if heights is not None:
@@ -43,7 +43,7 @@ def compare(state, seen, picture, eye, heights):
     """Compares what is expected, the known blocks, with those seen in a picture, and corrects it. If the
     block that was just moved is not where it should be, its grasp failed."""
     # What is dropped into a container may lie anywhere inside.
-    tolerance = BLOCKS.confined_tolerance if state.container else BLOCKS.position_tolerance
+    tolerance = BLOCKS.confined_tolerance if state.containers else BLOCKS.position_tolerance
     verdicts = verdicts_on(state.known, seen, picture, eye, heights, tolerance)
     if not state.known:
         state.notes.append(Note("saw", f"{len(seen)} objects", found=seen))

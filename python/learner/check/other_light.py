@@ -41,9 +41,9 @@ def know_colors(state, picture, eye, heights):
 
 
 def wanted_things(state):
-    """Returns the steps, what they began on, the container and the tools."""
-    things = state.steps + start_supports_of(state.steps) + [it.tool for it in state.presses if it.tool]
-    return [*things, state.container] if state.container else things
+    """Returns the steps, what they began on, the containers and the tools."""
+    tools = [it.tool for it in state.presses if it.tool]
+    return [*state.steps, *start_supports_of(state.steps), *tools, *state.containers]
 
 
 def is_seen(color, things, tops, picture):

@@ -13,7 +13,7 @@ from see.surfaces import Surface
 from things.blocks import Block
 from things.kinds import same_size
 from things.resting import on_each_face
-from things.steps import Container, start_supports_of
+from things.steps import start_supports_of
 
 
 class Intention(NamedTuple):
@@ -28,7 +28,7 @@ class TaskState:
     """Progress and beliefs of the learner during a task."""
 
     steps: list  # of the demonstration; once a site is chosen, at their places in this scene
-    container: Optional[Container] = None  # of some steps; once a site is chosen, in this scene
+    containers: list = field(default_factory=list)  # of some steps; once a site is chosen, in this scene
     has_site: bool = False
     known: list = field(default_factory=list)  # beliefs: Blocks at their last seen places
     unknown_objects: list = field(default_factory=list)  # appearances of blocks of no step; their

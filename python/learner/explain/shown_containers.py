@@ -1,4 +1,6 @@
-"""Measures the container into which a demonstration puts blocks."""
+"""Measures the containers into which a demonstration puts blocks."""
+
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,32 +15,42 @@ from things.areas import is_inside
 from things.steps import Container
 
 
-def measure_container(demo, steps):
-    """Measures the open box that the blocks of steps were put into, in the first picture of the
-    demonstration; None if all of them stand on the table or on each other."""
+def measure_containers(demo, steps):
+    """Measures the open boxes that the blocks of steps were put into, in the first picture of the
+    demonstration: a list of Containers, empty if all of them stand on the table or on each other."""
     inside = [step for step in steps
               if step.bottom > TASK_MODEL.min_inside_bottom and not step.on
               and step.displacement is None and not step.takes_place_of]
-    if not inside:
-        return None
-    left_out = None  # a container of some of the steps, and one of the others
+    containers = []
+    while inside:
+        container = container_of(demo, inside)
+        containers.append(container)
+        inside = [step for step in inside if not is_inside(container, step.position)]
+    return containers
+
+
+def container_of(demo, inside):
+    """Measures the Container of the first of some steps: of what may be one, that which most of them are in.
+
+    Raises NotUnderstood if no picture shows it.
+    """
+    best, most = None, 0
     still = [n for n in range(len(demo.ids)) if n not in demo.placed]
     for n in sorted(still, key=lambda n: np.hypot(*(demo.moves[n][0, 1:3] - inside[0].position[:2]))):
         x, y, z = demo.moves[n][0, 1:4]
         for color, face in rims_at(demo, n, [x, y, 2 * z]):
             container = Container(color, np.append(face.sides, 2 * z), np.append(face.center, z),
-                                  0.0 if face.is_round else face.yaw, demo.ids[n],
-                                  min(step.bottom for step in inside),
+                                  0.0 if face.is_round else face.yaw, demo.ids[n], 0.0,
                                   form="disc" if face.is_round else "block")
-            is_there = np.hypot(*(face.center - [x, y])) < TASK_MODEL.max_center_error
-            outside = [step for step in inside if not is_inside(container, step.position)]
-            if is_there and not outside:
-                return container
-            if is_there and len(outside) < len(inside):
-                left_out = container.name, outside[0].name
-    if left_out:
-        raise NotUnderstood("something was put into {}, but {} on or into something else: one container is understood".format(*left_out))
-    raise NotUnderstood(f"no picture of the demonstration shows on or in what {inside[0].name} was put; an arm may hide it")
+            content = [step for step in inside if is_inside(container, step.position)]
+            is_it = np.hypot(*(face.center - [x, y])) < TASK_MODEL.max_center_error and inside[0] in content
+            if is_it and len(content) > most:
+                best, most = replace(container, floor=min(step.bottom for step in content)), len(content)
+            if most == len(inside):
+                return best
+    if not best:
+        raise NotUnderstood(f"no picture of the demonstration shows on or in what {inside[0].name} was put; an arm may hide it")
+    return best
 
 
 def rims_at(demo, n, top):

@@ -10,7 +10,7 @@ from explain.handles import measure_handle
 from explain.needs import needed_of
 from explain.object_roles import former_owner, moved_objects, tools_of
 from explain.placed_steps import step_of
-from explain.shown_containers import measure_container
+from explain.shown_containers import measure_containers
 from explain.start_supports import with_start_supports
 from relate.dragging import was_dragged
 from things.standing import is_above, is_placed_by, stands_on
@@ -19,7 +19,7 @@ from things.steps import is_dragged
 
 def infer_task(demo, attention, needs=None):
     """Returns a list of Steps in the order shown, one for each object that takes part, and the
-    Container that some of them were put into, or None. Objects that were not moved but support
+    Containers that some of them were put into. Objects that were not moved but support
     others, or are in them, come first; one that was not moved and tells where all others go comes last.
 
     attention: the properties of objects that matter, if the demonstrator specified some, as in aux
@@ -41,8 +41,8 @@ def infer_task(demo, attention, needs=None):
         if not step.on and step.bottom > C.min_inside_bottom and not is_dragged(step):
             step.takes_place_of = former_owner(demo, step)
     steps = with_start_supports(demo, with_asides(demo, steps, needs))
-    container = measure_container(demo, [it for it in steps if not it.aside])
-    return steps if container else with_anchor(demo, steps, others), container
+    containers = measure_containers(demo, [it for it in steps if not it.aside])
+    return steps if containers else with_anchor(demo, steps, others), containers
 
 
 def set_order(steps, ordered):

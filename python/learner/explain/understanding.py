@@ -11,13 +11,13 @@ from explain.watching import watch_demonstration
 
 def understand(aux):
     """Reads or watches the demonstration of a brain, and prints what it shows. Returns the Demonstration, the Steps of the task,
-    the Container or None, and the Presses and Uses."""
+    the Containers, and the Presses and Uses."""
     read = read_demonstration if has_texts(aux.demonstration) else watch_demonstration
     demo = read(aux.demonstration)
     needs = needs_of(aux, demo)
-    steps, container = infer_task(demo, aux.attention, needs)
+    steps, containers = infer_task(demo, aux.attention, needs)
     presses = infer_devices(demo, steps, needs)
-    page = page_of(explain(demo, container))
+    page = page_of(explain(demo, containers))
     page += [f"Not understood: what else is {word.lower()} at the end." for word in demo.unclear]
     for line in page:
         print(line)
@@ -30,4 +30,4 @@ def understand(aux):
     for press in presses:
         before = ", ".join(steps[k].name for k in press.after) or "nothing"
         print(f"shown: {press} after {before}")
-    return demo, steps, container, presses
+    return demo, steps, containers, presses

@@ -6,7 +6,7 @@ import numpy as np
 
 from constants import BUILDING_SITE as C, numbers_of
 from match.anchored_places import place_at_anchor
-from match.found_places import place_dragged, place_in_container
+from match.found_places import place_dragged, place_in_containers
 from match.landmarks import place_by_what_stays, place_of_other
 from match.meant import meant_blocks
 from match.returning import place_below, place_returning
@@ -25,9 +25,8 @@ def choose_site(state, arms, picture, eye):
         returning = {step.name: place_returning(step, state) for step in state.steps if step.aside}
         carried = [step for step in state.steps
                    if not is_dragged(step) and step not in replacing and not step.aside]
-        if state.container:
-            carried, state.container = place_in_container(carried, state.container, state.known,
-                                                          picture, eye)
+        if state.containers:
+            carried, state.containers = place_in_containers(carried, state.containers, state.known, picture, eye)
         elif carried and carried[0].anchor:
             carried = place_at_anchor(carried, state.known, arms, eye)
         elif carried:

@@ -9,7 +9,7 @@ from constants import BLOCKS
 from match.landmarks import turned_about
 from match.sites import NoSite
 from see.containers import detect_container
-from things.areas import rotated
+from things.areas import container_at, rotated
 from things.blocks import yaw_difference
 from things.kinds import is_same_kind
 from things.walls import container_walls
@@ -27,24 +27,31 @@ def place_dragged(step, known):
                    position=found[0].position + [*displacement, 0])
 
 
-def place_in_container(steps, container, known, picture, eye):
-    """Moves steps together with their container to where it is detected, or, where it is covered from
-    the start, to where it must be below its cover. Returns both."""
-    found, rotation = detect_container(picture, eye, container)
-    if not found:
-        found, rotation = below_cover(steps, container, known)
-    if not found:
-        raise NoSite(f"the container {container.name} is not visible")
-    moved = []
-    for step in steps:
-        displacement = rotated(step.position[:2] - container.position[:2], rotation)
-        position = np.append(found.position[:2] + displacement, step.position[2])
-        step = replace(step, position=position, yaw=step.yaw + rotation)
-        # What fingers cannot put there is dropped, and lies anywhere inside.
-        if not grasp_yaws(step, container_walls(found)):
-            step.tolerance = BLOCKS.confined_tolerance
-        moved.append(step)
-    return moved, found
+def place_in_containers(steps, containers, known, picture, eye):
+    """Moves steps together with the container that each of them is in, or with the first one, to where this is detected, or, where it
+    is covered from the start, to where it must be below its cover. Returns both."""
+    found, moved = [], {}
+    for container in containers:
+        content = [it for it in steps if (container_at(containers, it.position) or containers[0]) is container]
+        there, rotation = detect_container(picture, eye, container, found)
+        if not there:
+            there, rotation = below_cover(content, container, known)
+        if not there:
+            raise NoSite(f"the container {container.name} is not visible")
+        found.append(there)
+        moved |= {it.name: moved_with(it, container, there, rotation) for it in content}
+    return [moved[it.name] for it in steps], found
+
+
+def moved_with(step, container, there, rotation):
+    """Returns a step where it is relative to a Container, which was found there, rotated [rad]."""
+    displacement = rotated(step.position[:2] - container.position[:2], rotation)
+    position = np.append(there.position[:2] + displacement, step.position[2])
+    step = replace(step, position=position, yaw=step.yaw + rotation)
+    # What fingers cannot put there is dropped, and lies anywhere inside.
+    if not grasp_yaws(step, container_walls([there])):
+        step.tolerance = BLOCKS.confined_tolerance
+    return step
 
 
 def below_cover(steps, container, known):

@@ -17,11 +17,10 @@ def room_moves(state, step, moves, free, arms, eye, sensor):
     step: the next one
     free: the known blocks that are in no step's place
     """
-    container = [state.container] if state.container else []
-    standing = [it for it, done in zip(state.steps, state.done) if done] + container
+    standing = [*(it for it, done in zip(state.steps, state.done) if done), *state.containers]
     for move in [it for it in moves if not it.turns]:
         movable = [it for it in free if it is not move.block and not has_objects_on(it, free)]
-        for site in (state.steps + container, standing + [step]):
+        for site in ([*state.steps, *state.containers], standing + [step]):
             place, blocks = room_for(state, move, movable, site, arms, eye, sensor)
             if blocks:
                 return [Move(it, room=place) for it in blocks]

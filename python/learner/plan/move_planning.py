@@ -11,7 +11,7 @@ from plan.pick_and_place import plan_pick_and_place
 from plan.returning_moves import plan_returning, returning_step
 from plan.temporary_places import plan_temporary_placement
 from plan.turning import plan_turn
-from things.areas import is_inside
+from things.areas import container_at
 from things.held_parts import with_held_parts
 from things.kinds import is_same_kind
 from things.supports import assumed_support
@@ -31,15 +31,15 @@ def plan_move(state, step, move, eye, arms, sensor):
         actions, place, reason = plan_returning(block, returning, bool(move.goal), state, arms, sensor)
         return actions, place, not move.goal, reason
     others = with_held_parts([block for block in state.known if block is not move.block])
-    others += assumed_support(move.block) + container_walls(state.container)
-    container = [state.container] if state.container else []
-    standing = [step for step, done in zip(state.steps, state.done) if done] + container
-    sites = [state.steps + container]
+    others += assumed_support(move.block) + container_walls(state.containers)
+    standing = [*(step for step, done in zip(state.steps, state.done) if done), *state.containers]
+    sites = [[*state.steps, *state.containers]]
     goal = move.goal
     if goal:
         # Where the fingers have no room in a container, it is released above the rim.
-        if is_inside(state.container, goal.position) and not grasp_yaws(goal, others):
-            goal = raised_above(goal, state.container)
+        container = container_at(state.containers, goal.position)
+        if container and not grasp_yaws(goal, others):
+            goal = raised_above(goal, container)
         sites.append(standing)
         actions, reason = plan_pick_and_place(arms, with_depth(move.block, state.surface),
                                               with_depth(goal, state.surface), others, sensor, state.failures,

@@ -21,10 +21,10 @@ from things.kinds import same_size
 from things.resting import resting_at
 
 
-def facts_at(demo, container, frame, held, others):
+def facts_at(demo, containers, frame, held, others):
     """Returns the facts before an action of a frame, in the order of the objects.
 
-    container: as from infer_task
+    containers: as from infer_task
     held:      name of each held object -> hand
     others:    facts about controls and joints at that time
     """
@@ -43,5 +43,5 @@ def facts_at(demo, container, frame, held, others):
             if not same_size(there[name].size, demo.appearances[n].size):
                 facts.append(f"turned {name}")
     for k, name in enumerate(there):
-        facts += relations(demo, k, name, there, container)
+        facts += relations(demo, k, name, there, containers)
     return facts

@@ -5,28 +5,26 @@ import math
 import numpy as np
 
 from constants import RELATE as C, TASK_MODEL
-from things.areas import footprint, is_inside, overlap
+from things.areas import container_at, footprint, overlap
 from things.blocks import yaw_difference
 from things.standing import stands_on
 
 
-def relations(demo, k, name, there, container):
+def relations(demo, k, name, there, containers):
     """Returns the facts about object number k of those that are there."""
     block = there[name]
     below = [it for it in there if it != name and stands_on(block, there[it])]
     beside = [it for it in list(there)[k + 1:] if is_beside(block, there[it])]
     facts = [f"on {name} {it}" for it in below]
-    is_over = is_inside(container, block.position) and name != container.name
-    if is_over and stands_on(block, container):
-        facts.append(f"on {name} {container.name}")
-    elif is_over:
-        facts.append(f"in {name} {container.name}")
+    container = container_at([it for it in containers if it.name != name], block.position)
+    if container:
+        facts.append(f"{'on' if stands_on(block, container) else 'in'} {name} {container.name}")
     elif not below and block.bottom < TASK_MODEL.max_support_gap:
         facts.append(f"on {name} table")
     facts += [f"beside {name} {it}" for it in beside]
     facts += [f"aligned {name} {it}" for it in below + beside if is_aligned(block, there[it])]
     if demo.ids.index(name) in demo.placed:
-        inside = [container] if is_over else []
+        inside = [container] if container else []
         still = [it for it in there if demo.ids.index(it) not in demo.placed]
         still.sort(key=lambda it: np.hypot(*(there[it].position - block.position)[:2]))
         around = [(it.name, it) for it in inside] + [(it, there[it]) for it in below + still]

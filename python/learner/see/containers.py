@@ -9,15 +9,16 @@ from see.colors import color_mask
 from see.eye import onto_plane
 from see.faces import fit_face
 from see.regions import label_regions
+from things.areas import container_at
 from things.blocks import yaw_difference
 from things.kinds import same_size
 
 
-def detect_container(picture, eye, container):
+def detect_container(picture, eye, container, others=()):
     """Detects a Container of the demonstration in a picture. Returns it at its new place and its
-    rotation from the old one [rad]; None and 0 if it is not visible."""
+    rotation from the old one [rad]; None and 0 if it is not visible. others: Containers that are known already"""
     for face in detect_rims(picture, eye, container.color, container.size[2]):
-        if same_size(face.sides, container.size[:2]):
+        if same_size(face.sides, container.size[:2]) and not container_at(others, face.center):
             rotation = yaw_difference(container, face.yaw)
             position = np.append(face.center, container.position[2])
             return replace(container, position=position, yaw=container.yaw + rotation), rotation

@@ -17,9 +17,9 @@ from see.sight import is_supported
 from things.kinds import same_color, same_form
 
 
-def detect_blocks(picture, eye, like, container=None, heights=None):
+def detect_blocks(picture, eye, like, containers=(), heights=None):
     """Detects the blocks in a picture that look like given ones (Blocks or Steps), at any place and
-    height; some may lie in a container. Partly occluded blocks are not detected. Returns a list.
+    height; some may lie in containers. Partly occluded blocks are not detected. Returns a list.
 
     heights: as from height_map: separates tops of one color that meet in the picture; None if the
              eye measures no depth
@@ -45,7 +45,7 @@ def detect_blocks(picture, eye, like, container=None, heights=None):
                 top = np.median(heights[row, column])
                 if is_cut(row, column, top, heights):
                     max_error = C.max_cut_side_error
-            found = fit_blocks(row, column, eye, color, kinds, container,
+            found = fit_blocks(row, column, eye, color, kinds, containers,
                                lambda block: is_supported(block, picture, eye, table), bottoms,
                                top, max_error)
             # What stays carries others: they hide a part of its top from the start.

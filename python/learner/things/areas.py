@@ -43,9 +43,13 @@ def overlap(some, many):
 
 
 def is_inside(container, position):
-    """Returns true if a position is between the sides of a Container; false for None."""
-    return container is not None and overlap([*position[:2], 0, 0, 0],
-                                             footprint([container], 0)).all()
+    """Returns true if a position is between the sides of a Container."""
+    return overlap([*position[:2], 0, 0, 0], footprint([container], 0)).all()
+
+
+def container_at(containers, position):
+    """Returns the one of some Containers that a position is in, or None."""
+    return next((it for it in containers if is_inside(it, position)), None)
 
 
 def rotated(v, angle):

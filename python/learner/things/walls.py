@@ -8,10 +8,13 @@ from constants import CLEARANCE as C
 from things.blocks import Block
 
 
-def container_walls(container):
-    """Returns the walls of a Container as four Blocks; none for None."""
-    if container is None:
-        return []
+def container_walls(containers):
+    """Returns the walls of some Containers as Blocks, four of each."""
+    return [wall for it in containers for wall in walls_of(it)]
+
+
+def walls_of(container):
+    """Returns the walls of a Container as four Blocks."""
     thick = C.wall  # assumed; thinner walls keep fingers away as well
     along = np.array([math.cos(container.yaw), math.sin(container.yaw), 0])
     across = np.array([-along[1], along[0], 0])

@@ -27,8 +27,8 @@ class DraggingTest(RecordingTest):
                        "1,release,LeftHand"])
 
     def test_its_post_is_the_handle(self):
-        [step], container = self.infer_task()
-        self.assertIsNone(container)
+        [step], containers = self.infer_task()
+        self.assertEqual(containers, [])
         np.testing.assert_allclose(step.displacement, [2, 1])
         self.assertAlmostEqual(step.top, 3.2, delta=0.05)  # by its displacement
         np.testing.assert_allclose(step.position[:2], [-2, -3], atol=0.03)

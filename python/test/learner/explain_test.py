@@ -39,8 +39,8 @@ class InferenceTest(RecordingTest):
                        "11,move,Blue,-2.0,-1.5,2.5,0.0,0.0,0.0"])
 
     def test_steps_come_in_the_order_of_building(self):
-        steps, container = self.infer_task({"Blue": ["size"]})
-        self.assertIsNone(container)
+        steps, containers = self.infer_task({"Blue": ["size"]})
+        self.assertEqual(containers, [])
         self.assertEqual([step.name for step in steps], ["Plank", "Red", "Blue"])
         plank, red, blue = steps
         self.assertEqual([step.on for step in steps], [[], [0], [1]])
@@ -66,8 +66,8 @@ class InferenceTest(RecordingTest):
 
     def test_the_goal_is_what_is_made_and_kept(self):
         demo = read_demonstration(self.folder)
-        steps, container = infer_task(demo, {})
-        explanation = explain(demo, container)
+        steps, containers = infer_task(demo, {})
+        explanation = explain(demo, containers)
         self.assertEqual([it.deed for it in explanation.keyframes],
                          ["", "LeftHand carries Blue", "AnyHand carries Red", "LeftHand carries Blue"])
         self.assertEqual([it.is_means for it in explanation.keyframes], [False, True, False, False])

@@ -67,7 +67,7 @@ class WatchingTest(unittest.TestCase):
         self.assertEqual([step.on for step in steps], [[], [0], [0]])
         for step, x, z in zip(steps, (-1, -2.5, 0.5), (0.5, 1.5, 1.5)):
             np.testing.assert_allclose(step.position, [x, -1, z], atol=0.05)
-        self.assertEqual(len(explain(demo, None).keyframes), 4)
+        self.assertEqual(len(explain(demo, []).keyframes), 4)
         self.assertEqual(demo.unclear, [])
 
     def test_what_is_seen_last_counts(self):

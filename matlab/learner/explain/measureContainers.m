@@ -19,7 +19,16 @@ function containers = measureContainers(demo, steps)
 end
 
 function best = containerOf(demo, inside)
-% Measures the container of the first of some steps: of what may be one, that which most of them are in.
+% Measures the container of the first of some steps: of what may be one, that which most of them are in. If something hides a part
+% of it in all pictures, like an arm, its place and its yaw are those of the texts.
+  best = bestContainer(demo, inside, false);
+  if isempty(best), best = bestContainer(demo, inside, true); end
+  if ~isempty(best), return; end
+  notUnderstood('no picture of the demonstration shows on or in what %s was put; an arm may hide it', inside(1).name);
+end
+
+function best = bestContainer(demo, inside, is_half_hidden)
+% Returns the container that the first of some steps and most others are in, or [].
   best = [];
   most = 0;
   still = setdiff(1:numel(demo.ids), demo.placed);
@@ -33,7 +42,7 @@ function best = containerOf(demo, inside)
       color = colorAt(picture, demo.eye, demo.start(n, 1:3) .* [1, 1, 2]);
       if isempty(color), continue; end
       for color = [color', frequentColors(picture, constants().perception.min_rim_pixels)]
-        for container = rimsAt(demo, n, picture, color')
+        for container = rimsAt(demo, n, picture, color', is_half_hidden)
           is_in = isIn(inside, container);
           if ~is_in(1) || sum(is_in) <= most, continue; end
           most = sum(is_in);
@@ -43,25 +52,6 @@ function best = containerOf(demo, inside)
         end
       end
     end
-  end
-  if ~isempty(best), return; end
-  notUnderstood('no picture of the demonstration shows on or in what %s was put; an arm may hide it', inside(1).name);
-end
-
-function found = rimsAt(demo, n, picture, color)
-% Returns what may be object n of a demonstration, which stands on the table, as a container: rims of a color in a picture.
-  found = [];
-  height = 2 * demo.start(n, 3);
-  for face = detectRims(picture, demo.eye, color, height)
-    if norm(face.center - demo.start(n, 1:2)) > constants().task_model.max_center_error, continue; end
-    it = newBlock(color, [face.sides, height], [face.center, height / 2], face.yaw);
-    if face.isRound
-      it.form = 'disc';
-      it.yaw = 0;
-    end
-    it.name = demo.ids{n};
-    it.floor = 0;
-    found = [found, it];
   end
 end
 

@@ -24,6 +24,11 @@ function check_container()
                          '3,grasp,LeftHand,Red', '4,release,LeftHand', '4,move,Red,-6.0,-0.5,0.8,0.0,0.0,0.0'});
   [two, boxes] = inferTask(readDemonstration(other), []);
   check(isequal({boxes.name}, {'Case', 'Other'}) && max(abs([boxes.floor] - [0.2, 0.3])) < 1e-9, 'there may be two boxes');
+  [hidden, remove_hidden] = newRecording({pictureOf([emptyBox(brown, -1, -1, 0), cube, ...
+                                                     block([0.1, 0.1, 0.1], [1.5, 1.5, 3], -3, -2, 0, 0)])});
+  for name = {'0.txt', '1.txt'}, copyfile(fullfile(folder, name{1}), hidden); end
+  [~, box] = inferTask(readDemonstration(hidden), []);
+  check(max(abs([box.position, box.size] - [-1, -1, 0.45, 5, 2.6, 0.9])) < 0.06, 'an arm may hide a corner');
   picture = pictureOf([emptyBox(brown, -1, -1, 0.3), emptyBox(brown, -6, -2, pi / 2)]);
   [two, found] = placeInContainers(two, boxes, noBlocks(), picture, robotEye());
   check(max(abs([found.position] - [-1, -1, 0.45, -6, -2, 0.45])) < 0.03, 'each is found where it is');

@@ -1,6 +1,6 @@
 """The learner does tasks in situations that need more than its usual ways: one of two objects that look the same is meant, by
-what it began on; the table has another size; the eye looks from the other side of the table; a block is where only the camera
-of a hand sees it; a block is too heavy. Of a demonstration that pictures alone do not explain, it claims no success.
+what it began on; the table has another size; the eye looks from the other side of the table; only a switch is
+pressed; a block is too heavy; a block is where only the camera of a hand sees it. Of a demonstration that pictures alone do not explain, it claims no success.
 
     situations_test.py SMILE SOURCE
 
@@ -75,6 +75,11 @@ def main(smile, source):
         shutil.copy(f"{source}/robots/tern.robot.json", "opposite.robot.json")
         record(f"{source}/scenes/tower.xml", f"{source}/examples/tower.jsonl", "tower")
         imitate("tower", f"{source}/scenes/tower_robot.xml", OCTAVE, "--robot", "opposite.urdf", "--seed", "2")
+
+        # Only a switch is pressed, twice; what it drives is elsewhere.
+        record(f"{source}/scenes/controls.xml", f"{source}/examples/scenes/controls.jsonl", "controls", "--no-robot")
+        for brain in (PYTHON, OCTAVE):
+            imitate("controls", f"{source}/scenes/controls.xml", brain, "--seed", "1", "--level", "fixtures")
 
         light = Path(f"{source}/scenes/tower_robot.xml").read_text()
         Path("heavy.xml").write_text(light.replace('<block id="GreenBlock"', '<block id="GreenBlock" mass="30"'))

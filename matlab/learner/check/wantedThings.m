@@ -6,7 +6,7 @@ function things = wantedThings(state)
   for it = startSupportsOf(state.steps), [things(end + 1), is_staying(end + 1)] = deal(it, true); end
   for press = state.presses(~cellfun(@isempty, {state.presses.tool})), things(end + 1) = asBlocks(press.tool); end
   num_others = numel(things);
-  things = [things, asBlocks(state.containers)];
+  things = joined(things, asBlocks(state.containers));
   for k = 1:numel(things)
     things(k).isStaying = k <= numel(is_staying) && is_staying(k);
     things(k).isBox = k > num_others;

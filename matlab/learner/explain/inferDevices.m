@@ -33,11 +33,14 @@ function presses = inferDevices(demo, steps, appearances, needs)
     else
       control = event.fields{1 + strcmp(event.word, 'trigger')};
       [before, later, changed] = changes(demo, event.frame, event.frame + 1, control);
-      presses(end + 1) = newPress(control, after, before, later, changed);
+      presses(end + 1) = newPress(control, after, before, later, ownPart(changed, demo, control));
     end
   end
   for k = find(cellfun(@isempty, {presses.tool}))
     presses(k).changed = presses(k).changed & placeOfControl(presses(k).control, presses);
+    if ~any(presses(k).changed(:))
+      notUnderstood('no picture of the demonstration shows what was changed at %s', presses(k).control);
+    end
   end
   for k = 1:numel(presses)
     presses(k).unchanged = unchangedBy(presses(k), presses);

@@ -7,7 +7,7 @@ function frames = selectFrames(demo, n)
   frames = moves([1; order(1:min(c.num_highest_frames, end))], :);
   all_frames = unique(demo.moves(:, 1));
   chosen = floor((0:c.num_other_frames - 1) * (numel(all_frames) - 1) / (c.num_other_frames - 1));
-  for frame = all_frames(1 + chosen)'
+  for frame = reshape(all_frames(1 + chosen), 1, [])
     row = find(moves(:, 1) <= frame, 1, 'last');
     if ~isempty(row), frames(end + 1, :) = [frame, moves(row, 2:7)]; end
   end

@@ -21,6 +21,7 @@ function check_presses()
   check(looksPressed(press, alignment, surfaceOf(picture, heights, eye), eye), 'another look shows that it was pressed');
   check_two_presses(eye);
   check_stop();
+  check_lamp_elsewhere(press);
 
   state = knowColors(initialTaskState(noSteps(), [], press, eye), picture, eye, heights);
   check(isequal(state.presses.before, press.before), 'in the same light nothing changes');
@@ -48,6 +49,22 @@ function check_presses()
   end
   [is_moving, state] = isMoving(state, picture);
   check(~is_moving, 'until it looks the same several times');
+end
+
+function check_lamp_elsewhere(press)
+% The switch also drives a lamp on another object.
+  gray = block([0.5, 0.5, 0.5], [0.8, 0.8, 1.5], 4, -1, 0, 0);
+  green = block([0, 1, 0], [0.8, 0.8, 1.5], 4, -1, 0, 0);
+  [folder, remove] = newRecording({pictureOf([fixture(0, -2, 0, false), gray]), pictureOf([fixture(0, -2, 0, true), green])});
+  write(folder, '0.txt', {'0,create,Panel,shape,composite', '0,create,Post,shape,composite', ...
+                          '0,initializeControl,Switch,toggleSwitch,Panel,0', '0,initializeControl,Lamp,indicatorLights,Post,off', ...
+                          '0,move,Panel,0.0,-2.0,0.1,0.0,0.0,0.0', '0,move,Post,4.0,-1.0,0.75,0.0,0.0,0.0'});
+  write(folder, '1.txt', {'1,trigger,LeftHand,Switch'});
+  demo = readDemonstration(folder);
+  [steps, containers] = inferTask(demo, []);
+  check(isempty(steps) && isempty(containers), 'a task may be to press something, and nothing else');
+  found = inferDevices(demo, noSteps(), noBlocks());
+  check(isequal(found.changed, press.changed), 'the button is on the object of the control, and no lamp elsewhere');
 end
 
 function check_two_presses(eye)

@@ -2,13 +2,15 @@
 
 from constants import USES
 from explain.drives import Drive, drive_at
+from explain.limits import NotUnderstood
 from explain.needs import closed
+from explain.parts_of_controls import own_part
 from explain.presses import Press, changes, place_of, unchanged_by
 from explain.uses import use_at
 
 
 def infer_devices(demo, steps, needs=None):
-    """Returns the Presses, Uses and Drives of a demonstration, in their order. Raises ValueError if the pictures do
+    """Returns the Presses, Uses and Drives of a demonstration, in their order. Raises NotUnderstood if the pictures do
     not show what one of them changed.
 
     needs: what the goal needs, if it is known: Needs
@@ -36,9 +38,12 @@ def infer_devices(demo, steps, needs=None):
             presses.append(use_at(demo, frame, fields, after))
         elif word in ("trigger", "press"):
             control = fields[1] if word == "trigger" else fields[0]
-            presses.append(Press(control, after, *changes(demo, frame, frame + 1, control)))
+            before, later, changed = changes(demo, frame, frame + 1, control)
+            presses.append(Press(control, after, before, later, own_part(changed, demo, control)))
     for press in [it for it in presses if not it.tool]:
         press.changed &= place_of(press.control, presses)
+        if not press.changed.any():
+            raise NotUnderstood(f"no picture of the demonstration shows what was changed at {press.control}")
     for press in presses:
         press.unchanged = unchanged_by(press, presses)
     return presses

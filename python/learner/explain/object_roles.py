@@ -8,9 +8,10 @@ from relate.dragging import has_shape
 
 
 def moved_objects(demo):
-    """Returns the numbers of the objects that hands moved, in the order of their last release."""
+    """Returns the numbers of the objects that hands moved, in the order of their last release; none where they only pressed
+    switches."""
     last = {n: when for when, n in enumerate(demo.placed)}
-    if not last:
+    if not last and not any(word in ("trigger", "press") for _, word, _ in demo.events):
         raise NotUnderstood("in this demonstration no hand moved anything")
     return sorted(last, key=last.get)
 

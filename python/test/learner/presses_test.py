@@ -9,6 +9,7 @@ from check.other_light import know_colors
 from check.task_state import TaskState
 from explain.demonstration import read_demonstration
 from explain.devices import infer_devices
+from explain.task_model import infer_task
 from match.controls import locate
 from match.pressing import button_of, looks_pressed
 from recordings import RecordingTest
@@ -63,6 +64,18 @@ class PressTest(RecordingTest):
         for is_failing in True, False:
             surface = surface_of(*view_of(self.fixture(1.5, -3, 0.4, True, is_failing)), EYE)
             self.assertEqual(looks_pressed(press, alignment, surface, EYE), not is_failing)
+
+    def test_the_button_is_on_the_object_of_the_control_and_not_a_lamp_elsewhere(self):
+        posts = [block(color, np.array([0.8, 0.8, 1.5]), 4, -1) for color in (GRAY, GREEN)]
+        self.record(*(picture_of([*self.fixture(0, -2, 0, is_on), post]) for is_on, post in zip((False, True), posts)))
+        self.write(0, ["0,create,Panel,shape,composite", "0,create,Post,shape,composite", "0,initializeControl,Switch,toggleSwitch,Panel,0",
+                       "0,initializeControl,Lamp,indicatorLights,Post,off", "0,move,Panel,0.0,-2.0,0.1,0.0,0.0,0.0",
+                       "0,move,Post,4.0,-1.0,0.75,0.0,0.0,0.0"])
+        self.write(1, ["1,trigger,LeftHand,Switch"])
+        demo = read_demonstration(self.folder)
+        [press] = infer_devices(demo, [])
+        np.testing.assert_array_equal(press.changed, self.press.changed)
+        self.assertEqual(infer_task(demo, {}), ([], []), "a task may be to press something, and nothing else")
 
     def test_in_another_light_the_demonstration_is_compared_as_it_would_look_there(self):
         picture, heights = view_of(self.fixture(1.5, -3, 0.4, False))

@@ -1,0 +1,6 @@
+function blocks = joined(some, others)
+% Returns two lists of blocks as one. Octave's own concatenation of two empty lists has no fields.
+  blocks = some;
+  if isempty(some), blocks = others; end
+  if ~isempty(some) && ~isempty(others), blocks = [some, others]; end
+end

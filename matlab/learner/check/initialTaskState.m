@@ -25,7 +25,7 @@ function state = initialTaskState(steps, containers, presses, shown, choices)
 %   notes      that were not told yet, see asNote
 %   presses    of switches and buttons, and uses of tools, in the demonstrated order: see newPress; optional
 %   shown      the eye of the demonstration, which shows them
-%   unclear    words for the colors of what was not understood of it, 1xN cell
+%   unclear    what was not understood of it, in words, 1xN cell
 %   choices    between several good ways, see choicesOf; optional
 %   alignments  how the scene lies in the demonstration around each control, see align: control, angle, place
 %   lastPicture, numLooks, numStill  seen before the scene was still, number of pictures until then, and of the last of

@@ -33,21 +33,28 @@ function block = measureObject(demo, n, lower, pictures)
 %   pictures  cache
   start = demo.start(n, :);
   frames = selectFrames(demo, n);
+  for frame = frames(:, 1)'
+    if ~pictures.isKey(frame), pictures(frame) = readPicture(demo, frame); end
+  end
   tops = arrayfun(@(it) it.position(3) + it.size(3) / 2, lower);
+  uncertain = noBlocks();
   % A lower block may be below: of a stack, the top of the whole could be that of a high block.
   for bottom = fliplr(unique([0, tops(tops < start(3))]))
     height = 2 * (start(3) - bottom);
     for row = frames'
-      if ~pictures.isKey(row(1)), pictures(row(1)) = readPicture(demo, row(1)); end
       [color, sides, form] = measureTop(pictures(row(1)), demo.eye, row(2:7)', height);
       if isempty(sides), continue; end
       block = newBlock(color, [sides, height], start(1:3), start(6) * pi / 180, form);
       is_on = any(arrayfun(@(it) standsOn(block, it), lower));
       middle = row(2:4)' + [0, 0, height / 2];
-      if bottom == 0 || (is_on && ~isSideAt(pictures(row(1)), demo.eye, middle)), return; end
+      if bottom > 0 && (~is_on || isSideAt(pictures(row(1)), demo.eye, middle)), continue; end
+      % What is seen elsewhere, too, comes first: an arm at the top of what it hides stays there.
+      if movesAlong(color, row(2:7)', frames, height, demo.eye, pictures), return; end
+      if isempty(uncertain), uncertain = block; end
     end
   end
-  block = measureBall(demo, n, frames, pictures);
+  block = uncertain;
+  if isempty(block), block = measureBall(demo, n, frames, pictures); end
   if isempty(block), block = measureTopWithKnob(demo, n, frames, pictures); end
   if isempty(block), block = measureCoveredTop(demo, n, pictures); end
   if isempty(block), block = measureParts(demo, n); end

@@ -1,6 +1,6 @@
 function page = printPage(keyframes, goal, unclear)
 % Says in sentences what an explanation (see explain) contains: a page for people. Returns its lines, 1xN cell.
-%   unclear  words for the colors of what was not understood, 1xN cell; omitted for nothing
+%   unclear  what was not understood, in words, 1xN cell; omitted for nothing
   if nargin < 3, unclear = {}; end
   page = [{'At the start:'}, sentencesOn(keyframes(1).facts)];
   for k = 2:numel(keyframes)
@@ -9,7 +9,7 @@ function page = printPage(keyframes, goal, unclear)
     page = [page, {sprintf('%d. %s%s. New:', k - 1, keyframes(k).deed, means)}, sentencesOn(keyframes(k).made)];
   end
   page = [page, {'The goal, made and kept:'}, sentencesOn(goal)];
-  for word = lower(unclear), page{end + 1} = ['Not understood: what else is ', word{1}, ' at the end.']; end
+  for it = unclear, page{end + 1} = ['Not understood: ', it{1}, '.']; end
   fprintf('%s\n', page{:});
 end
 

@@ -7,7 +7,6 @@ function [demo, steps, containers, presses, notes] = understand(aux)
   else  % a recording without texts: from its pictures alone
     demo = watchDemonstration(aux.demonstration);
   end
-  if ~isfield(demo, 'unclear'), demo.unclear = {}; end
   needs = needsOf(aux, demo);
   [steps, containers, appearances] = inferTask(demo, aux.attention, needs);
   [keyframes, goal] = explain(demo, appearances, containers);

@@ -1,7 +1,7 @@
 function demo = watchDemonstration(folder)
 % Reconstructs a demonstration from the pictures of a recording without texts: as readDemonstration, and with
 %   demo.appearances  as from measureObjects
-%   demo.unclear      words for the colors of what the last picture shows and nothing explains, 1xN cell
+%   demo.unclear      what else the last picture shows that nothing explains, in words, 1xN cell
   eye = eyeOf(folder);
   pictures = picturesOf(folder);
   palette = newPalette(codesIn(pictures(1).file));
@@ -21,7 +21,7 @@ function demo = watchDemonstration(folder)
   end
   view = expectedView(restingBlocks(tracker.objects), size(classes), eye);
   unclear = unclearColors(classes, view, kinds, palette);
-  demo.unclear = arrayfun(@(k) wordOf(unclear(k, :)), 1:rows(unclear), 'UniformOutput', false);
+  demo.unclear = arrayfun(@(k) ['what else is ', lower(wordOf(unclear(k, :))), ' at the end'], 1:rows(unclear), 'UniformOutput', false);
 end
 
 function demo = demonstrationOf(folder, eye, objects, kinds)

@@ -35,8 +35,7 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
   end
   open = openSteps(state);
   if isempty(open) && ~isempty(state.unclear)
-    what = lower(strjoin(state.unclear, ' and '));
-    state = giveUp(state, ['of the demonstration, something ', what, ' was not understood']);
+    state = giveUp(state, ['in the demonstration, it was not understood ', strjoin(state.unclear, ' and ')]);
     return
   elseif isempty(open)
     reason = sprintf('as seen within %.2f units and %.1f degrees', ...

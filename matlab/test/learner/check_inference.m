@@ -44,6 +44,18 @@ function check_inference()
   world = worldAfter(cut, struct('held', struct(), 'names', {{}}, 'values', {{}}), {});
   check(isequal([world.names, world.values], {'cut String', 'Knife'}), 'what was cut is a fact');
 
+  arm = block([0.1, 0.1, 0.1], [0.7, 0.9, 1], 3, -3, 0, 0);
+  [hidden, remove_hidden] = newRecording({pictureOf(arm), pictureOf(block([1, 0, 0], [1, 1, 1], -3, -3, 1, 0)), ...
+                                          pictureOf(block([1, 0, 0], [1, 1, 1], -3, -3, 0, 0))});
+  write(hidden, '0.txt', {'0,create,Red,shape,block', '0,move,Red,3.0,-3.0,0.5,0.0,0.0,0.0'});
+  write(hidden, '1.txt', {'1,grasp,LeftHand,Red', '1,move,Red,-3.0,-3.0,1.5,0.0,0.0,0.0', ...
+                          '2,move,Red,-3.0,-3.0,0.5,0.0,0.0,0.0', '3,release,LeftHand'});
+  red = measureObjects(readDemonstration(hidden), 1);
+  check(max(abs([red.color, red.size] - [1, 0, 0, 1, 1, 1])) < 0.03, 'an arm over an object is not taken for it');
+  check(isempty(demo.unclear), 'all was released');
+  write(folder, '3.txt', {'12,grasp,RightHand,Other'});
+  check(isequal(readDemonstration(folder).unclear, {'why Other is still held at the end'}), 'now something is held at the end');
+
   delete(fullfile(folder, 'rgb', '0.png'));
   message = '';
   try

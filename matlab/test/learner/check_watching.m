@@ -40,7 +40,7 @@ function check_watching()
   demo = watch({pictureOf(start), pictureOf([block(yellow, plank, -1, 1, 1.5, 0), start(2)]), ...
                 withHand(hidden, [1.6, -1, 1], 24), []});
   check(isequal(demo.ids, {'Red1'}) && isequal(demo.placed, 1), 'what can be in two places is not guessed');
-  check(isequal(demo.unclear, {'Yellow'}), 'it is said that something was not understood');
+  check(isequal(demo.unclear, {'what else is yellow at the end'}), 'it is said that something was not understood');
 
   % A color that pixels show as two is one: 127 and 128 of 255.
   gray = block([0.5, 0.5, 0.5], [1.6, 1.2, 1.5], -1, 1, 0, 0);

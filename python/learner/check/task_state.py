@@ -56,7 +56,7 @@ class TaskState:
     claim: Optional[Claim] = None  # about the result, at the end
     presses: list = field(default_factory=list)  # of switches and buttons, in the demonstrated order
     shown: Optional[Eye] = None  # the eye of the demonstration, which shows them
-    unclear: list = field(default_factory=list)  # colors of what was not understood of it, in words
+    unclear: list = field(default_factory=list)  # what was not understood of it, in words
     alignments: dict = field(default_factory=dict)  # of a control's name: Alignment of its surroundings
     surface: Optional[Surface] = None  # what the eye sees now, if something has to be put aside
     last_picture: Optional[np.ndarray] = None  # seen before the scene was still

@@ -1,6 +1,7 @@
 """Measures the objects of a demonstration in its pictures."""
 
 import math
+from itertools import product
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from explain.object_roles import carried_along
 from explain.other_tops import measure_other_top
 from explain.part_measuring import measure_parts
 from explain.shown_pictures import read_picture, select_frames
-from explain.tops import measure_ball, measure_top
+from explain.tops import measure_ball, measure_top, moves_along
 from things.blocks import Block
 from things.kinds import has_parts_of
 from things.standing import stands_on
@@ -48,21 +49,28 @@ def measure_object(demo, n, lower, pictures):
     """
     _, *start, degrees = demo.moves[n][0][[0, 1, 2, 3, 6]]
     frames = select_frames(demo, n)
+    for frame, *_ in frames:
+        if frame not in pictures:
+            pictures[frame] = read_picture(demo, frame)
     # A lower block may be below: of a stack, the top of the whole could be that of a high block.
-    for bottom in sorted({0.0, *(it.top for it in lower if it.top < start[2])}, reverse=True):
+    bottoms = sorted({0.0, *(it.top for it in lower if it.top < start[2])}, reverse=True)
+    # What is seen elsewhere, too, comes first: an arm at the top of what it hides stays there.
+    uncertain = None
+    for bottom, (frame, *pose) in product(bottoms, frames):
         height = 2 * (start[2] - bottom)
-        for frame, *pose in frames:
-            if frame not in pictures:
-                pictures[frame] = read_picture(demo, frame)
-            top = measure_top(pictures[frame], demo.eye, np.array(pose), height)
-            if not top:
-                continue
-            color, face = top
-            block = Block(color, np.append(face.sides, height), np.array(start), math.radians(degrees),
-                          form="disc" if face.is_round else "block")
-            is_on = any(stands_on(block, it) for it in lower)
-            if bottom == 0 or is_on and not is_side_at(pictures[frame], demo.eye, [*pose[:2], pose[2] + height / 2]):
+        top = measure_top(pictures[frame], demo.eye, np.array(pose), height)
+        if not top:
+            continue
+        color, face = top
+        block = Block(color, np.append(face.sides, height), np.array(start), math.radians(degrees),
+                      form="disc" if face.is_round else "block")
+        is_on = any(stands_on(block, it) for it in lower)
+        if bottom == 0 or is_on and not is_side_at(pictures[frame], demo.eye, [*pose[:2], pose[2] + height / 2]):
+            if moves_along(color, pose, frames, height, demo.eye, pictures):
                 return block
+            uncertain = uncertain or block
+    if uncertain:
+        return uncertain
     return (measure_ball(demo, n, np.array(start), frames, pictures)
             or measure_top_with_knob(demo, n, np.array(start), math.radians(degrees), frames, pictures)
             or measure_covered_top(demo, n, np.array(start), math.radians(degrees), pictures)

@@ -25,7 +25,7 @@ class Demonstration:
     eye: Eye  # camera of the observing robot
     appearances: dict = None  # of the objects, once they are measured
     segments: list = None  # of each event, the number of its text file; None for pictures alone
-    unclear: list = field(default_factory=list)  # words for the colors of what pictures alone did not explain
+    unclear: list = field(default_factory=list)  # what was not understood of it, in words: "why A is still held at the end"
 
     def pose(self, n, frame):
         """Returns the pose of an object before an action of a frame: x y z [units], angles about x,
@@ -62,11 +62,14 @@ def read_demonstration(folder):
             if event == "grasp":
                 held[fields[0]] = ids.index(fields[1])
             elif event == "release":
-                placed.append(held[fields[0]])
+                placed.append(held.pop(fields[0]))
+            elif event == "destroy":
+                held.pop(fields[0], None)
         segment += 1
     if segment == 0:
         raise FileNotFoundError(f"there is no recording in {folder}: it has no 0.txt")
     info = json.loads((folder / "demo.json").read_text())
     moves = [np.array(rows) for rows in moves]
     moves = [np.column_stack([rows[:, 0], upright_at_start(rows[:, 1:])]) for rows in moves]
-    return Demonstration(folder, ids, moves, placed, events, eye_of(info), segments=segments)
+    unclear = [f"why {ids[n]} is still held at the end" for n in sorted(set(held.values()))]
+    return Demonstration(folder, ids, moves, placed, events, eye_of(info), segments=segments, unclear=unclear)

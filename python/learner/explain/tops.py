@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from constants import PERCEPTION, TASK_MODEL as C
+from constants import OUTLINES, PERCEPTION, TASK_MODEL as C
 from explain.object_roles import may_be_ball
 from see.balls import ball_color
 from see.colors import color_mask
@@ -12,6 +12,7 @@ from see.eye import onto_plane, pixel_at
 from see.faces import fit_face, is_polygon
 from see.regions import label_regions
 from things.blocks import Block
+from things.kinds import same_color
 
 
 def measure_top(picture, eye, pose, height):
@@ -32,6 +33,21 @@ def measure_top(picture, eye, pose, height):
     off = np.hypot(*(face.center - top[:2]))
     is_whole = off < C.max_center_error and face.misfit < PERCEPTION.misfit
     return (color, face) if is_whole and not (face.is_round and is_polygon(*pieces)) else None
+
+
+def moves_along(color, pose, frames, height, eye, pictures):
+    """Returns true if a picture shows a color also at the top of an object elsewhere.
+
+    pose:   of the object where its top has the color: x y z of its center [units], angles about x, y, z [degrees]
+    frames: rows of frame and pose; pictures: of these frames
+    """
+    for frame, *place in frames:
+        is_elsewhere = np.linalg.norm(np.subtract(place[:3], pose[:3])) > OUTLINES.min_distance
+        if pictures[frame] is not None and is_elsewhere:
+            pixel = pixel_at(pictures[frame], eye, np.array([*place[:2], place[2] + height / 2]))
+            if pixel is not None and same_color(color, pictures[frame][pixel]):
+                return True
+    return False
 
 
 def measure_ball(demo, n, start, frames, pictures):

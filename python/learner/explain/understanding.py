@@ -18,7 +18,7 @@ def understand(aux):
     steps, containers = infer_task(demo, aux.attention, needs)
     presses = infer_devices(demo, steps, needs)
     page = page_of(explain(demo, containers))
-    page += [f"Not understood: what else is {word.lower()} at the end." for word in demo.unclear]
+    page += [f"Not understood: {it}." for it in demo.unclear]
     for line in page:
         print(line)
     aux.notes = [f"understood: {line.strip()}" for line in page]

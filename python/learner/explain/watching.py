@@ -37,7 +37,7 @@ def watch_demonstration(folder):
     if not demo.placed:
         raise NotUnderstood("the pictures of the demonstration show no block that moved: without texts, only upright blocks of one "
                             "color are understood")
-    demo.unclear = [word_of(it) for it in unclear_colors(classes, tracker.view(), kinds, palette)]
+    demo.unclear = [f"what else is {word_of(it).lower()} at the end" for it in unclear_colors(classes, tracker.view(), kinds, palette)]
     return demo
 
 

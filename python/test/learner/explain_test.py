@@ -8,6 +8,7 @@ import numpy as np
 
 from check.progress import open_steps
 from check.task_state import TaskState
+from explain.appearances import measure_objects
 from explain.demonstration import read_demonstration
 from explain.explanation import explain
 from explain.limits import NotUnderstood
@@ -15,7 +16,7 @@ from explain.sentences import page_of
 from explain.shown_pictures import select_frames
 from explain.task_model import infer_task
 from recordings import RecordingTest
-from scenes import BLUE, CUBE, EYE, GREEN, RED, block, picture_of
+from scenes import BLUE, CUBE, DARK, EYE, GREEN, RED, block, picture_of
 from things.blocks import yaw_difference
 
 
@@ -122,6 +123,20 @@ class InferenceTest(RecordingTest):
         file.write_text(json.dumps(json.loads(file.read_text()) | {"eye": None}))
         with self.assertRaisesRegex(ValueError, "has no pictures"):
             read_demonstration(self.folder)
+
+    def test_an_arm_over_an_object_is_not_taken_for_it(self):
+        self.record(*(picture_of([it]) for it in (block(DARK, np.array([0.7, 0.9, 1]), 3, -3), block(RED, CUBE, -3, -3, bottom=1),
+                                                  block(RED, CUBE, -3, -3))))
+        self.write(0, ["0,create,Red,shape,block", "0,move,Red,3.0,-3.0,0.5,0.0,0.0,0.0"])
+        self.write(1, ["1,grasp,LeftHand,Red", "1,move,Red,-3.0,-3.0,1.5,0.0,0.0,0.0",
+                       "2,move,Red,-3.0,-3.0,0.5,0.0,0.0,0.0", "3,release,LeftHand"])
+        red = measure_objects(read_demonstration(self.folder), [0])[0]
+        np.testing.assert_allclose([*red.color, *red.size], [*RED, *CUBE], atol=0.03)
+
+    def test_what_is_still_held_at_the_end_is_not_understood(self):
+        self.assertEqual(read_demonstration(self.folder).unclear, [])
+        self.write(3, ["12,grasp,RightHand,Other"])
+        self.assertEqual(read_demonstration(self.folder).unclear, ["why Other is still held at the end"])
 
     def test_what_cannot_be_inferred_is_reported(self):
         with self.assertRaisesRegex(FileNotFoundError, "there is no recording in .*0.txt"):

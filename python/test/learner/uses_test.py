@@ -51,7 +51,7 @@ class UseTest(RecordingTest):
         [use] = infer_devices(self.demo, self.steps)
         np.testing.assert_allclose(use.pose, [-0.4, -2, 1, 0], atol=1e-9)
         np.testing.assert_allclose(use.begin, [-1, -2, 1])
-        self.assertIn("cut String Knife", explain(self.demo, None).goal)
+        self.assertIn("cut String Knife", explain(self.demo, []).goal)
         self.assertIsNone(use.at)
 
     def test_a_use_between_links_is_turned_about_their_middle(self):

@@ -89,7 +89,7 @@ class WatchingTest(unittest.TestCase):
         demo = self.watch(picture_of([yellow, red]), picture_of([block(YELLOW, PLANK, -1, 1, 1.5), red]),
                           with_hand(with_hand(picture_of([moved, placed]), (-1.6, -1, 1), 24), (1.6, -1, 1), 24), None)
         self.assertEqual((demo.ids, demo.placed), (["Red1"], [0]))
-        self.assertEqual(demo.unclear, ["Yellow"], "it is said that something was not understood")
+        self.assertEqual(demo.unclear, ["what else is yellow at the end"], "it is said that something was not understood")
         with self.assertRaisesRegex(NotUnderstood, "show no block that moved: without texts, only upright blocks of one color"):
             self.watch(picture_of([yellow, red]), None)
 

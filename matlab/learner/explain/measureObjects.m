@@ -33,11 +33,11 @@ function block = measureObject(demo, n, lower, pictures)
 %   pictures  cache
   start = demo.start(n, :);
   frames = selectFrames(demo, n);
-  for frame = frames(:, 1)'
-    if ~pictures.isKey(frame), pictures(frame) = readPicture(demo, frame); end
-  end
-  tops = arrayfun(@(it) it.position(3) + it.size(3) / 2, lower);
+  unread = frames(~cellfun(@(it) pictures.isKey(it), num2cell(frames(:, 1))), 1);
+  for frame = unique(unread)', pictures(frame) = readPicture(demo, frame); end
   uncertain = noBlocks();
+  if hasShape(demo, n, 'ring'), block = measureOtherTop(demo, n, lower, frames, pictures); return; end  % its side is in its middle
+  tops = arrayfun(@(it) it.position(3) + it.size(3) / 2, lower);
   % A lower block may be below: of a stack, the top of the whole could be that of a high block.
   for bottom = fliplr(unique([0, tops(tops < start(3))]))
     height = 2 * (start(3) - bottom);

@@ -13,6 +13,7 @@ from explain.other_tops import measure_other_top
 from explain.part_measuring import measure_parts
 from explain.shown_pictures import read_picture, select_frames
 from explain.tops import measure_ball, measure_top, moves_along
+from relate.dragging import has_shape
 from things.blocks import Block
 from things.kinds import has_parts_of
 from things.standing import stands_on
@@ -52,6 +53,8 @@ def measure_object(demo, n, lower, pictures):
     for frame, *_ in frames:
         if frame not in pictures:
             pictures[frame] = read_picture(demo, frame)
+    if has_shape(demo, n, "ring"):  # in its middle, its side is seen
+        return measure_other_top(demo, n, lower, frames, pictures)
     # A lower block may be below: of a stack, the top of the whole could be that of a high block.
     bottoms = sorted({0.0, *(it.top for it in lower if it.top < start[2])}, reverse=True)
     # What is seen elsewhere, too, comes first: an arm at the top of what it hides stays there.
@@ -69,9 +72,7 @@ def measure_object(demo, n, lower, pictures):
             if moves_along(color, pose, frames, height, demo.eye, pictures):
                 return block
             uncertain = uncertain or block
-    if uncertain:
-        return uncertain
-    return (measure_ball(demo, n, np.array(start), frames, pictures)
+    return (uncertain or measure_ball(demo, n, np.array(start), frames, pictures)
             or measure_top_with_knob(demo, n, np.array(start), math.radians(degrees), frames, pictures)
             or measure_covered_top(demo, n, np.array(start), math.radians(degrees), pictures)
             or measure_parts(demo, n) or measure_other_top(demo, n, lower, frames, pictures))

@@ -44,8 +44,8 @@ struct SupportRule {
 /// something determines the place.
 struct Structure {
   /// Objects that hands moved, their supports and containers down to the table, what they were put
-  /// around, and objects that slide in them or are fastened to them; in scene order, with their final poses. Empty if the
-  /// demonstration only pressed switches.
+  /// around, and objects that slide in them or are fastened to them; in scene order, with their
+  /// final poses. Empty if the demonstration only pressed switches.
   std::vector<scene::ObjectSpec> objects;
   std::vector<Relation> relations;  ///< of these objects, at the end
   std::vector<Surrounding> around;  ///< of these objects, at the end
@@ -73,8 +73,8 @@ struct Structure {
 };
 
 /// Returns a structure in parts, each of which has one place: each fixed object with all that it
-/// carries, and what was put around any of this; all other objects belong to the first part. A structure with one
-/// fixed object or none is one part.
+/// carries, and what was put around any of this; all other objects belong to the first part. A
+/// structure with one fixed object or none is one part.
 std::vector<Structure> PartsOf(const Structure& structure);
 
 }  // namespace smile::task

@@ -13,7 +13,7 @@ from act.grippers import arms_for
 from act.joint_estimates import JointEstimates
 from act.robot_arms import arms_of
 from check.choices import choices_of
-from check.claims import Claim, end, give_up
+from check.claims import Claim, end_with, give_up
 from check.hand_views import see_from_hand
 from check.task_state import TaskState
 from check.telling import tell
@@ -33,7 +33,7 @@ def init(aux):
     try:
         demo, steps, containers, presses = understand(aux)
     except NotUnderstood as problem:
-        end(Claim(False, str(problem)), 0, aux)
+        end_with(Claim(False, str(problem)), 0, aux)
         return
     arms = arms_of(aux)
     aux.hands = arms_for(steps, arms)
@@ -71,4 +71,4 @@ def step(sensor, motor, aux):
         recover(status, sensor, aux)
     tell(aux, sensor.simTime)
     if aux.state.claim:
-        end(aux.state.claim, sensor.simTime, aux)
+        end_with(aux.state.claim, sensor.simTime, aux)

@@ -92,8 +92,8 @@ bool IsBeside(const scene::Bounds& piece, const Vector3& p, int axis, bool is_ab
 /// Returns the bounds of an object in the frame of another one, where the walls of a container are
 /// along the axes.
 scene::Bounds BoundsIn(const Placed& object, const Placed& around) {
-  return scene::BoundsOf(object.solids, around.object->pose_in_world().inverse() *
-                                            object.object->pose_in_world());
+  return scene::BoundsOf(object.solids,
+                         around.object->pose_in_world().inverse() * object.object->pose_in_world());
 }
 
 /// Returns true if pieces of an object are on all four sides of a point in its own frame.

@@ -26,15 +26,19 @@ using Belonging = std::pair<std::string, std::string>;
 /// Returns what hands put around objects that stayed where they were.
 std::vector<Surrounding> SurroundingsIn(const Episode& episode, const Structure& structure) {
   const std::vector<scene::ObjectSpec> before = ObjectsAt(episode.scene, episode.begin);
+  std::vector<const scene::ObjectSpec*> stayed;
+  for (const scene::ObjectSpec& object : structure.objects) {
+    const auto start = std::ranges::find(before, object.id(), &scene::ObjectSpec::id);
+    if (start != before.end() && !HasMoved(start->pose_in_world(), object.pose_in_world())) {
+      stayed.push_back(&object);
+    }
+  }
   std::vector<Surrounding> surroundings;
   for (const scene::ObjectSpec& outer : structure.objects) {
     if (std::ranges::find(structure.order, outer.id()) == structure.order.end()) continue;
-    for (const scene::ObjectSpec& inner : structure.objects) {
-      const auto start = std::ranges::find(before, inner.id(), &scene::ObjectSpec::id);
-      const bool has_stayed =
-          start != before.end() && !HasMoved(start->pose_in_world(), inner.pose_in_world());
-      if (inner.id() != outer.id() && has_stayed && model::IsAround(outer, inner)) {
-        surroundings.push_back({outer.id(), inner.id()});
+    for (const scene::ObjectSpec* inner : stayed) {
+      if (inner != &outer && model::IsAround(outer, *inner)) {
+        surroundings.push_back({outer.id(), inner->id()});
       }
     }
   }

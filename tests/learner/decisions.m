@@ -15,7 +15,7 @@ function showAction(action)
   name = '';
   if isfield(action, 'arm'), name = [' ', action.arm.name]; end
   show(['action ', action.kind, name], [to, width]);
-  if any(strcmp(action.kind, {'follow', 'press'}))
+  if any(strcmp(action.kind, {'follow', 'lift', 'press'}))
     tool = smileForward(action.arm.robot, action.arm.name, action.path.positions(end, :));
     show('tool', [tool(1:3, 4)', tool(1:3, 2)']);
   end

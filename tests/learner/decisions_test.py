@@ -176,7 +176,7 @@ def decisions(case, aux):
     for action in actions:
         arm = [action.arm.name] if action.arm else []
         lines.append(fact("action", action.kind, *arm, action.to, action.width))
-        if action.kind in ("follow", "press"):
+        if action.kind in ("follow", "lift", "press"):
             tool = action.arm.forward(action.path.positions[-1])
             lines.append(fact("tool", *tool[:3, 3], *tool[:3, 1]))
     return lines

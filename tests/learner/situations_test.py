@@ -107,7 +107,7 @@ def main(smile, source):
                         "--out", "watched"], check=True, stdout=subprocess.DEVNULL)
         [run] = json.loads(Path("watched/evaluation.json").read_text())["brains"][0]["runs"]
         assert run["claim"] == {"done": False, "right": True,
-                                "reason": "in the demonstration, it was not understood what else is yellow at the end"}, run
+                                "reason": "not understood in the demonstration: what else is yellow at the end"}, run
         print("sizes, watched, with", PYTHON)
 
 

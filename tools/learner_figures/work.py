@@ -74,7 +74,7 @@ def draw_plan(run):
 
 def words_of(action):
     """Returns an action in words."""
-    if action.kind == "follow":
+    if action.kind in ("follow", "lift"):
         return f"follow a path for {action.path.duration:.1f} s"
     if action.kind == "open":
         return f"open the fingers to {action.to:.2f} units"
@@ -93,7 +93,7 @@ def draw_act(run):
     most = max(it.height for it in ticks)
     drawing.line([[GAP, bottom], [GAP + width, bottom]], FAINT)
     for before, it in zip(ticks, ticks[1:]):
-        if before.kind != it.kind:
+        if before.kind != it.kind and {before.kind, it.kind} != {"lift", "follow"}:
             drawing.line([[x(it), TITLE], [x(it), bottom]], FAINT, 1, "3 3")
             if it.kind in ("grasp", "open"):
                 drawing.text(x(it) + 3, TITLE + 10, "closes" if it.kind == "grasp" else "opens", FAINT, 11)

@@ -7,7 +7,7 @@ function [action, motor, status, image_seconds, sensor] = executeAction(action, 
 %   action.kind  'observe'  waits for pictures of the arms at rest
 %                'look'     waits for a picture of the camera of an arm's hand
 %                'follow'   follows a path with an arm
-%                'lift'     likewise with a block, until the arm does not keep up
+%                'lift'     likewise, with a block; fails as soon as the arm does not keep up
 %                'press'    likewise, until something stops it, and back
 %                'open'     brings the fingers of an arm to an opening `to` [units]
 %                'grasp'    closes the fingers on a block of a `width` [units]

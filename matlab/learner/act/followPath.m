@@ -17,5 +17,5 @@ function [action, velocities, status] = followPath(action, sensor, aux)
     expected = smileSample(action.path, speed * (action.time - aux.tickSeconds));
     if max(abs(expected - q)) > c.max_lag_rad, status = cannotLift(); end
   end
-  if strcmp(status, 'done'), velocities = zeros(numel(q), 1); end
+  if any(strcmp(status, {'done', cannotLift()})), velocities = zeros(numel(q), 1); end
 end

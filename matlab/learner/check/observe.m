@@ -11,8 +11,8 @@ function state = observe(state, picture, heights, eye)
   is_odd = rows(state.unexplained) >= constants().perception.many_unexplained;
   if ~state.hasSite || state.numBlocked > 0 || is_odd
     unknown = detectUnknownObjects(picture, eye, withHeldParts([seen, state.known]), heights);
-    state.unknownObjects = [state.unknownObjects, unknown];
-    seen = addKnobs(state.steps, detectBlocks(picture, eye, [like, unknown], containers, heights, staying));
+    state.unknownObjects = joined(state.unknownObjects, unknown);
+    seen = addKnobs(state.steps, detectBlocks(picture, eye, joined(like, unknown), containers, heights, staying));
   end
   state = compare(state, seen, picture, eye, heights);
   state.unexplained = unexplainedPoints(withHeldParts(state.known), heights, eye);

@@ -1,6 +1,6 @@
 function presses = inferDevices(demo, steps, appearances, needs)
 % Returns the presses of controls and the uses of tools in a demonstration, in their order: a 1xN struct array, see newPress.
-% It is an error if the pictures do not show what one of them changed.
+% Throws notUnderstood if the pictures do not show what one of them changed.
 %   appearances  as from measureObjects
 %   needs        what the goal needs, if it is known: see needsOf
   if nargin < 4, needs = []; end
@@ -33,7 +33,7 @@ function presses = inferDevices(demo, steps, appearances, needs)
     else
       control = event.fields{1 + strcmp(event.word, 'trigger')};
       [before, later, changed] = changes(demo, event.frame, event.frame + 1, control);
-      presses(end + 1) = newPress(control, after, before, later, ownPart(changed, demo, control));
+      presses(end + 1) = newPress(control, after, before, later, ownPart(changed, demo, control, event.frame));
     end
   end
   for k = find(cellfun(@isempty, {presses.tool}))

@@ -20,7 +20,7 @@ end
 
 function best = containerOf(demo, inside)
 % Measures the container of the first of some steps: of what may be one, that which most of them are in. If something hides a part
-% of it in all pictures, like an arm, its place and its yaw are those of the texts.
+% of a box in all pictures, like an arm, its place and its yaw are those of the texts.
   best = bestContainer(demo, inside, false);
   if isempty(best), best = bestContainer(demo, inside, true); end
   if ~isempty(best), return; end

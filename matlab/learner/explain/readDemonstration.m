@@ -9,6 +9,7 @@ function demo = readDemonstration(folder)
 %   demo.placed  numbers of the released objects, in the order of release
 %   demo.events  all lines except moves, 1xN struct: frame, word ('grasp', 'release', ...), fields, 1xM cell
 %   demo.segments  of each of these lines, the number of its text file, 1xN
+%   demo.held    numbers of the objects that hands hold at the end, 1xN
 %   demo.unclear  what was not understood of it, in words, 1xN cell
 %   demo.eye     camera of the observing robot: intrinsics 3x3, pose 4x4 [units], as in aux
   demo = struct('folder', folder, 'ids', {{}}, 'moves', zeros(0, 8), 'placed', [], ...
@@ -51,6 +52,6 @@ function demo = readDemonstration(folder)
     demo.final(n, :) = poses(end, :);
   end
   demo.eye = eyeOf(folder);
-  still_held = unique(cell2mat(struct2cell(held)))';
-  demo.unclear = arrayfun(@(n) ['why ', demo.ids{n}, ' is still held at the end'], still_held, 'UniformOutput', false);
+  demo.held = unique(cell2mat(struct2cell(held)))';
+  demo.unclear = arrayfun(@(n) ['why ', demo.ids{n}, ' is still held at the end'], demo.held, 'UniformOutput', false);
 end

@@ -5,6 +5,7 @@ function found = rimsAt(demo, n, picture, color, is_half_hidden)
   found = [];
   height = 2 * demo.start(n, 3);
   center = demo.start(n, 1:2);
+  if is_half_hidden && ~hasShape(demo, n, 'box'), return; end
   if is_half_hidden
     faces = halfHiddenRims(picture, demo.eye, color, height, center, demo.start(n, 6) * pi / 180);
   else

@@ -10,8 +10,8 @@ function [demo, steps, containers, presses, notes] = understand(aux)
   needs = needsOf(aux, demo);
   [steps, containers, appearances] = inferTask(demo, aux.attention, needs);
   [keyframes, goal] = explain(demo, appearances, containers);
-  notes = strcat({'understood: '}, strtrim(printPage(keyframes, goal, demo.unclear)));
   presses = inferDevices(demo, steps, appearances, needs);
+  notes = strcat({'understood: '}, strtrim(printPage(keyframes, goal, demo.unclear)));
   printSteps(steps);
   printPresses(presses, steps);
 end

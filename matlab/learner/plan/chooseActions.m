@@ -35,7 +35,7 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
   end
   open = openSteps(state);
   if isempty(open) && ~isempty(state.unclear)
-    state = giveUp(state, ['in the demonstration, it was not understood ', strjoin(state.unclear, ' and ')]);
+    state = giveUp(state, ['not understood in the demonstration: ', strjoin(state.unclear, ', ')]);
     return
   elseif isempty(open)
     reason = sprintf('as seen within %.2f units and %.1f degrees', ...

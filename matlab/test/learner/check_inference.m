@@ -55,6 +55,9 @@ function check_inference()
   check(isempty(demo.unclear), 'all was released');
   write(folder, '3.txt', {'12,grasp,RightHand,Other'});
   check(isequal(readDemonstration(folder).unclear, {'why Other is still held at the end'}), 'now something is held at the end');
+  write(folder, '3.txt', {'12,grasp,RightHand,Blue'});
+  steps = inferTask(readDemonstration(folder), []);
+  check(isequal({steps.name}, {'Plank', 'Red'}), 'the rest is done');
 
   delete(fullfile(folder, 'rgb', '0.png'));
   message = '';

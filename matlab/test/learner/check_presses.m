@@ -40,6 +40,9 @@ function check_presses()
   [picture, heights] = pictureOf(others);
   check(isempty(locateControl(press, picture, heights, eye, eye)), 'what is not there is not found');
 
+  [nothing, flat] = pictureOf(noBlocks());
+  state = observe(observe(initialTaskState(noSteps(), [], press, eye), nothing, flat, eye), nothing, flat, eye);
+  check(isempty(state.known), 'an empty table may be looked at');
   state = initialTaskState(noSteps(), [], press, eye);
   [state, problem] = locateControls(state, picture, heights, eye);
   check(strcmp(problem, 'the surroundings of Switch are not visible'), 'and reported');

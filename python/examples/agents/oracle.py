@@ -43,7 +43,7 @@ def see(sensor, eye, steps, told):
     seen = list((needed | below).values())
     names = {it.name for it in steps} | below.keys()
     if special:
-        seen += detect_blocks(picture, eye, special, None, heights)
+        seen += detect_blocks(picture, eye, special, heights=heights)
         find_knobs(steps, seen, picture, eye, heights)
     for k, name in enumerate(sensor.segmentNames, 1):
         rows, columns = np.nonzero(sensor.segmentVision == k)

@@ -10,7 +10,7 @@ class Claim(NamedTuple):
     reason: str  # how accurately, or why not: one line
 
 
-def end(claim, time, aux):
+def end_with(claim, time, aux):
     """Ends the run of a brain at a time [s] with a Claim."""
     aux.claim = f"{'done' if claim.done else 'gave up'}: {claim.reason}"
     print(f"{time:5.1f} s: {aux.claim}")

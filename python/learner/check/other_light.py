@@ -62,4 +62,4 @@ def looks_so(things, color, seen, picture, eye, heights):
     alike = [replace(it, color=seen) for it in of_color(things, color) if not it.parts]
     boxes = [it for it in alike if isinstance(it, Container)]
     return (not alike or any(detect_container(picture, eye, it)[0] is not None for it in boxes)
-            or bool(detect_blocks(picture, eye, [it for it in alike if it not in boxes], None, heights)))
+            or bool(detect_blocks(picture, eye, [it for it in alike if it not in boxes], heights=heights)))

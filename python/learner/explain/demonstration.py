@@ -25,6 +25,7 @@ class Demonstration:
     eye: Eye  # camera of the observing robot
     appearances: dict = None  # of the objects, once they are measured
     segments: list = None  # of each event, the number of its text file; None for pictures alone
+    held: set = field(default_factory=set)  # numbers of the objects that hands hold at the end
     unclear: list = field(default_factory=list)  # what was not understood of it, in words: "why A is still held at the end"
 
     def pose(self, n, frame):
@@ -71,5 +72,6 @@ def read_demonstration(folder):
     info = json.loads((folder / "demo.json").read_text())
     moves = [np.array(rows) for rows in moves]
     moves = [np.column_stack([rows[:, 0], upright_at_start(rows[:, 1:])]) for rows in moves]
-    unclear = [f"why {ids[n]} is still held at the end" for n in sorted(set(held.values()))]
-    return Demonstration(folder, ids, moves, placed, events, eye_of(info), segments=segments, unclear=unclear)
+    held = set(held.values())
+    unclear = [f"why {ids[n]} is still held at the end" for n in sorted(held)]
+    return Demonstration(folder, ids, moves, placed, events, eye_of(info), segments=segments, held=held, unclear=unclear)

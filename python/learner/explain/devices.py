@@ -39,7 +39,7 @@ def infer_devices(demo, steps, needs=None):
         elif word in ("trigger", "press"):
             control = fields[1] if word == "trigger" else fields[0]
             before, later, changed = changes(demo, frame, frame + 1, control)
-            presses.append(Press(control, after, before, later, own_part(changed, demo, control)))
+            presses.append(Press(control, after, before, later, own_part(changed, demo, control, frame)))
     for press in [it for it in presses if not it.tool]:
         press.changed &= place_of(press.control, presses)
         if not press.changed.any():

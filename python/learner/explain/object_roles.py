@@ -8,11 +8,11 @@ from relate.dragging import has_shape
 
 
 def moved_objects(demo):
-    """Returns the numbers of the objects that hands moved, in the order of their last release; none where they only pressed
-    switches."""
-    last = {n: when for when, n in enumerate(demo.placed)}
+    """Returns the numbers of the objects that hands moved and do not hold at the end, in the order of their last release; none
+    where they only pressed switches."""
+    last = {n: when for when, n in enumerate(demo.placed) if n not in demo.held}
     if not last and not any(word in ("trigger", "press") for _, word, _ in demo.events):
-        raise NotUnderstood("in this demonstration no hand moved anything")
+        raise NotUnderstood("in this demonstration no hand moved anything to a place")
     return sorted(last, key=last.get)
 
 

@@ -9,6 +9,7 @@ from constants import PERCEPTION as C, TASK_MODEL
 from explain.appearances import select_frames
 from explain.limits import NotUnderstood
 from explain.shown_pictures import read_picture
+from relate.dragging import has_shape
 from see.colors import frequent_colors
 from see.containers import detect_rims, half_hidden_rims
 from see.eye import pixel_at
@@ -32,9 +33,7 @@ def measure_containers(demo, steps):
 
 def container_of(demo, inside):
     """Measures the Container of the first of some steps: of what may be one, that which most of them are in. If something hides
-    a part of it in all pictures, like an arm, its place and its yaw are those of the texts.
-
-    Raises NotUnderstood if no picture shows it.
+    a part of a box in all pictures, like an arm, its place and its yaw are those of the texts.
     """
     best = best_container(demo, inside, detect_rims) or best_container(demo, inside, half_hidden_rims)
     if not best:
@@ -69,7 +68,7 @@ def rims_at(demo, n, detect):
     """
     x, y, z, _, _, degrees = demo.moves[n][0, 1:]
     pose = [[x, y], math.radians(degrees)] if detect is half_hidden_rims else []
-    for frame, *_ in select_frames(demo, n):
+    for frame, *_ in select_frames(demo, n) if not pose or has_shape(demo, n, "box") else []:
         picture = read_picture(demo, frame)
         pixel = pixel_at(picture, demo.eye, [x, y, 2 * z]) if picture is not None else None
         if pixel is None:

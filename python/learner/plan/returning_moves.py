@@ -8,7 +8,7 @@ import numpy as np
 from act.actions import Grasp
 from act.finger_room import grasp_yaws
 from act.grippers import can_hold, nearest_first
-from check.failures import has_failed
+from check.failures import has_failed, is_too_heavy
 from constants import CLEARANCE
 from match.returning import directed
 from plan.heights import grip_depth
@@ -34,7 +34,8 @@ def plan_returning(block, step, is_back, state, arms, sensor):
     others = [it for it in state.known if it.top > min(block.top, place.top) - CLEARANCE.hand_above_top
               and not is_same_kind(it, step)]
     height = step.aside.height + block.size[2] / 2
-    for arm in nearest_first([it for it in arms if can_hold(it, block.size[1])], block.position[0]):
+    able = [it for it in arms if can_hold(it, block.size[1]) and not is_too_heavy(block, it, state.failures)]
+    for arm in nearest_first(able, block.position[0]):
         tool_height = height - grip_depth(arm, block.size[2])
         for grasp_yaw, place_yaw in product(grasp_yaws(block, others), grasp_yaws(place, others)):
             turn = place_yaw - grasp_yaw - (place.yaw - block.yaw)

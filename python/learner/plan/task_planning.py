@@ -48,7 +48,7 @@ def choose_actions(state, sensor, eye, arms):
             return actions
     steps = open_steps(state)
     if not steps and state.unclear:
-        give_up(state, f"in the demonstration, it was not understood {' and '.join(state.unclear)}")
+        give_up(state, f"not understood in the demonstration: {', '.join(state.unclear)}")
         return []
     if not steps:
         distance, angle = np.max([(0, 0), *state.placement_errors.values()], axis=0)

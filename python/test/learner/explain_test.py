@@ -137,13 +137,15 @@ class InferenceTest(RecordingTest):
         self.assertEqual(read_demonstration(self.folder).unclear, [])
         self.write(3, ["12,grasp,RightHand,Other"])
         self.assertEqual(read_demonstration(self.folder).unclear, ["why Other is still held at the end"])
+        self.write(3, ["12,grasp,RightHand,Blue"])
+        self.assertEqual([step.name for step in self.infer_task()[0]], ["Plank", "Red"], "the rest is done")
 
     def test_what_cannot_be_inferred_is_reported(self):
         with self.assertRaisesRegex(FileNotFoundError, "there is no recording in .*0.txt"):
             read_demonstration(self.folder / "rgb")
         demo = read_demonstration(self.folder)
         demo.placed.clear()
-        with self.assertRaisesRegex(NotUnderstood, "no hand moved anything"):
+        with self.assertRaisesRegex(NotUnderstood, "no hand moved anything to a place"):
             infer_task(demo, {})
         (self.folder / "rgb/0.png").unlink()
         with self.assertRaisesRegex(NotUnderstood, "no picture of the demonstration shows Red entirely"):

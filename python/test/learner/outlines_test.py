@@ -75,7 +75,7 @@ class OutlinesTest(RecordingTest):
     def test_a_piece_is_recognized_at_each_yaw(self):
         for yaw in -1.2, 0.3, 0.3 + math.pi:
             picture, heights = view_of(angle(-2, -3, yaw))
-            [found] = detect_blocks(picture, EYE, [self.kind], None, heights)
+            [found] = detect_blocks(picture, EYE, [self.kind], heights=heights)
             np.testing.assert_allclose(found.position, [-2, -3, 0.3], atol=0.03)
             self.assertLess(abs(yaw_difference(found, yaw)), 0.02)
             self.assertTrue(is_same_kind(found, self.kind))
@@ -85,7 +85,7 @@ class OutlinesTest(RecordingTest):
     def test_other_shapes_are_other_pieces(self):
         for others in angle(-2, -3, mirror=-1), [block(RED, np.array([2, 0.9, 0.6]), -2, -3)]:
             picture, heights = view_of(others)
-            self.assertEqual(detect_blocks(picture, EYE, [self.kind], None, heights), [])
+            self.assertEqual(detect_blocks(picture, EYE, [self.kind], heights=heights), [])
         self.assertFalse(is_same_kind(block(RED, self.kind.size, -2, -3), self.kind))
 
     def test_what_stands_in_the_corner_of_a_piece_is_not_in_its_place(self):
@@ -93,7 +93,7 @@ class OutlinesTest(RecordingTest):
         there = replace(self.kind, position=np.array([-2, -3, 0.3]), yaw=0.0)
         for blocks, word in (([*angle(-2, -3), post], "hidden"), ([post], "contradicted")):
             picture, heights = view_of(blocks)
-            [verdict] = verdicts_on([there], detect_blocks(picture, EYE, [self.kind, post], None, heights), picture, EYE, heights)
+            [verdict] = verdicts_on([there], detect_blocks(picture, EYE, [self.kind, post], heights=heights), picture, EYE, heights)
             self.assertEqual((verdict.word, verdict.found), (word, None))
 
     def test_a_ring_is_around_what_is_in_its_hole(self):

@@ -28,7 +28,9 @@ function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, h
     if ~any(away), transfer(end) = []; end
   end
   to_block = [via, {over_from, from}];
-  path = planPathThrough(arm, [to_block, transfer, {over_to}], others, q, asBlocks(goal));
+  taken = noBlocks();
+  if ~isDragged(goal), taken = asBlocks(block); end
+  path = planPathThrough(arm, [to_block, transfer, {over_to}], others, q, asBlocks(goal), taken);
   actions = {};
   if isempty(path), return; end
 

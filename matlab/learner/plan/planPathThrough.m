@@ -1,11 +1,13 @@
-function path = planPathThrough(arm, poses, others, q, placed)
+function path = planPathThrough(arm, poses, others, q, placed, taken)
 % Plans the paths of an arm to the first of some tool poses, along straight lines through the others, and
 % to its parking pose: a 1xN cell; {} if there is none.
 %   poses   1xN cell of 4x4 [units]
 %   others  obstacles for the arm, as blocks, where the tool is lower than the highest pose
 %   q       its joint angles, 1xn [rad]
 %   placed  what it leaves there, as blocks: obstacles on the way to its parking pose; omitted for none
+%   taken   what it takes there, as blocks: obstacles on the way from where it is; omitted for none
   if nargin < 5, placed = noBlocks(); end
+  if nargin < 6, taken = noBlocks(); end
   height = max(cellfun(@(pose) pose(3, 4), poses));
   possible = {};
   for start = arm.starts'
@@ -20,7 +22,7 @@ function path = planPathThrough(arm, poses, others, q, placed)
     low = find(cellfun(@(pose) pose(3, 4) < height, poses));
     if ~all(arrayfun(@(i) isArmClear(arm, path{i}.positions(end, :), others), low)), continue; end
     % From and to where it waits, only this tells whether it passes over all.
-    if ~all(cellfun(@(move) isPathValid(arm, move), path)) || ~isPathOver(arm, path{1}, others), continue; end
+    if ~all(cellfun(@(move) isPathValid(arm, move), path)) || ~isPathOver(arm, path{1}, [others, taken]), continue; end
     home = pathHome(arm, path{end}, [others, placed], 0);
     if ~isempty(home)
       path{end + 1} = home;

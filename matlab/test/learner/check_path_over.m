@@ -31,4 +31,6 @@ function check_way_back()
   check(isequal(path{end}.positions, [3; 0]), 'it goes straight back');
   path = planPathThrough(arm, poses, noBlocks(), 0, block([1, 0, 0], [1, 1, 1], 0, -2, 0, 0));
   check(numel(path) == 4 && isequal(path{end}.positions, [3; 4; 0]), 'raised first over what it placed, if necessary');
+  taken = block([1, 0, 0], [1, 1, 1], 0, -2, 0, 0);
+  check(isempty(planPathThrough(arm, poses, noBlocks(), 0, noBlocks(), taken)), 'nor may it strike what it takes');
 end

@@ -6,7 +6,7 @@ from act.segments import at_height, is_path_valid, move_joints, move_line
 from constants import MOTION_PLANNING as C
 
 
-def plan_path_through(arm, poses, others, q, placed=()):
+def plan_path_through(arm, poses, others, q, placed=(), taken=()):
     """Plans the paths of an arm to the first of some tool poses, along straight lines through the
     others, and to its parking pose: a list; [] if there is none.
 
@@ -14,6 +14,7 @@ def plan_path_through(arm, poses, others, q, placed=()):
     others: obstacles for the forearm, as Blocks, where the tool is lower than the highest pose
     q:      its joint angles [rad]
     placed: what it leaves there, as Blocks: obstacles on the way to its parking pose
+    taken:  what it takes there, as Blocks: obstacles on the way from where it is
     """
     height = max(pose[2, 3] for pose in poses)
     possible = []
@@ -32,7 +33,7 @@ def plan_path_through(arm, poses, others, q, placed=()):
         if not all(is_arm_clear(arm, move.positions[-1], others) for move in low):
             continue
         # From and to where it waits, only this tells whether it passes over all.
-        if not all(is_path_valid(arm, move) for move in path) or not is_path_over(arm, path[0], others):
+        if not all(is_path_valid(arm, move) for move in path) or not is_path_over(arm, path[0], [*others, *taken]):
             continue
         home = path_home(arm, path[-1], [*others, *placed], rise=0)
         if home:

@@ -41,7 +41,8 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
     # A dragged object is not lifted.
     transfer = [end] if is_goal_dragged else [over_start, *via, shifted(over_end, away), *beside, end]
     to_block = [*via, over_start, start]
-    path = plan_path_through(arm, [*to_block, *transfer, over_end], others, q, [goal])
+    taken = [] if is_goal_dragged else [block]
+    path = plan_path_through(arm, [*to_block, *transfer, over_end], others, q, [goal], taken)
     if not path:
         return []
     moves = [Action("follow", arm, it) for it in path]

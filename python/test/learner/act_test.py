@@ -162,6 +162,7 @@ class PathOverBlocksTest(unittest.TestCase):
                 path = plan_path_through(arm, poses, [], np.zeros(1), left)
                 self.assertEqual(path[-1].positions.ravel().tolist(), home)
                 self.assertEqual(len(path), 4)
+            self.assertEqual(plan_path_through(arm, poses, [], np.zeros(1), taken=[placed]), [], "nor may it strike what it takes")
 
 
 class FingerRoomTest(unittest.TestCase):

@@ -19,7 +19,7 @@ def see_from_hand(state, sensor, arm):
     noise = noise_of(picture)
     if noise > 0:
         picture = without_noise(picture, noise, 1)
-    seen = detect_blocks(picture, eye, likes(state), None, height_map(view.depth, eye))
+    seen = detect_blocks(picture, eye, likes(state), heights=height_map(view.depth, eye))
     new = [it for it in seen if all(np.linalg.norm(it.position - other.position) > C.same_block_distance
                                     for other in state.known)]
     state.known = new + state.known

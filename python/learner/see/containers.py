@@ -16,7 +16,7 @@ from things.kinds import same_size
 
 def detect_container(picture, eye, container, others=()):
     """Detects a Container of the demonstration in a picture. Returns it at its new place and its
-    rotation from the old one [rad]; None and 0 if it is not visible. others: Containers that are known already"""
+    rotation from the old one [rad]; None and 0 if it is not visible. others: Containers that are known already."""
     for face in detect_rims(picture, eye, container.color, container.size[2]):
         if same_size(face.sides, container.size[:2]) and not container_at(others, face.center):
             rotation = yaw_difference(container, face.yaw)

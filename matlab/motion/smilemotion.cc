@@ -404,6 +404,13 @@ void GripperMiddle(const Call& call) {
       TextFrom(call.arguments[1], "arm"), NumberFrom(call.arguments[2], "opening")));
 }
 
+void FingerBounds(const Call& call) {
+  CheckCount(call, 3, 3, "robot, arm, opening");
+  const PlanningRobot& robot = RobotFrom(call);
+  call.outputs[0] = MatrixOf(robot.FingerBounds(TextFrom(call.arguments[1], "arm"),
+                                                NumberFrom(call.arguments[2], "opening")));
+}
+
 void Jacobian(const Call& call) {
   CheckCount(call, 3, 3, "robot, arm, q");
   const PlanningRobot& robot = RobotFrom(call);
@@ -555,6 +562,7 @@ void Carry(const Call& call) {
                                      {"smileForward", &Forward},
                                      {"smileJacobian", &Jacobian},
                                      {"smileGripperMiddle", &GripperMiddle},
+                                     {"smileFingerBounds", &FingerBounds},
                                      {"smileInverse", &Inverse},
                                      {"smileMoveJoints", &MoveJoints},
                                      {"smileMoveLine", &MoveLine},

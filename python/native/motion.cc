@@ -275,6 +275,16 @@ gripper: name of the robot's gripper; by default its default gripper.)")
 
 0 for fingers that slide apart, but not where one jaw is fixed.
 opening: free width between the sides [units].)");
+  robot_class.def(
+      "finger_bounds",
+      [](const PlanningRobot& robot, const std::string& arm, double opening) {
+        return ArrayOf(robot.FingerBounds(arm, opening));
+      },
+      py::arg("arm"), py::arg("opening"),
+      R"(Box around what moves when the gripper opens, such as its two fingers, at an opening: 2x3.
+
+The least and the greatest x y z in the frame of the tool [units].
+opening: free width between the sides [units].)");
   return robot_class;
 }
 

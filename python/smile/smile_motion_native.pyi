@@ -99,6 +99,13 @@ class Robot:
         unit: meters per unit; brains receive it as aux.unit.
         gripper: name of the robot's gripper; by default its default gripper.
         """
+    def finger_bounds(self, arm: str, opening: typing.SupportsFloat | typing.SupportsIndex) -> numpy.typing.NDArray[numpy.float64]:
+        """
+        Box around what moves when the gripper opens, such as its two fingers, at an opening: 2x3.
+        
+        The least and the greatest x y z in the frame of the tool [units].
+        opening: free width between the sides [units].
+        """
     def first_invalid(self, trajectory: Trajectory, *, q_both: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None, table: tuple[typing.SupportsFloat | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex] | None = None, held: typing.Annotated[numpy.typing.ArrayLike, numpy.float64] | None = None) -> InvalidMoment | None:
         """
         First InvalidMoment of a Trajectory, or None if the trajectory is valid.

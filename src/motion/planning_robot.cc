@@ -10,6 +10,7 @@
 #include "base/wording.h"
 #include "motion/internal_probe_store.h"
 #include "robot/urdf_reader.h"
+#include "scene/bounds.h"
 #include "scene/units.h"
 
 namespace smile::motion {
@@ -132,14 +133,40 @@ std::optional<std::vector<double>> PlanningRobot::NamedPose(std::string_view arm
   return q;
 }
 
-double PlanningRobot::GripperMiddle(std::string_view arm, double opening) const {
+const robot::Gripper& PlanningRobot::FindGripper(std::string_view arm, double opening) const {
   Find(arm);
   if (!std::isfinite(opening)) throw std::invalid_argument("opening is not finite");
   const auto& gripper = robot::FindArm(model_, arm)->gripper;
   if (!gripper) throw std::invalid_argument("the arm " + Quoted(arm) + " has no gripper");
+  return *gripper;
+}
+
+double PlanningRobot::GripperMiddle(std::string_view arm, double opening) const {
+  const robot::Gripper& gripper = FindGripper(arm, opening);
   return scene::ToFileUnits(
-      robot::MiddleAt(model_, *gripper, scene::FromFileUnits(opening, meters_per_unit_)),
+      robot::MiddleAt(model_, gripper, scene::FromFileUnits(opening, meters_per_unit_)),
       meters_per_unit_);
+}
+
+Eigen::Matrix<double, 2, 3> PlanningRobot::FingerBounds(std::string_view arm,
+                                                        double opening) const {
+  const robot::Gripper& gripper = FindGripper(arm, opening);
+  std::vector<double> q = model_.q_start;
+  robot::SetOpening(model_, gripper, scene::FromFileUnits(opening, meters_per_unit_), q);
+  const std::vector<RigidTransform> X_BaseL = scene::LinkPoses(model_.links, RigidTransform(), q);
+  const robot::Frame& tool = model_.frames[robot::FindArm(model_, arm)->tool];
+  const RigidTransform X_BaseG = tool.link < 0 ? tool.X_LF : X_BaseL[tool.link] * tool.X_LF;
+  scene::Bounds bounds;
+  for (const int joint : robot::JointsOf(model_, gripper)) {
+    bounds.Add(scene::BoundsOf(model_.links[joint].solids, X_BaseG.inverse() * X_BaseL[joint]));
+  }
+  if (bounds.is_empty()) {
+    throw std::invalid_argument("the gripper of the arm " + Quoted(arm) + " has no fingers");
+  }
+  Eigen::Matrix<double, 2, 3> box;
+  box << scene::ToFileUnits(bounds.low, meters_per_unit_).transpose(),
+      scene::ToFileUnits(bounds.high, meters_per_unit_).transpose();
+  return box;
 }
 
 Eigen::Matrix4d PlanningRobot::Forward(std::string_view arm, std::span<const double> q) const {

@@ -53,6 +53,11 @@ class PlanningRobot {
   /// @throws std::invalid_argument  also if the arm has no gripper.
   double GripperMiddle(std::string_view arm, double opening) const;
 
+  /// Returns the box around what moves when the gripper opens, such as its two fingers, at an
+  /// opening: the least and the greatest x y z in the frame of the tool [units], rows of 2 x 3.
+  /// @throws std::invalid_argument  also if the arm has no gripper, or one of which nothing moves.
+  Eigen::Matrix<double, 2, 3> FingerBounds(std::string_view arm, double opening) const;
+
   /// Returns the pose of the tool.
   Eigen::Matrix4d Forward(std::string_view arm, std::span<const double> q) const;
   /// Returns the Jacobian, 6 x joints: rows 0..2 [units/s per rad/s], rows 3..5 angular; along the
@@ -97,6 +102,8 @@ class PlanningRobot {
 
  private:
   const ArmKinematics& Find(std::string_view arm) const;
+  /// Returns the gripper of an arm, for a question about it at an opening.
+  const robot::Gripper& FindGripper(std::string_view arm, double opening) const;
   RigidTransform FromUnits(const Eigen::Matrix4d& pose, const char* what) const;
   /// Returns the index of the arm all of whose joints a trajectory moves, and no others.
   std::size_t ArmOf(const JointTrajectory& trajectory) const;

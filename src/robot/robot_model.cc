@@ -122,6 +122,23 @@ double DrivePositionAt(const RobotModel& model, const Gripper& gripper, double o
   return OpeningTable(model, gripper).DriveAt(opening);
 }
 
+void SetOpening(const RobotModel& model, const Gripper& gripper, double opening,
+                std::span<double> q) {
+  if (gripper.kind == GripperKind::kSuction) return;
+  if (gripper.kind == GripperKind::kFingers) {
+    const OpeningRange range = OpeningRangeOf(model, gripper);
+    const double part = (std::clamp(opening, range.closed, range.open) - range.closed) /
+                        (range.open - range.closed);
+    for (const int finger : {gripper.left_finger, gripper.right_finger}) {
+      const scene::LinkSpec& link = model.links.at(finger);
+      q[finger] = std::lerp(link.lower, link.upper, part);
+    }
+    return;
+  }
+  q[gripper.drive] = DrivePositionAt(model, gripper, opening);
+  scene::FollowLeaders(model.links, q);
+}
+
 double DriveRateAt(const RobotModel& model, const Gripper& gripper, std::span<const double> q) {
   return 1 / OpeningTable(model, gripper).SlopeAt(q[gripper.drive]);
 }

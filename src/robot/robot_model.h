@@ -141,6 +141,11 @@ double OpeningOf(const RobotModel& model, const Gripper& gripper, std::span<cons
 double MiddleAt(const RobotModel& model, const Gripper& gripper, double opening);
 /// Returns the position of the drive of a gripper of jaws at an opening [m], clamped to its range.
 double DrivePositionAt(const RobotModel& model, const Gripper& gripper, double opening);
+/// Puts the joints of a gripper where it has an opening [m], clamped to its range; of a suction
+/// cup, none.
+/// @param q  one value per joint of the robot.
+void SetOpening(const RobotModel& model, const Gripper& gripper, double opening,
+                std::span<double> q);
 /// Returns the velocity of the drive of a gripper of jaws per velocity of its opening, at a
 /// configuration `q` [rad/m or m/m].
 double DriveRateAt(const RobotModel& model, const Gripper& gripper, std::span<const double> q);

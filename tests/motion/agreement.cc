@@ -49,6 +49,7 @@ std::vector<double> Configuration(const PlanningRobot& robot, const std::string&
 
 void AskArm(const PlanningRobot& robot, const std::string& arm) {
   const std::vector<double> ready = robot.NamedPose(arm, "untucked").value();
+  PrintRows("fingers", robot.FingerBounds(arm, 0.4));
   for (int k = 0; k < 40; ++k) {
     const Eigen::Matrix4d goal = robot.Forward(arm, Configuration(robot, arm, k));
     PrintRows("forward", goal);

@@ -32,6 +32,7 @@ end
 
 function query_arm(robot, arm)
   ready = robot.poses.untucked(struct('left', 1, 'right', 2).(arm), :);
+  show_rows('fingers', smileFingerBounds(robot, arm, 0.4));
   for k = 0:39
     goal = smileForward(robot, arm, configuration(robot, arm, k));
     show_rows('forward', goal);

@@ -33,6 +33,7 @@ def configuration(robot, arm, k):
 
 def query_arm(robot, arm):
     ready = robot.pose(arm, "untucked")
+    show_rows("fingers", robot.finger_bounds(arm, 0.4))
     for k in range(40):
         goal = robot.forward(arm, configuration(robot, arm, k))
         show_rows("forward", goal)

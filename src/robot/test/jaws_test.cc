@@ -49,8 +49,7 @@ TEST_F(Jaws, OpenAsTheirPadsMove) {
   EXPECT_NEAR(model.links[left].upper, std::numbers::pi / 2, 0.05);
   for (double opening = range.closed; opening < range.open; opening += 0.01) {
     std::vector<double> q = model.q_start;
-    q[left] = DrivePositionAt(model, gripper, opening);
-    scene::FollowLeaders(model.links, q);
+    SetOpening(model, gripper, opening, q);
     EXPECT_NEAR(OpeningOf(model, gripper, q), opening, 1e-12);
     const double y_left = FramePose(model, {}, q, *FindFrame(model, "pl")).translation().y();
     const double y_right = FramePose(model, {}, q, *FindFrame(model, "pr")).translation().y();

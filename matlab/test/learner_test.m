@@ -30,6 +30,7 @@ try
   check_path_over();
   check_resting();
   check_failures();
+  check_pushes();
   check_parts();
   check_outlines();
   check_light();

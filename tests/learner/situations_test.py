@@ -1,6 +1,6 @@
 """The learner does tasks in situations that need more than its usual ways: one of two objects that look the same is meant, by
 what it began on; the table has another size; the eye looks from the other side of the table; only a switch is
-pressed; a block is too heavy; a block is where only the camera of a hand sees it. Of a demonstration that pictures alone do not explain, it claims no success.
+pressed; a block is too heavy; the last of four blocks in a square has no room for fingers; a block is where only the camera of a hand sees it. Of a demonstration that pictures alone do not explain, it claims no success.
 
     situations_test.py SMILE SOURCE
 
@@ -26,11 +26,17 @@ BASES = """<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml" xspan="20" y
   <block id="Red2" location="({1},0.7)" color="red"/>
 </tabletop>
 """
-ONTO_PLATE = [{"do": "grasp", "object": "Red1"}, {"do": "wait", "seconds": 0.3},
-              {"do": "move_to", "position": [-3, 0.6, 2.4], "speed": 3}, {"do": "wait", "until": "arrived"},
-              {"do": "move_to", "position": [0.3, -0.5, 2.4], "speed": 4}, {"do": "wait", "until": "arrived"},
-              {"do": "move_to", "position": [0.3, -0.5, 0.71], "speed": 1}, {"do": "wait", "until": "arrived"},
-              {"do": "release"}, {"do": "wait", "until": "still"}, {"do": "wait", "seconds": 1}]
+# Four cubes that touch in a square at the end.
+SQUARE = [("-3,-3.5", (-0.51, 0.5)), ("-1,-3.5", (0.51, 0.5)), ("1,-3.5", (-0.51, 1.52)), ("3,-3.5", (0.51, 1.52))]
+
+
+def carrying(name, start, end):
+    """Returns the commands, one per line, that carry an object from one place over others to another one: x y z [units]."""
+    lines = [{"do": "grasp", "object": name}, {"do": "wait", "seconds": 0.3}]
+    for position, speed in (([*start[:2], 2.4], 3), ([*end[:2], 2.4], 4), (end, 1)):
+        lines += [{"do": "move_to", "position": position, "speed": speed}, {"do": "wait", "until": "arrived"}]
+    lines += [{"do": "release"}, {"do": "wait", "until": "still"}, {"do": "wait", "seconds": 1}]
+    return "".join(json.dumps(it if it["do"] == "wait" else {"hand": "left", **it}) + "\n" for it in lines)
 
 
 def main(smile, source):
@@ -53,8 +59,7 @@ def main(smile, source):
         Path("bases.xml").write_text(BASES.format("-3,0.6", "3,0.6", "0.3,-0.5"))
         # The other red block is nearer to the plate.
         Path("bases_robot.xml").write_text(BASES.format("-3.2,-2.6", "2.6,-2.4", "1.2,-4.2"))
-        Path("bases.jsonl").write_text("\n".join(
-            json.dumps(it if it["do"] == "wait" else {"hand": "left", **it}) for it in ONTO_PLATE) + "\n")
+        Path("bases.jsonl").write_text(carrying("Red1", [-3, 0.6], [0.3, -0.5, 0.71]))
         record("bases.xml", "bases.jsonl", "bases")
         for brain in (PYTHON, OCTAVE):
             told = imitate("bases", "bases_robot.xml", brain)
@@ -88,6 +93,16 @@ def main(smile, source):
                                    "--timeout", "60", "--out", out], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True).stdout
             assert re.search("gave up: at GreenBlock .*: it is too heavy to be lifted", told), told
             print("a heavy block, with", brain, flush=True)
+
+        cubes = [f'<block id="Cube{k}" location="({start},0.5)" color="green"/>' for k, (start, _) in enumerate(SQUARE)]
+        Path("square.xml").write_text(
+            f'<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml" xspan="20" yspan="12">{"".join(cubes)}</tabletop>')
+        Path("square.jsonl").write_text("".join(
+            carrying(f"Cube{k}", [float(it) for it in start.split(",")], [*end, 0.51]) for k, (start, end) in enumerate(SQUARE)))
+        record("square.xml", "square.jsonl", "square")
+        for brain in (PYTHON, OCTAVE):
+            told = imitate("square", "square.xml", brain, "--seed", "1")
+            assert "to be pushed from there" in told and "action: pushes Cube3" in told, told
 
         # Without a robot, nothing hides a part of the L: its whole outline counts, not a flat top in it.
         record(f"{source}/scenes/pieces.xml", f"{source}/examples/pieces.jsonl", "pieces", "--no-robot")

@@ -8,6 +8,7 @@ function [action, motor, status, image_seconds, sensor] = executeAction(action, 
 %                'look'     waits for a picture of the camera of an arm's hand
 %                'follow'   follows a path with an arm
 %                'lift'     likewise, with a block; fails as soon as the arm does not keep up
+%                'push'     likewise, with a block in front of the fingers
 %                'press'    likewise, until something stops it, and back
 %                'open'     brings the fingers of an arm to an opening `to` [units]
 %                'grasp'    closes the fingers on a block of a `width` [units]
@@ -29,7 +30,7 @@ function [action, motor, status, image_seconds, sensor] = executeAction(action, 
       end
       image_seconds = c.no_image_s;
       status = 'done';
-    case {'follow', 'lift'}
+    case {'follow', 'lift', 'push'}
       [action, velocities, status] = followPath(action, sensor, aux);
       motor.ticks = size(velocities, 2);
       motor.arms(action.arm.index).velocities = velocities;

@@ -6,7 +6,8 @@ function steps = firstWithinReach(cost, sites, arms, all_carried)
   [~, order] = sort(cost(:));
   for i = order'
     steps = sites{i};
-    if all(arrayfun(@(step) (step.stays && ~all_carried) || isReachedByNearest(arms, step), steps)), return; end
+    isReached = @(step) (step.stays && ~all_carried) || isReachedByNearest(arms, step);
+    if all(arrayfun(isReached, steps)) && canAllBePushed(steps, arms), return; end
   end
   steps = struct([]);
 end
@@ -14,4 +15,15 @@ end
 function yes = isReachedByNearest(arms, step)
   arms = nearestFirst(arms, step.position(1));
   yes = isReachable(arms(1), step);
+end
+
+function yes = canAllBePushed(steps, arms)
+% Returns true if the arms can push each of some steps to its place where those before leave no room for fingers, as far as there
+% is a way to push it.
+  yes = true;
+  for k = find(~[steps.stays])
+    before = asBlocks(steps(1:k - 1));
+    if ~isempty(graspYaws(steps(k), before)) || isempty(pushWays(steps(k), steps(k), before)), continue; end
+    yes = yes && isPushable(arms, steps(k), before);
+  end
 end

@@ -21,11 +21,12 @@ function [actions, state, reason] = planStep(state, k, free, is_last_resort, eye
     end
     reason = whyImpossible(state, k, move);
     if ~isempty(reason), continue; end
-    [actions, place, is_temporary, reason] = planMove(state, k, move, eye, arms, sensor);
+    [actions, place, why, reason] = planMove(state, k, move, eye, arms, sensor);
     if isempty(actions)
       state = rememberImpossible(state, k, move, reason);
       continue
     end
+    is_temporary = ~isempty(why);
     state.numTemporary = state.numTemporary + is_temporary;
     state.attempts(k) = state.attempts(k) + ~is_temporary;
     from = state.known(move.block);
@@ -35,11 +36,11 @@ function [actions, state, reason] = planStep(state, k, free, is_last_resort, eye
     state.meant(is_meant, :) = repmat(place.position, sum(is_meant), 1);
     state.known(move.block) = [];
     state.known = [state.known, place];
-    grasp = actions{find(cellfun(@(it) strcmp(it.kind, 'grasp'), actions), 1)};
-    state.grasp = grasp.grasp;
+    held = actions{find(cellfun(@(it) isfield(it, 'grasp'), actions), 1)};
+    state.grasp = held.grasp;
     state.moved = state.steps(k).name;
     if isempty(move.goal) && isempty(move.turns), state.moved = nameOf(from, state.steps); end
-    state.notes(end + 1) = actionNote(state.moved, from, move, place, is_temporary, grasp.arm);
+    state.notes(end + 1) = actionNote(state.moved, from, move, place, why, held);
     return
   end
 end

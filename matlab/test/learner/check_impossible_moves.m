@@ -1,8 +1,8 @@
 function check_impossible_moves()
 % What was found impossible is not tried again until something moves. Here nothing is possible.
   global count
-  eval(['function [actions, place, is_temporary, reason] = planMove(varargin), global count; count = count + 1; ', ...
-        'actions = {}; place = []; is_temporary = false; reason = ''no arm reaches it''; end']);
+  eval(['function [actions, place, why, reason] = planMove(varargin), global count; count = count + 1; ', ...
+        'actions = {}; place = []; why = ''''; reason = ''no arm reaches it''; end']);
   remove = onCleanup(@() clear('-f', 'planMove'));
   state = initialTaskState(asStep(block([1, 0, 0], [1, 1, 1], 0, -2, 0, 0)), []);
   state.known = [block([1, 0, 0], [1, 1, 1], 3, -2, 0, 0), block([0, 0, 1], [1, 1, 1], 5, -4, 0, 0)];

@@ -28,6 +28,7 @@ class Action:
     #            'look': waits for a picture of the camera of an arm's hand
     #            'follow': follows a path with an arm
     #            'lift': likewise, with a block; fails as soon as the arm does not keep up
+    #            'push': likewise, with a block in front of the fingers
     #            'press': likewise, until something stops it, and back
     #            'open': brings the fingers of an arm to an opening
     #            'grasp': closes the fingers on a block of a width

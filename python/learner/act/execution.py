@@ -20,7 +20,7 @@ def execute_action(action, sensor, motor, aux):
     aux.imageSeconds = C.no_image_s
     aux.cameras = []  # pictures of the hands take time
     action.time += sensor.timeElapsed
-    execute = {"observe": observe, "look": look, "follow": follow, "lift": lift, "press": press, "open": open_fingers, "grasp": grasp}
+    execute = {"observe": observe, "look": look, "follow": follow, "push": follow, "lift": lift, "press": press, "open": open_fingers, "grasp": grasp}
     return execute[action.kind](action, sensor, motor, aux)
 
 

@@ -1,6 +1,6 @@
-"""Which arms can hold a block, and which is the nearest."""
+"""Which arms can hold a block, how far down, and which is the nearest."""
 
-from constants import ARMS as C
+from constants import ARMS as C, MOTION_PLANNING
 from things.held_parts import held_part
 
 
@@ -29,3 +29,11 @@ def nearest_first(arms, x):
     """Returns arms in the order in which they are tried at a place to the right of the middle (x >
     0) or to the left of it: a list."""
     return sorted(arms, key=lambda arm: -arm.foot[0] if x > 0 else arm.foot[0])
+
+
+def grip_depth(arm, height):
+    """Returns how far the tool of an arm is below the top of a block of some height when it grasps
+    it [units]; negative above the top. The fingers reach still lower, but not to what the block
+    stands on."""
+    return min(max(MOTION_PLANNING.grip_below_top, MOTION_PLANNING.fingers_below_top - arm.reach),
+               height - MOTION_PLANNING.fingers_above_bottom - arm.reach)

@@ -22,10 +22,10 @@ def has_failed(grasp, failures):
 
 def remember_failure(state, actions, status):
     """Remembers that the first of the remaining actions failed, and how: its grasp is not repeated. Unless
-    the block was released already, it is not where it was to go."""
+    the block was released already, or pushed, it is not where it was to go."""
     if status == CANNOT_LIFT:
         state.grasp.too_heavy = state.known[-1]
-    if any(action.kind == "open" for action in actions[1:]):
+    if any(action.kind in ("open", "push") for action in actions[1:]):
         state.known.pop()
     state.moved = ""
     state.failures.append(state.grasp)

@@ -38,17 +38,16 @@ def plan_notes(steps):
         [step]) for step in steps]
 
 
-def action_note(name, move, place, is_temporary, arm):
-    """Returns a note about an action that makes a Move of a block, of a name, to a place with an arm: to
-    its goal, or, if that is temporary, out of the way, for a handover, or onto another face."""
-    verb = "drags" if is_dragged(move.goal) else "carries"
-    why = ""
-    if is_temporary:
-        why = ", for the other arm" if move.goal else ", out of the way"
-    if move.turns:
-        verb, why = "turns", ", onto another face"
+def action_note(name, move, place, why, held):
+    """Returns a note about an action that makes a Move of a block, of a name, to a place.
+
+    why:  it is brought there, else ""
+    held: the Action that takes it, or pushes it
+    """
+    verb = "drags" if is_dragged(move.goal) else "turns" if move.turns else "pushes" if held.kind == "push" else "carries"
+    reason = f", {why}" if why else ""
     return Note("action", "%s %s from (%.2f, %.2f) to (%.2f, %.2f)%s, with arm %s" % (
-        verb, name, *move.block.position[:2], *place.position[:2], why, arm.name), [place])
+        verb, name, *move.block.position[:2], *place.position[:2], reason, held.arm.name), [place])
 
 
 def name_of(block, steps):

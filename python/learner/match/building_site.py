@@ -47,10 +47,19 @@ def choose_site(state, arms, picture, eye):
 
 def place_on_table(steps, known, arms, eye):
     """Moves steps to the site with the lowest cost at which the nearest arm reaches each place."""
+    for depths in (C.depth, C.near_depth):
+        moved = first_within_reach(sites_at(steps, numbers_of(*depths), known, eye), arms, all_carried=True)
+        if moved:
+            return moved
+    raise NoSite("the building is not within reach anywhere on the table")
+
+
+def sites_at(steps, depths, known, eye):
+    """Returns sites on the table, cost and steps of each, at some distances from its near edge [units]."""
     demonstrated = np.array([step.position[:2] for step in steps])
     center = (demonstrated.min(axis=0) + demonstrated.max(axis=0)) / 2
     sites = []
-    for depth in numbers_of(*C.depth):
+    for depth in depths:
         for x in numbers_of(*C.x):
             moved = shifted(steps, [x, eye.near_edge + depth] - center)
             # Far from the robot the building occludes little; close to it the arms reach more.
@@ -58,10 +67,7 @@ def place_on_table(steps, known, arms, eye):
             cost += C.side_cost * abs(x) + site_cost(moved, known, eye)
             if all(is_on_table(step, eye) for step in moved):
                 sites.append((cost, moved))
-    moved = first_within_reach(sites, arms, all_carried=True)
-    if not moved:
-        raise NoSite("the building is not within reach anywhere on the table")
-    return moved
+    return sites
 
 
 def shifted(steps, displacement):

@@ -1,7 +1,9 @@
 """Sites of a building: what they cost, and whether the arms reach them."""
 
-from act.finger_room import is_grasp_blocked
+from act.finger_room import grasp_yaws, is_grasp_blocked
 from act.grippers import nearest_first
+from act.push_ways import push_ways
+from act.pushing_hands import is_pushable
 from act.reach import is_reachable
 from constants import BUILDING_SITE as C
 from see.sight import is_top_hidden
@@ -38,6 +40,13 @@ def first_within_reach(sites, arms, all_carried=False):
     """
     for _, steps in sorted(sites, key=lambda site: site[0]):
         if all(step.stays and not all_carried or is_reachable(nearest_first(arms, step.position[0])[0], step)
-               for step in steps):
+               for step in steps) and can_all_be_pushed(steps, arms):
             return steps
     return None
+
+
+def can_all_be_pushed(steps, arms):
+    """Returns true if the arms can push each of some steps to its place where those before leave no room for fingers, as far as
+    there is a way to push it."""
+    return all(is_pushable(arms, step, steps[:k]) for k, step in enumerate(steps)
+               if not step.stays and not grasp_yaws(step, steps[:k]) and push_ways(step, step, steps[:k]))

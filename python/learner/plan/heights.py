@@ -28,11 +28,3 @@ def has_low_way(block, goal, others):
     length = np.hypot(*way) + C.low_way_width
     higher = footprint([it for it in others if it.top > block.top], 0)
     return not overlap([x, y, length, C.low_way_width, math.atan2(way[1], way[0])], higher).any()
-
-
-def grip_depth(arm, height):
-    """Returns how far the tool of an arm is below the top of a block of some height when it grasps
-    it [units]; negative above the top. The fingers reach still lower, but not to what the block
-    stands on."""
-    return min(max(C.grip_below_top, C.fingers_below_top - arm.reach),
-               height - C.fingers_above_bottom - arm.reach)

@@ -7,11 +7,10 @@ import numpy as np
 
 from act.actions import Grasp
 from act.finger_room import grasp_yaws
-from act.grippers import can_hold, nearest_first
+from act.grippers import can_hold, grip_depth, nearest_first
 from check.failures import has_failed, is_too_heavy
 from constants import CLEARANCE
 from match.returning import directed
-from plan.heights import grip_depth
 from plan.transfers import plan_arm_pick_and_place
 from things.kinds import is_same_kind
 

@@ -36,9 +36,9 @@ def plan_step(state, k, free, is_last_resort, eye, arms, sensor):
         reason = why_impossible(state, k, move)
         if reason:
             continue
-        actions, place, is_temporary, reason = plan_move(state, step, move, eye, arms, sensor)
+        actions, place, why, reason = plan_move(state, step, move, eye, arms, sensor)
         if actions:
-            begin(state, k, move, place, is_temporary, actions)
+            begin(state, k, move, place, why, actions)
             return actions, None
         remember_impossible(state, k, move, reason)
     return [], reason

@@ -8,10 +8,10 @@ import numpy as np
 from act.actions import Grasp
 from act.arms import Arm
 from act.finger_room import grasp_yaws
+from act.grippers import grip_depth
 from act.segments import at_height
 from check.failures import has_failed
 from constants import USES as C
-from plan.heights import grip_depth
 from plan.loads import Load, load_of, whole_of
 from plan.there_and_back import plan_to_take
 from things.areas import rotated

@@ -3,10 +3,10 @@
 import numpy as np
 
 from act.actions import Action, Grasp
+from act.grippers import grip_depth
 from act.segments import at_height
 from constants import MOTION_PLANNING as C
 from plan.arm_paths import plan_path_through
-from plan.heights import grip_depth
 from plan.touching import beside_touching
 
 

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from act.actions import Action, Grasp
+from check.beliefs import corrected
 from check.choices import Choices
 from check.failures import has_failed, is_too_heavy, num_failures, remember_failure
 from check.looking import compare
@@ -14,7 +15,7 @@ from check.notes import tops_of
 from check.progress import assess_progress, open_steps
 from check.task_state import TaskState
 from check.verdict_notes import verdict_notes
-from check.verdicts import verdicts_on
+from check.verdicts import Verdict, verdicts_on
 from plan.pick_and_place import plan_pick_and_place
 from scenes import BLUE, CUBE, EYE, GREEN, RED, block, picture_of, step, update_beliefs, view_of
 
@@ -98,6 +99,16 @@ class CheckTest(unittest.TestCase):
         self.assertEqual(update_beliefs([known], [seen, post], picture, EYE), [known, post])
         self.assertEqual(update_beliefs([known], [seen], picture, EYE), [seen])
 
+    def test_tops_of_hidden_blocks_do_not_make_another_one(self):
+        known = [block(RED, np.array([2.0, 1, 1]), 0, -y) for y in (2, 3)]
+        seen = block(RED, np.array([2.0, 1, 1]), -0.5, -2.5, yaw=math.pi / 2)
+        hidden = [Verdict("hidden", it) for it in known]
+        self.assertEqual(corrected([seen], hidden), known)
+        beside = block(RED, np.array([2.0, 1, 1]), -0.8, -2.5, yaw=math.pi / 2)
+        self.assertEqual(corrected([beside], hidden), [beside, *known])
+        self.assertEqual(corrected([seen], hidden[:1]), [seen, known[0]])
+        self.assertEqual(corrected([seen], [*hidden, Verdict("as expected", seen, 0)]), [seen, *known])
+
     def test_failed_grasps_are_remembered(self):
         there, goal = block(RED, CUBE, 3, -2), block(RED, CUBE, 0, -2)
         state = TaskState(self.steps)
@@ -107,6 +118,10 @@ class CheckTest(unittest.TestCase):
         self.assertEqual(state.known, [], "it is not where it was to go")
         self.assertEqual(num_failures(state, there), 1)
         self.assertEqual(num_failures(state, goal), 0)
+        for rest, known in ([Action("follow"), Action("push")], []), ([Action("push"), Action("follow")], [goal]):
+            state.known = [goal]
+            remember_failure(state, rest, "an obstacle")
+            self.assertEqual(state.known, known, "unless it was pushed already")
         for arm, yaw, expected in (0, 0.6, True), (0, 0.5 + math.pi, False), (1, 0.5, False):
             self.assertEqual(has_failed(Grasp(there.position, arm, yaw), state.failures), expected)
 

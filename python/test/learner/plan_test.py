@@ -3,6 +3,7 @@
 import math
 import unittest
 from dataclasses import replace
+from act.grippers import grip_depth
 from types import SimpleNamespace
 from unittest.mock import patch
 
@@ -12,7 +13,6 @@ from check.choices import Choices
 from check.task_state import TaskState
 from plan.clearing import clearing_moves, moves_from_place, uncovering_moves
 from plan.free_places import free_placements
-from plan.heights import grip_depth
 from plan.making_room import room_moves
 from plan.moves import Move
 from plan.pick_and_place import plan_pick_and_place
@@ -82,7 +82,7 @@ class MovesTest(unittest.TestCase):
         arms = [SimpleNamespace(opening=2)]
 
         def tried():
-            with patch("plan.step_planning.plan_move", return_value=([], None, False, "no arm reaches it")) as plan_move:
+            with patch("plan.step_planning.plan_move", return_value=([], None, "", "no arm reaches it")) as plan_move:
                 self.assertEqual(plan_step(state, 0, state.known, False, EYE, arms, None), ([], "no arm reaches it"))
             return plan_move.call_count
 

@@ -1,0 +1,56 @@
+"""How a hand pushes a block along a way."""
+
+import math
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from act.finger_room import grasp_yaws
+from act.grippers import grip_depth, nearest_first
+from act.push_ways import push_ways
+from act.reach import is_reachable, solve_pose_sequence
+from act.segments import at_height
+from constants import MOTION_PLANNING as C
+
+
+class PushingHand(NamedTuple):
+    """A hand that pushes a block with both fingers."""
+
+    across: float  # direction from finger to finger [rad]
+    opening: float  # between them [units]
+    poses: list  # of the tool, 4x4: behind the block, at the end of the way, and back from it
+
+
+def pushing_hands(arm, block, way, others):
+    """Returns how the hand of an arm can push a block that is on a PushWay to its end: a list.
+
+    others: obstacles, as Blocks
+    """
+    depth, width, _ = np.diff(arm.robot.finger_bounds(arm.name, 0), axis=0)[0]
+    # So far apart that the block does not turn, but not beyond its sides, where others may touch it.
+    opening = min(max(way.width - width - C.push_margin, 0), arm.opening)
+    away, up = np.append(way.away, 0), np.array([0, 0, block.size[2] / 2 - grip_depth(arm, block.size[2])])
+    first, last = (it.position + away * (way.length + depth) / 2 for it in (block, way.end))
+    middles = [first + C.push_margin * away, last, last + C.push_margin * away]
+    # The fingers need room as if they held something as wide as they are open, with its sides toward the block.
+    held = replace(block, size=np.array([way.width, opening - C.opening_margin, block.size[2]]),
+                   yaw=math.atan2(way.away[1], way.away[0]))
+    room = [grasp_yaws(replace(held, position=it), others) for it in middles[:2]]
+    return [PushingHand(across, opening, [arm.tool_pose(it + up, across, opening) for it in middles])
+            for across in room[0] if across in room[1]]
+
+
+def is_pushable(arms, step, before):
+    """Returns true if the arm nearest to the place of a step can bring a block to the start of a way to it, and push it there.
+
+    before: what stands there then, as Blocks
+    """
+    arm = nearest_first(arms, step.position[0])[0]
+    for way in push_ways(step, step, before):
+        hands = pushing_hands(arm, way.start, way, before)
+        over = way.start.top + arm.reach + C.clearance
+        if is_reachable(arm, way.start) and any(
+                solve_pose_sequence(arm, [at_height(it.poses[0], over), *it.poses], arm.parked) is not None for it in hands):
+            return True
+    return False

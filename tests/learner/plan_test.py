@@ -47,7 +47,9 @@ def check_what_does_not_count(smile, source, folder):
 def check_free_order(smile, source, folder):
     demo = record(smile, source, folder / "drive", "drive", f"{source}/examples/drive.jsonl")
     plan = analyzed(smile, demo, folder / "plan")
-    without, with_plan = (understood(smile, source, demo, "drive", it) for it in (None, plan))
+    # That both twins understand this demonstration alike without a plan, decisions_test.py claims.
+    without = understood(smile, source, demo, "drive", None, LEARNERS[:1])
+    with_plan = understood(smile, source, demo, "drive", plan)
     assert without != with_plan, with_plan
 
 
@@ -61,10 +63,10 @@ def analyzed(smile, demo, out, *options):
     return out / "analysis.json"
 
 
-def understood(smile, source, demo, task, plan):
-    """Returns what both twins say is to be done: the lines `shown: ...` of their output."""
+def understood(smile, source, demo, task, plan, learners=LEARNERS):
+    """Returns what some learners, all alike, say is to be done: the lines `shown: ...` of their output."""
     found = []
-    for learner in LEARNERS:
+    for learner in learners:
         out = demo.parent / "imitated"
         options = ["--plan", plan] if plan else []
         text = run([smile, "imitate", demo, f"{source}/scenes/{task}_robot.xml", "--brain", f"{source}/{learner}",
@@ -73,7 +75,7 @@ def understood(smile, source, demo, task, plan):
         found.append([line for line in log.splitlines() if line.startswith("shown: ")])
         assert found[-1], text
         subprocess.run(["rm", "-r", out], check=True)
-    assert found[0] == found[1], f"in Python {found[0]}, in Octave {found[1]}"
+    assert found[0] == found[-1], f"in Python {found[0]}, in Octave {found[-1]}"
     return found[0]
 
 

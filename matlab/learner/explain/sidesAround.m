@@ -6,10 +6,11 @@ function sides = sidesAround(picture, eye, color, pose, height, min_seen)
   [~, pixel] = colorAt(picture, eye, top);
   if ~isColorNear(picture, color, pixel), return; end
   number = labelRegions(colorMask(picture, color));
-  for region = find(accumarray(number(number > 0), 1) >= c.perception.min_rim_pixels)'
+  [row, column, regions] = find(number);
+  for region = find(accumarray(regions, 1) >= c.perception.min_rim_pixels)'
     if number(pixel(2), pixel(1)) == region, continue; end
-    [row, column] = find(number == region);
-    [x, y, area] = ontoPlane(row, column, eye, top(3));
+    inside = regions == region;
+    [x, y, area] = ontoPlane(row(inside), column(inside), eye, top(3));
     face = smallestRectangle(x, y, sqrt(median(area)), pose(6) * pi / 180);
     if norm(face.center - top(1:2)) < c.task_model.max_container_error && ...
        sum(area) > min_seen * prod(face.sides)

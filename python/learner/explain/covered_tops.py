@@ -51,12 +51,15 @@ def sides_around(picture, eye, color, pose, height, min_seen):
     middle = pixel_at(picture, eye, top)
     if not is_color_near(picture, color, middle):
         return None
-    number = label_regions(color_mask(picture, color))
-    for region in np.flatnonzero(np.bincount(number.ravel()) >= PERCEPTION.min_rim_pixels):
-        if region == 0 or number[middle] == region:
+    mask = color_mask(picture, color)
+    number = label_regions(mask)
+    row, column = np.nonzero(mask)
+    regions = number[row, column]
+    for region in np.flatnonzero(np.bincount(regions) >= PERCEPTION.min_rim_pixels):
+        if number[middle] == region:
             continue
-        row, column = np.nonzero(number == region)
-        x, y, area = onto_plane(row, column, eye, top[2])
+        inside = regions == region
+        x, y, area = onto_plane(row[inside], column[inside], eye, top[2])
         pixel = np.sqrt(np.median(area))
         face = smallest_rectangle(x, y, pixel, math.radians(pose[5]))
         is_there = np.hypot(*(face.center - top[:2])) < C.max_container_error

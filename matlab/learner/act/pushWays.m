@@ -7,13 +7,14 @@ function ways = pushWays(block, goal, others)
 %           away         from the goal to the start, 1x2, of length 1
 %           along, across  size of the block along the way and across it [units]
   c = constants().motion_planning;
+  ways = struct('start', {}, 'last', {}, 'away', {}, 'along', {}, 'across', {});
+  if isRound(block) || block.hasKnob || ~isempty(block.parts) || ~isempty(block.outline) || isDragged(goal), return; end
   last = asBlocks(block);
   last.position = goal.position;
   last.yaw = goal.yaw;
   isLevel = @(it) it.position(3) + it.size(3) / 2 > last.position(3) - last.size(3) / 2 + c.max_touching_gap && ...
                   it.position(3) - it.size(3) / 2 < last.position(3) + last.size(3) / 2;
   taken = footprint(others(arrayfun(isLevel, others)), -c.max_touching_gap);
-  ways = struct('start', {}, 'last', {}, 'away', {}, 'along', {}, 'across', {});
   for k = 0:3
     away = [cos(goal.yaw + k * pi / 2), sin(goal.yaw + k * pi / 2)];
     start = last;

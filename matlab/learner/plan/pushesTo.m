@@ -5,7 +5,6 @@ function [actions, starts] = pushesTo(arms, block, goal, others, sensor, failure
 %   starts   the block at the starts of the others, a 1xN struct array
   actions = {};
   starts = noBlocks();
-  if isRound(block) || block.hasKnob || ~isempty(block.parts) || ~isempty(block.outline) || isDragged(goal), return; end
   for way = pushWays(block, goal, others)
     is_there = isOnWay(block, way);
     start = way.start;

@@ -11,6 +11,7 @@ from constants import BLOCKS, MOTION_PLANNING as C, PERCEPTION
 from things.areas import footprint, overlap
 from things.blocks import Block, yaw_difference
 from things.standing import stands_on
+from things.steps import is_dragged
 
 
 class PushWay(NamedTuple):
@@ -29,6 +30,8 @@ def push_ways(block, goal, others):
 
     others: obstacles and supports, as Blocks
     """
+    if block.is_round or block.has_knob or block.parts or block.outline or is_dragged(goal):
+        return []
     end = replace(block, position=goal.position, yaw=goal.yaw)
     level = [it for it in others if it.top > end.bottom + C.max_touching_gap and it.bottom < end.top]
     taken = footprint(level, -C.max_touching_gap)

@@ -8,7 +8,6 @@ from act.segments import at_height
 from check.failures import has_failed
 from constants import MOTION_PLANNING as C
 from plan.arm_paths import plan_path_through
-from things.steps import is_dragged
 
 
 def pushes_to(arms, block, goal, others, sensor, failures):
@@ -19,8 +18,6 @@ def pushes_to(arms, block, goal, others, sensor, failures):
     Blocks.
     """
     starts = []
-    if block.is_round or block.has_knob or block.parts or block.outline or is_dragged(goal):
-        return [], starts
     for way in push_ways(block, goal, others):
         is_there = is_on_way(block, way)
         actions = plan_push(arms, block if is_there else way.start, way, others, sensor, failures)

@@ -33,6 +33,7 @@ class PushTest(unittest.TestCase):
 
     def test_ways_lead_away_from_what_a_block_touches(self):
         self.assertEqual(grasp_yaws(self.goal, self.corner), [])
+        self.assertEqual(push_ways(replace(self.goal, form="disc"), self.goal, self.corner), [], "only blocks are pushed")
         np.testing.assert_allclose([it.away for it in self.ways()], [[1, 0], [0, 1]], atol=1e-9)
         np.testing.assert_allclose([it.start.position[:2] for it in self.ways()], [[1.45, -2], [1, -1.55]])
         [only] = self.ways(block(RED, CUBE, 1, -0.6))

@@ -3,7 +3,8 @@ pixels show which other object: what it still fails at is planning or acting, no
 
     smile imitate DEMO SCENE --oracle --brain python/examples/agents/oracle.py
 
-It sees the poses of things with a knob, of several colors or of another shape, and of what it drags, itself.
+It sees the poses of things with a knob, of several colors or of another shape, of those of which the learner knows only a
+handle, and of what it drags, itself.
 A real robot does not have this information: only the simulator has it.
 
 smile: imitates
@@ -22,6 +23,7 @@ from see.detection import detect_blocks
 from see.eye import height_map
 from see.knobs import find_knobs
 from see.measuring import measure_block
+from things.kinds import same_size
 from things.standing import stands_on
 from things.steps import is_dragged
 from true_poses import true_blocks
@@ -37,7 +39,7 @@ def see(sensor, eye, steps, told):
     """Returns the objects of some steps, and the others of which the whole top is visible, as Blocks."""
     picture = sensor.rgbVision / 255
     heights = height_map(sensor.depthVision, eye)
-    special = [it for it in steps if it.has_knob or it.parts or it.outline or is_dragged(it)]
+    special = [it for it in steps if it.has_knob or it.parts or it.outline or is_dragged(it) or is_only_part(it, told)]
     needed = {it.name: told[it.name] for it in steps if it not in special and it.name in told}
     below = {name: it for name, it in told.items() if any(stands_on(upper, it) for upper in needed.values())}
     seen = list((needed | below).values())
@@ -56,3 +58,8 @@ def see(sensor, eye, steps, told):
         block = measure_block(color, rows, columns, picture, eye, table_color(picture), heights)
         seen += [block] if block else []
     return seen
+
+
+def is_only_part(step, told):
+    """Returns true if a step is not about an object as large as the one told of its name, on whichever face."""
+    return step.name in told and not same_size(np.sort(step.size), np.sort(told[step.name].size))

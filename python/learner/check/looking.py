@@ -20,7 +20,7 @@ def observe(state, sensor, picture, eye):
     """Updates the known blocks from a picture."""
     heights = None if "depth" in state.without else height_map(sensor.depthVision, eye)
     if state.see:
-        compare(state, state.see(sensor, eye, state.steps), picture, eye, heights)
+        compare(state, state.see(sensor, eye, state.steps + tools_of(state)), picture, eye, heights)
         return
     if heights is not None:
         know_colors(state, picture, eye, heights)
@@ -66,4 +66,9 @@ def is_moving(state, picture):
 
 def likes(state):
     """Returns what blocks may look like: those of the steps, unknown objects, and tools."""
-    return state.steps + state.unknown_objects + [it.tool for it in state.presses if it.tool]
+    return state.steps + state.unknown_objects + tools_of(state)
+
+
+def tools_of(state):
+    """Returns the tools of a task, one for each use."""
+    return [it.tool for it in state.presses if it.tool]

@@ -4,12 +4,12 @@ function yes = isPathOver(arm, path, blocks)
   if yes, return; end
   c = constants();
   [along, side] = meshgrid([1, 0, -1] * arm.reach, [-0.5, 0, 0.5] * c.clearance.bar(1));
-  [of_arm, of_hand] = deal({});
-  for q = samplesOf(path)'
+  samples = samplesOf(path);
+  of_hand = {};
+  for q = samples'
     tool = smileForward(arm.robot, arm.name, q');
-    of_arm{end + 1, 1} = pointsFromWrist(arm, q');
     of_hand{end + 1, 1} = tool(1:3, 4)' + along(:) * tool(1:3, 3)' + side(:) * tool(1:3, 2)';
   end
-  yes = all(isPointClear(vertcat(of_arm{:}), blocks, c.motion_planning.arm_radius)) && ...
+  yes = all(isPointClear(pointsFromWrist(arm, samples), blocks, c.motion_planning.arm_radius)) && ...
         all(isPointClear(vertcat(of_hand{:}), blocks, c.motion_planning.clearance / 2));
 end

@@ -1,8 +1,10 @@
 function points = pointsFromWrist(arm, q)
-% Returns points along an arm, from its wrist to its first joint: Nx3 [units].
-%   q  its joint angles, 1xn [rad]
+% Returns points along an arm, from its wrist to its first joint, at joint angles, Nxn [rad]: Mx3 [units].
   c = constants().motion_planning;
   ends = armPoints(arm, q);
-  from_tool = sqrt(sum((ends - ends(1, :)) .^ 2, 2));
-  points = pointsBetween(ends(find(from_tool > c.min_wrist_distance, 1):end, :), c.points_per_link);
+  points = pointsBetween(ends, c.points_per_link);
+  % The lines from the first end on that is not at the tool.
+  is_far = sum((ends - ends(1, :, :)) .^ 2, 2) > c.min_wrist_distance ^ 2;
+  is_behind = cummax(double(is_far(1:end - 1, 1, :)), 1);
+  points = points(kron(is_behind(:), ones(c.points_per_link, 1)) > 0, :);
 end

@@ -4,9 +4,6 @@ function path = planToTake(hold, q, held)
 %   q     its joint angles, 1xn [rad]
 %   held  box around what it takes: see isPathValid
   arm = hold.arm;
-  path = {};
-  above = solvePoseSequence(arm, hold.poses, hold.first);
-  if isempty(above), return; end
-  path = moveLines(arm, {moveJoints(arm, [q; above])}, hold.poses(2:end));
+  path = moveLines(arm, {moveJoints(arm, [q; hold.above])}, hold.poses(2:end));
   if isempty(path) || ~arePathsValid(arm, path(1:2)) || ~arePathsValid(arm, path(3:end), held), path = {}; end
 end

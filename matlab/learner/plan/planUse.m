@@ -31,7 +31,6 @@ function [actions, state, problem] = planUse(use, alignment, surface, state, arm
       if isempty(loads{k})
         loads{k} = loadOf(whole, hold.poses{2});
         taken{k} = planToTake(hold, sensor.arms(hold.arm.index).joints(:)', boxAround(loads{k}));
-        if isAsBefore(k, holds, taken), taken{k} = {}; end
       end
       if isempty(taken{k}), continue; end
       actions = planHeldUse(hold, taken{k}, loads{k}, tool, {begin, last}, yaw - tool.yaw, avoided, it.ways);
@@ -41,16 +40,6 @@ function [actions, state, problem] = planUse(use, alignment, surface, state, arm
       return
     end
   end
-end
-
-function yes = isAsBefore(k, holds, taken)
-% Returns true if an arm takes a tool in the hold k in almost the same posture as in one before, at the same poses. From several
-% starts, such postures are often found: what one cannot do, the next one cannot either.
-%   taken  1xN cell: paths, see planToTake
-  posture = @(path) path{end}.positions(end, :);
-  alike = @(path) ~isempty(path) && max(abs(posture(path) - posture(taken{k}))) <= constants().uses.same_posture_rad;
-  yes = ~isempty(taken{k}) && ...
-        any(arrayfun(@(m) alike(taken{m}) && isequal(holds(m).poses, holds(k).poses), 1:k - 1));
 end
 
 function found = waysFromSides(use, around)

@@ -58,7 +58,7 @@ function checkCarrying(eye)
   check(all(points(~is_tool, 1) > 2), 'the post is not');
   around = surroundingsOf(points(~is_tool, :));
   eval('function pose = smileForward(~, ~, q), pose = [diag([1, -1, -1]), q(:); 0, 0, 0, 1]; end');
-  eval('function points = armPoints(~, q), points = [q; q + [0, -1, 3]]; end');
+  eval('function points = armPoints(~, q), points = permute(q, [3, 2, 1]) + [0, 0, 0; 0, -1, 3]; end');
   % A path along straight lines through joint waypoints, which contains no other points: a second for each.
   eval('function q = smileSample(path, times), q = interp1(0:path.duration, path.positions, times); end');
   remove = onCleanup(@() clear('-f', 'smileForward', 'armPoints', 'smileSample'));
@@ -91,7 +91,7 @@ function checkWayOver(eye, arm)
   high = max(around.ofArm.heights(:)) + arm.reach + 0.1;
   ways = struct('is_line', {true, false, false}, 'height', {0, 0, high});
   isClear = @(path) all(cellfun(@(it) avoids(around, arm, it), path(4:min(end, 5))));
-  hold = struct('arm', arm, 'poses', {{over, poseAt([-3, -3, 1]), over}}, 'first', parked);
+  hold = struct('arm', arm, 'poses', {{over, poseAt([-3, -3, 1]), over}}, 'above', [-3, -3, 2]);
   taken = planToTake(hold, parked, []);
   plan = @(ways) planThereAndBack(arm, taken, {poseAt([3, -3, 2])}, {over, over}, ways, [], isClear);
   check(isempty(plan(ways(1:2))), 'a post between a tool and its work is in the way');

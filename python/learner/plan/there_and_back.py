@@ -1,21 +1,19 @@
 """Paths of an arm that takes something, works with it elsewhere, and puts it back, with a choice of ways between."""
 
-from act.reach import solve_pose_sequence
 from act.segments import is_path_valid, move_joints
 from plan.ways import back_after, lines, there_on
 
 
-def plan_to_take(arm, poses, first, q, held):
+def plan_to_take(arm, poses, above, q, held):
     """Plans the paths of an arm to the first of some tool poses, and along straight lines through the others: a list; []
     if there are none.
 
     poses: 4x4 [units]; it takes something at the second one
-    first: joint angles from which those at the first pose are searched [rad]
+    above: joint angles at the first one [rad]
     q:     its joint angles [rad]
     held:  box around what it takes, see is_path_valid
     """
-    above = solve_pose_sequence(arm, poses, first)
-    path = above is not None and lines(arm, [move_joints(arm, [q, above])], poses[1:])
+    path = lines(arm, [move_joints(arm, [q, above])], poses[1:])
     return path if path and are_valid(arm, path[:2]) and are_valid(arm, path[2:], held) else []
 
 

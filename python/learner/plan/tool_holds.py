@@ -9,6 +9,7 @@ from act.actions import Grasp
 from act.arms import Arm
 from act.finger_room import grasp_yaws
 from act.grippers import grip_depth
+from act.reach import solve_pose_sequence
 from act.segments import at_height
 from check.failures import has_failed
 from constants import USES as C
@@ -40,16 +41,21 @@ def holds(arms, tool, looks, others, failures, sensor):
             load = load_of(whole, start)
             above = at_height(start, start[2, 3] + lift)
             poses = [above, start, above]
-            postures = []
-            for first in arm.starts:
-                taken = plan_to_take(arm, poses, first, sensor.arms[arm.index].joints, load.box())
-                if not taken:
-                    continue
-                # From several starts, often almost the same posture is found: what it cannot do, the next one cannot either.
-                posture = taken[-1].positions[-1]
-                if all(abs(posture - it).max() > C.same_posture_rad for it in postures):
-                    postures.append(posture)
+            for posture in postures(arm, poses):
+                taken = plan_to_take(arm, poses, posture, sensor.arms[arm.index].joints, load.box())
+                if taken:
                     yield Hold(arm, grasp, grip, poses, taken, load)
+
+
+def postures(arm, poses):
+    """Yields the joint angles [rad] at the first of a sequence of tool poses that are found from the starts of an arm. From several
+    starts, often almost the same posture is found: what an arm cannot do in one, it cannot do in the next one either."""
+    found = []
+    for start in arm.starts:
+        posture = solve_pose_sequence(arm, poses, start)
+        if posture is not None and all(abs(posture - it).max() > C.same_posture_rad for it in found):
+            found.append(posture)
+            yield posture
 
 
 def tool_pose(arm, tool, across, grip, position, turn=0):

@@ -102,7 +102,7 @@ class UseTest(RecordingTest):
         straight, any_way, high = Way(True, 0), Way(False, 0), Way(False, highest + arm.reach + 0.1)
 
         def plan(*ways):
-            taken = plan_to_take(arm, [over, pose_at([-3, -3, 1]), over], arm.parked, arm.parked, None)
+            taken = plan_to_take(arm, [over, pose_at([-3, -3, 1]), over], np.array([-3, -3, 2]), arm.parked, None)
             return plan_there_and_back(arm, taken, [work], [over, over], ways, None,
                                        lambda path: all(around.avoids(arm, it) for it in path[3:5]))
 

@@ -68,7 +68,6 @@ function yes = standsAlone(picture, mask, color, table)
   for axis = [1, 2], around = around | circshift(around, 1, axis) | circshift(around, -1, axis); end
   flat = reshape(picture, [], 3);
   beside = flat(around(2:end - 1, 2:end - 1) & ~mask, :);
-  own = max(abs(beside - table), [], 2) < c.perception.table_tolerance;
-  for k = find(~own)', own(k) = isDarkerShade(beside(k, :), color); end
+  own = max(abs(beside - table), [], 2) < c.perception.table_tolerance | isDarkerShade(beside, color);
   yes = mean(own) > c.outlines.min_alone;
 end

@@ -1,8 +1,7 @@
-function yes = isDarkerShade(color, bright)
-% Returns true if a color, 1x3, is a darker shade of the same hue: that of a side of a block with a bright
-% top.
+function yes = isDarkerShade(colors, bright)
+% Returns true where colors, Nx3, are darker shades of the same hue: those of sides of a block with a bright top.
   c = constants().perception;
-  fraction = sum(color .* bright) / max(sum(bright .^ 2), eps);
-  yes = fraction > c.shade(1) && fraction < c.shade(2) && ...
-        max(abs(color - fraction * bright)) < c.shade_tolerance;
+  fractions = sum(colors .* bright, 2) / max(sum(bright .^ 2), eps);
+  yes = fractions > c.shade(1) & fractions < c.shade(2) & ...
+        max(abs(colors - fractions .* bright), [], 2) < c.shade_tolerance;
 end

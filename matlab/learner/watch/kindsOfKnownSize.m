@@ -39,8 +39,7 @@ function yes = hasSideBelow(color, area, codes)
   lowest = accumarray(area(:, 2), area(:, 1), [size(codes, 2), 1], @max);
   below = find(lowest > 0 & lowest < size(codes, 1));
   shades = colorsOfCodes(codes(sub2ind(size(codes), lowest(below) + 1, below)));
-  is_side = arrayfun(@(k) isDarkerShade(shades(k, :), color), 1:rows(shades));
-  yes = ~isempty(below) && mean(is_side) > constants().watching.min_shaded;
+  yes = ~isempty(below) && mean(isDarkerShade(shades, color)) > constants().watching.min_shaded;
 end
 
 function found = knownSizeOf(row, column, kinds, eye)

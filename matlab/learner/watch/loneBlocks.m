@@ -17,8 +17,7 @@ function [blocks, pixels] = loneBlocks(codes, is_background, eye)
     [~, top] = max(sum(colors, 2));
     % A color between two that a pixel can have shows as both.
     is_top = max(abs(colors - colors(top, :)), [], 2) < c.watching.same_top;
-    is_side = arrayfun(@(k) isDarkerShade(colors(k, :), colors(top, :)), find(~is_top));
-    if all(is_top) || ~all(is_side), continue; end
+    if all(is_top) || ~all(isDarkerShade(colors(~is_top, :), colors(top, :))), continue; end
     own = ismember(codes(here), shown(is_top));
     block = measureBySilhouette(colors(top, :), row(own), column(own), numel(row), eye);
     if isempty(block), continue; end

@@ -68,5 +68,5 @@ def stands_alone(picture, mask, color, table):
     for axis in (0, 1):
         around = around | np.roll(around, 1, axis) | np.roll(around, -1, axis)
     beside = picture[around[1:-1, 1:-1] & ~mask]
-    own = [np.abs(it - table).max() < PERCEPTION.table_tolerance or is_darker_shade(it, color) for it in beside]
-    return np.mean(own) > C.min_alone
+    own = (np.abs(beside - table).max(axis=1) < PERCEPTION.table_tolerance) | is_darker_shade(beside, color)
+    return own.mean() > C.min_alone

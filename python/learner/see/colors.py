@@ -63,12 +63,12 @@ def table_color(picture):
     return color_of_code(colors[count.argmax()]) if len(colors) else np.full(3, np.nan)
 
 
-def is_darker_shade(color, bright):
-    """Returns true if a color is a darker shade of the same hue: that of a side of a block with a bright top."""
-    fraction = (color * bright).sum() / max((bright**2).sum(), np.finfo(float).eps)
+def is_darker_shade(colors, bright):
+    """Returns true where colors (3, or Nx3) are darker shades of the same hue: those of sides of a block with a bright top."""
+    fractions = (colors * bright).sum(axis=-1, keepdims=True) / max((bright**2).sum(), np.finfo(float).eps)
     least, greatest = C.shade
-    difference = np.abs(color - fraction * bright).max()
-    return least < fraction < greatest and difference < C.shade_tolerance
+    is_shade = (np.abs(colors - fractions * bright) < C.shade_tolerance) & (least < fractions) & (fractions < greatest)
+    return is_shade.all(axis=-1)
 
 
 def is_below_brighter(color, codes, row, column):

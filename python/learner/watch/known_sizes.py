@@ -49,7 +49,7 @@ def has_side_below(color, row, column, codes):
     np.maximum.at(lowest, column, row)
     below = np.flatnonzero((lowest >= 0) & (lowest + 1 < codes.shape[0]))
     shades = colors_of(codes[lowest[below] + 1, below])
-    return len(below) > 0 and np.mean([is_darker_shade(it, color) for it in shades]) > C.min_shaded
+    return len(below) > 0 and is_darker_shade(shades, color).mean() > C.min_shaded
 
 
 def known_size_of(row, column, kinds, eye):

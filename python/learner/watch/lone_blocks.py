@@ -26,7 +26,7 @@ def lone_blocks(codes, is_background, eye):
         top = colors.sum(axis=1).argmax()
         # A color between two that a pixel can have shows as both.
         is_top = np.abs(colors - colors[top]).max(axis=1) < C.same_top
-        if is_top.all() or not all(is_darker_shade(it, colors[top]) for it in colors[~is_top]):
+        if is_top.all() or not is_darker_shade(colors[~is_top], colors[top]).all():
             continue
         own = np.isin(codes[row, column], shown[is_top])
         block = measure_by_silhouette(colors[top], row[own], column[own], len(row), eye)

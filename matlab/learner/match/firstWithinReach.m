@@ -24,6 +24,6 @@ function yes = canAllBePushed(steps, arms)
   for k = find(~[steps.stays])
     before = asBlocks(steps(1:k - 1));
     if ~isempty(graspYaws(steps(k), before)) || isempty(pushWays(steps(k), steps(k), before)), continue; end
-    yes = yes && isPushable(arms, steps(k), before);
+    yes = yes && ~isempty(wayToPush(arms, steps(k), before));
   end
 end

@@ -23,7 +23,29 @@ function check_pushes()
     check(~isOnWay(moved(it{1}, 0), ways(1)), sprintf('but not if it is off by %g %g %g', it{1}));
   end
   check(~isOnWay(moved([0, 0, 0], 0.1), ways(1)), 'or turned');
+  check_in_way(corner, goal);
   check_hidden_tops();
+end
+
+function check_in_way(corner, goal)
+% A hand needs room behind the start of a way.
+  eval('function yes = isReachable(varargin), yes = true; end');
+  eval('function q = solvePoseSequence(varargin), q = 0; end');
+  eval(['function hands = pushingHands(arm, block, way, others), at = block.position(1:2) + 1.2 * way.away;', ...
+        'hands = struct("poses", {{eye(4)}}); if any(vecnorm(vertcat(others.position)(:, 1:2) - at, 2, 2) < 0.5), hands = []; end; end']);
+  remove = onCleanup(@() clear('-f', 'isReachable', 'solvePoseSequence', 'pushingHands'));
+  arm = struct('reach', 0.75, 'parked', 0, 'foot', [1, -5]);
+  behind = [block([1, 0, 0], [1, 1, 1], 2.7, -2, 0, 0), block([0, 0, 1], [1, 1, 1], 1, -0.3, 0, 0)];
+  far = block([0, 0, 1], [1, 1, 1], -5, -2, 0, 0);
+  check(isempty(movesFromPush(goal, [corner, behind(1), far], 3:4, arm)), 'what is behind one way is not in the way of the other');
+  check(isempty(movesFromPush(goal, [corner, behind, far], 3:5, arm)), 'nor what can be pushed itself');
+  behind(2).color = [1, 0, 0];
+  moves = movesFromPush(goal, [corner, behind, far], 3:5, arm);
+  check(isequal([moves.block], 3:4), 'what is where a hand pushes goes elsewhere');
+  room = [moves.room];
+  check(isNear(vertcat(room.position)(:, 1:2), [1.45, -2; 1, -1.55]), 'but not to where the block is pushed from');
+  check(isempty(movesFromPush(goal, [corner, behind], 3:4, arm)), 'where there is nothing to push nothing goes elsewhere');
+  check(isempty(movesFromPush(goal, [corner(1), behind, far], 2:4, arm)), 'nor where fingers have room');
 end
 
 function check_hidden_tops()

@@ -41,8 +41,9 @@ def pushing_hands(arm, block, way, others):
             for across in room[0] if across in room[1]]
 
 
-def is_pushable(arms, step, before):
-    """Returns true if the arm nearest to the place of a step can bring a block to the start of a way to it, and push it there.
+def way_to_push(arms, step, before):
+    """Returns the first PushWay to the place of a step to whose start the arm nearest to it can bring a block, and push it there;
+    or None.
 
     before: what stands there then, as Blocks
     """
@@ -52,5 +53,5 @@ def is_pushable(arms, step, before):
         over = way.start.top + arm.reach + C.clearance
         if is_reachable(arm, way.start) and any(
                 solve_pose_sequence(arm, [at_height(it.poses[0], over), *it.poses], arm.parked) is not None for it in hands):
-            return True
-    return False
+            return way
+    return None

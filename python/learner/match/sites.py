@@ -3,7 +3,7 @@
 from act.finger_room import grasp_yaws, is_grasp_blocked
 from act.grippers import nearest_first
 from act.push_ways import push_ways
-from act.pushing_hands import is_pushable
+from act.pushing_hands import way_to_push
 from act.reach import is_reachable
 from constants import BUILDING_SITE as C
 from see.sight import is_top_hidden
@@ -48,5 +48,5 @@ def first_within_reach(sites, arms, all_carried=False):
 def can_all_be_pushed(steps, arms):
     """Returns true if the arms can push each of some steps to its place where those before leave no room for fingers, as far as
     there is a way to push it."""
-    return all(is_pushable(arms, step, steps[:k]) for k, step in enumerate(steps)
+    return all(way_to_push(arms, step, steps[:k]) for k, step in enumerate(steps)
                if not step.stays and not grasp_yaws(step, steps[:k]) and push_ways(step, step, steps[:k]))

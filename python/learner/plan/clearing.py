@@ -3,6 +3,7 @@
 import numpy as np
 
 from act.finger_room import grasp_yaws
+from act.pushing_hands import way_to_push
 from constants import TASK_PLANNING as C
 from plan.moves import Move, distinct
 from plan.obstruction import has_objects_on, is_close, is_support_known
@@ -49,3 +50,23 @@ def moves_from_place(step, free):
     in_way = [it for it in free if is_close(it, step) and not has_objects_on(it, free) and not grasp_yaws(step, [it])]
     in_way.sort(key=lambda it: np.linalg.norm(it.position - step.position))
     return [Move(it) for it in in_way if not is_same_kind(it, step)]
+
+
+def moves_from_push(step, known, free, arms):
+    """Returns the moves of blocks each of which, alone, keeps an arm from pushing another one to the place of a step, where what
+    is built leaves no room for fingers: a list of Moves."""
+    built = [it for it in known if it not in free]
+    if grasp_yaws(step, built):
+        return []
+    fits = [it for it in free if is_same_kind(it, step)]
+    near = [it for it in free if is_close(it, step)]
+    moves = []
+    # What is far away is in nobody's way: it does not matter which of that is pushed.
+    for pushed in [it for it in fits if it in near] + [it for it in fits if it not in near][:1]:
+        around = [it for it in near if it is not pushed]
+        if way_to_push(arms, step, built + around):
+            return []
+        in_way = [it for it in around if not has_objects_on(it, free)]
+        ways = [way_to_push(arms, step, built + [other for other in around if other is not it]) for it in in_way]
+        moves += [Move(it, room=way.start) for it, way in zip(in_way, ways) if way]
+    return moves

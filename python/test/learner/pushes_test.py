@@ -11,8 +11,9 @@ from smile.motion import Robot
 from act.arms import Arm
 from act.finger_room import grasp_yaws
 from act.push_ways import is_on_way, push_ways
-from act.pushing_hands import is_pushable, pushing_hands
+from act.pushing_hands import pushing_hands, way_to_push
 from match.sites import can_all_be_pushed
+from plan.clearing import moves_from_push
 from scenes import BLUE, CUBE, GREEN, RED, block, step
 
 BASE = np.array([[0.0, -1, 0, 0], [1, 0, 0, -8], [0, 0, 1, 2], [0, 0, 0, 1]])
@@ -66,12 +67,27 @@ class PushTest(unittest.TestCase):
 
     def test_a_building_is_where_what_must_be_pushed_can_be(self):
         steps = [step(it, []) for it in (*self.corner, self.goal)]
-        self.assertTrue(is_pushable([self.arm], steps[2], steps[:2]))
+        self.assertIsNotNone(way_to_push([self.arm], steps[2], steps[:2]))
         self.assertTrue(can_all_be_pushed(steps, [self.arm]))
         far = [replace(it, position=it.position + [0, 4, 0]) for it in steps]
         self.assertFalse(can_all_be_pushed(far, [self.arm]))
         far[2].stays = True
         self.assertTrue(can_all_be_pushed(far, [self.arm]), "what stays is not pushed")
+
+    def test_what_is_where_a_hand_pushes_goes_elsewhere(self):
+        goal, far = step(self.goal, []), block(BLUE, CUBE, -5, -2)
+        # Behind the two starts; the second one could be pushed itself.
+        behind = [block(RED, CUBE, 2.7, -2), block(BLUE, CUBE, 1, -0.3)]
+
+        def moves(built, *free):
+            return [(it.block, *it.room.position[:2].round(6)) for it in moves_from_push(goal, [*built, *free], free, [self.arm])]
+
+        self.assertEqual(moves(self.corner, behind[0], far), [], "along the other way it can push")
+        self.assertEqual(moves(self.corner, *behind, far), [], "the way of the second one is free")
+        behind[1] = replace(behind[1], color=RED)
+        self.assertEqual(moves(self.corner, *behind, far), [(behind[0], 1.45, -2), (behind[1], 1, -1.55)])
+        self.assertEqual(moves(self.corner, *behind), [], "there is nothing to push")
+        self.assertEqual(moves(self.corner[:1], *behind, far), [], "fingers have room there")
 
 
 if __name__ == "__main__":

@@ -32,7 +32,7 @@ end
 
 function actions = driveActions(hand, tool, turns, take, work, put)
 % Returns the actions; work: the paths for each fastener.
-  way = take(3);
+  way = {};
   for k = 1:numel(turns)
     [~, ~, number] = strokesOf(hand, turns(k));
     way = [way, work{k}(1:2), repmat(work{k}(3:6), 1, number)];
@@ -42,6 +42,7 @@ function actions = driveActions(hand, tool, turns, take, work, put)
   open = {struct('kind', 'open', 'arm', hand.arm, 'to', opening)};
   attempt = newGrasp(tool.position, hand.arm, 0);
   grasp = {struct('kind', 'grasp', 'arm', hand.arm, 'width', hand.width, 'grasp', attempt)};
-  actions = [open, follow(take(1:2)), grasp, follow([way, put(1:3)]), open, follow(put(4:5)), ...
+  lift = {struct('kind', 'lift', 'arm', hand.arm, 'path', take{3})};
+  actions = [open, follow(take(1:2)), grasp, lift, follow([way, put(1:3)]), open, follow(put(4:5)), ...
              {struct('kind', 'observe')}];
 end

@@ -19,6 +19,7 @@ function actions = planHeldUse(hold, taken, load, tool, way, turn, avoided, ways
   actions = {};
   if isempty(path), return; end
   move = cellfun(@(it) struct('kind', 'follow', 'arm', arm, 'path', it), path, 'UniformOutput', false);
+  move{3}.kind = 'lift';
   open = {struct('kind', 'open', 'arm', arm, 'to', opening)};
   closing = {struct('kind', 'grasp', 'arm', arm, 'width', width)};
   actions = [open, move(1:2), closing, move(3:5), closing, move(6:8), open, move(9:end), {struct('kind', 'observe')}];

@@ -25,16 +25,8 @@ function [actions, reason] = planHeld(arms, block, goal, others, sensor, failure
   reason = 'there is no room for the fingers';
   if isempty(grasp_yaws) || isempty(place_yaws), return; end
 
-  able = arms(arrayfun(@(arm) canHold(arm, held.size(2)), arms));
-  if isempty(able)
-    reason = 'it is wider than the gripper opens';
-    return
-  end
-  able = able(~arrayfun(@(arm) isTooHeavy(block, arm, failures), able));
-  if isempty(able)
-    reason = 'it is too heavy to be lifted';
-    return
-  end
+  [able, reason] = ableArms(arms, block, held.size(2), failures, 'no arm reaches both its place and its goal');
+  if isempty(able), return; end
 
   % What cannot be lifted as high as necessary to pass over all others is lifted less on a low way.
   trials = false;
@@ -63,7 +55,6 @@ function [actions, reason] = planHeld(arms, block, goal, others, sensor, failure
       end
     end
   end
-  reason = 'no arm reaches both its place and its goal';
 end
 
 function yes = isTurnedTo(block, goal)

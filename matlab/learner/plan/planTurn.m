@@ -9,10 +9,10 @@ function [actions, place, reason] = planTurn(arms, eye, block, held, then, other
   c = constants();
   actions = {};
   place = noBlocks();
-  reason = 'it is wider than the gripper opens';
-  able = arms(arrayfun(@(arm) canHold(arm, block.size(held)), arms));
+  [able, reason] = ableArms(arms, block, block.size(held), failures, '');
   if isempty(able), return; end
-  reason = 'no arm can hold it so that it can be turned';
+  is_known = ~isempty(reason);
+  if ~is_known, reason = 'no arm can hold it so that it can be turned'; end
   grasps = {};
   % Close to the limits of its joints, the hand of an arm may be folded to it: only if necessary.
   for margin = [c.motion_planning.tilted_limit_rad, 0]
@@ -21,7 +21,7 @@ function [actions, place, reason] = planTurn(arms, eye, block, held, then, other
   grasps = grasps(~cellfun(@(grasp) hasFailed(grasp.attempt, failures), grasps));
   if isempty(grasps), return; end
 
-  reason = 'there is no free place on the table where an arm can turn it';
+  if ~is_known, reason = 'there is no free place on the table where an arm can turn it'; end
   like = block;
   like.size = turnedSize(block.size, held);
   for site = sites

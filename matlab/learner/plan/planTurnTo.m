@@ -27,6 +27,7 @@ function actions = planTurnTo(grasp, block, held, place, others, sensor)
       continue
     end
     follow = cellfun(@(it) struct('kind', 'follow', 'arm', arm, 'path', it), path, 'UniformOutput', false);
+    follow{3}.kind = 'lift';
     open = {struct('kind', 'open', 'arm', arm, 'to', opening)};
     take = {struct('kind', 'grasp', 'arm', arm, 'width', width, 'grasp', grasp.attempt)};
     actions = [open, follow(1:2), take, follow(3:5), open, follow(6:end), {struct('kind', 'observe')}];

@@ -32,12 +32,14 @@ function check_drives()
   check(strcmp(describePress(drives(1)), 'loosening of Screw with Driver'), 'in words');
   state = initialTaskState(cover, [], drives, robotEye());
   state.known = asBlocks(drives(1).tool);
-  drives(1).grasp = struct('position', [5, -3, 1.4], 'arm', 1, 'yaw', 0);
+  drives(1).grasp = newGrasp([5, -3, 1.4], struct('index', 1), 0);
   check(~wasDriven(drives(1), state), 'not yet done');
   drives(1).attempts = 1;
   check(wasDriven(drives(1), state), 'done');
   state.failures(end + 1) = drives(1).grasp;
   check(~wasDriven(drives(1), state), 'not done if it failed');
+  state.failures(end).tooHeavy = asBlocks(drives(1).tool);
+  check(~wasDriven(drives(1), state), 'also because the tool was too heavy');
   checkHands();
 end
 

@@ -1,9 +1,11 @@
 """Grasps that failed: they are remembered, and not repeated."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
+from act.grippers import can_hold
 from act.path_following import CANNOT_LIFT
 from constants import MOTION_PLANNING as C
 from things.held_parts import held_part
@@ -32,8 +34,28 @@ def remember_failure(state, actions, status):
 
 
 def is_too_heavy(block, arm, failures):
-    """Returns true if an arm could not lift a block that looks like this one."""
-    return any(it.arm == arm.index and it.too_heavy and is_same_kind(it.too_heavy, block) for it in failures)
+    """Returns true if an arm could not lift a block that looks like this one, on whichever face."""
+    def sorted_sides(it):
+        return replace(it, size=np.sort(it.size))
+
+    return any(it.arm == arm.index and it.too_heavy and is_same_kind(sorted_sides(it.too_heavy), sorted_sides(block))
+               for it in failures)
+
+
+def able_arms(arms, block, width, failures, fallback=""):
+    """Returns the arms that can hold a block across a width [units], and for which it is not known to be too heavy; and why they
+    cannot bring it somewhere.
+
+    fallback: the reason where no other is known
+    """
+    holding = [arm for arm in arms if can_hold(arm, width)]
+    if not holding:
+        return [], "it is wider than the gripper opens"
+    weak = [arm for arm in holding if is_too_heavy(block, arm, failures)]
+    if len(weak) == len(holding):
+        return [], "it is too heavy to be lifted"
+    reason = f"it is too heavy for the arm {weak[0].name}, and no other one can do it" if weak else fallback
+    return [arm for arm in holding if arm not in weak], reason
 
 
 def num_failures(state, block):

@@ -73,7 +73,7 @@ def actions_of(hand, tool, take, work, put):
     arm = hand.arm
     opening = min(hand.width + MOTION_PLANNING.opening_margin, arm.opening)
     closed = Action("grasp", arm, width=hand.width, grasp=Grasp(tool.position, arm.index, 0.0))
-    way = take[2:] + sum([paths[:2] + number * paths[2:] for paths, number in work], []) + put[:3]
+    way = sum([paths[:2] + number * paths[2:] for paths, number in work], []) + put[:3]
     to_tool, there_and_back, away = [[Action("follow", arm, it) for it in part] for part in (take[:2], way, put[3:])]
-    return [Action("open", arm, to=opening), *to_tool, closed, *there_and_back,
+    return [Action("open", arm, to=opening), *to_tool, closed, Action("lift", arm, take[2]), *there_and_back,
             Action("open", arm, to=opening), *away, Action("observe")]

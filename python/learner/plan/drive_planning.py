@@ -3,8 +3,8 @@
 import numpy as np
 
 from act.actions import Grasp
-from act.grippers import can_hold, nearest_first
-from check.failures import has_failed
+from act.grippers import nearest_first
+from check.failures import able_arms, has_failed
 from constants import USES as C
 from explain.drives import Drive
 from match.alignment import refined
@@ -28,7 +28,8 @@ def plan_drive(drive, alignment, surface, state, arms, sensor):
     points = surface.points
     is_tool = overlap(np.column_stack([points[:, :2], np.zeros((len(points), 3))]), footprint([tool], C.around))[0]
     around = surroundings_of(points[~is_tool])
-    for arm in nearest_first([it for it in arms if can_hold(it, tool.size[1])], tool.position[0]):
+    able, reason = able_arms(arms, tool, tool.size[1], state.failures, "no arm brings it there and back")
+    for arm in nearest_first(able, tool.position[0]):
         attempt = Grasp(tool.position, arm.index, 0.0)
         if has_failed(attempt, state.failures):
             continue
@@ -36,7 +37,7 @@ def plan_drive(drive, alignment, surface, state, arms, sensor):
                                  sensor.arms[arm.index].joints, lambda path: around.avoids(arm, path))
         if actions:
             return actions, attempt, None
-    return [], None, "no arm brings it there and back"
+    return [], None, reason
 
 
 def refined_at(drive, alignment, surface, shown):

@@ -7,9 +7,9 @@ import numpy as np
 
 from act.actions import Grasp
 from act.finger_room import grasp_yaws
-from act.grippers import can_hold, nearest_first
+from act.grippers import nearest_first
 from check.choices import Way
-from check.failures import has_failed, is_too_heavy
+from check.failures import able_arms, has_failed
 from constants import MOTION_PLANNING as C
 from plan.heights import has_low_way, transfer_height
 from plan.transfers import plan_arm_pick_and_place
@@ -43,12 +43,9 @@ def plan_held_pick_and_place(arms, block, goal, others, sensor, failures, way):
     at_start, at_goal = grasp_yaws(block, others), grasp_yaws(goal, others)
     if not at_start or not at_goal:
         return [], "there is no room for the fingers"
-    able = [arm for arm in arms if can_hold(arm, held.size[1])]
+    able, reason = able_arms(arms, block, held.size[1], failures, "no arm reaches both its place and its goal")
     if not able:
-        return [], "it is wider than the gripper opens"
-    able = [arm for arm in able if not is_too_heavy(block, arm, failures)]
-    if not able:
-        return [], "it is too heavy to be lifted"
+        return [], reason
     can_be_low = not is_dragged(goal) and not block.knob and has_low_way(block, goal, others)
     for is_low, rise, arm in product([False, True] if can_be_low else [False], way.rises(),
                                      nearest_first(able, block.position[0] + goal.position[0])):
@@ -70,7 +67,7 @@ def plan_held_pick_and_place(arms, block, goal, others, sensor, failures, way):
                                               others, q, is_dragged(goal))
             if actions:
                 return actions, None
-    return [], "no arm reaches both its place and its goal"
+    return [], reason
 
 
 def is_turned_to(block, goal):

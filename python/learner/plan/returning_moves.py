@@ -7,8 +7,8 @@ import numpy as np
 
 from act.actions import Grasp
 from act.finger_room import grasp_yaws
-from act.grippers import can_hold, grip_depth, nearest_first
-from check.failures import has_failed, is_too_heavy
+from act.grippers import grip_depth, nearest_first
+from check.failures import able_arms, has_failed
 from constants import CLEARANCE
 from match.returning import directed
 from plan.transfers import plan_arm_pick_and_place
@@ -33,7 +33,7 @@ def plan_returning(block, step, is_back, state, arms, sensor):
     others = [it for it in state.known if it.top > min(block.top, place.top) - CLEARANCE.hand_above_top
               and not is_same_kind(it, step)]
     height = step.aside.height + block.size[2] / 2
-    able = [it for it in arms if can_hold(it, block.size[1]) and not is_too_heavy(block, it, state.failures)]
+    able, reason = able_arms(arms, block, block.size[1], state.failures, "no arm reaches both its place and its goal")
     for arm in nearest_first(able, block.position[0]):
         tool_height = height - grip_depth(arm, block.size[2])
         for grasp_yaw, place_yaw in product(grasp_yaws(block, others), grasp_yaws(place, others)):
@@ -45,4 +45,4 @@ def plan_returning(block, step, is_back, state, arms, sensor):
                                               sensor.arms[arm.index].joints, False)
             if actions:
                 return actions, place, None
-    return [], None, "no arm reaches both its place and its goal"
+    return [], None, reason

@@ -36,6 +36,7 @@ def plan_turn_to(grasp, block, held, place, others, sensor):
         if not (is_high and is_clear and is_valid):
             continue
         moves = [Action("follow", arm, it) for it in path]
+        moves[2].kind = "lift"
         return [Action("open", arm, to=opening), *moves[:2],
                 Action("grasp", arm, width=width, grasp=grasp.attempt), *moves[2:5],
                 Action("open", arm, to=opening), *moves[5:], Action("observe")]

@@ -11,7 +11,7 @@ import numpy as np
 
 from act.grippers import can_hold, nearest_first
 from act.reach import can_reach, solve
-from check.failures import has_failed
+from check.failures import able_arms, has_failed
 from constants import MOTION_PLANNING as C, TASK_PLANNING
 from plan.free_places import free_placements
 from plan.tilt import turn_height
@@ -28,9 +28,9 @@ def plan_turn(arms, eye, block, held, then, others, sites, sensor, failures, une
     others, sites, failures, unexplained: as for plan_temporary_placement
     Returns actions, the block at that place, and None; or [], None and a reason.
     """
-    able = [arm for arm in arms if can_hold(arm, block.size[held])]
+    able, too_heavy = able_arms(arms, block, block.size[held], failures)
     if not able:
-        return [], None, "it is wider than the gripper opens"
+        return [], None, too_heavy
     reason = "no arm can hold it so that it can be turned"
     # Close to the limits of its joints, the hand of an arm may be folded to it: only if necessary.
     grasps = [grasp for margin in (C.tilted_limit_rad, 0)
@@ -51,7 +51,7 @@ def plan_turn(arms, eye, block, held, then, others, sites, sensor, failures, une
                 actions = plan_turn_to(grasp, block, held, place, others, sensor)
                 if actions:
                     return actions, place, None
-    return [], None, reason
+    return [], None, too_heavy or reason
 
 
 def can_turn(arms, block, held, others):

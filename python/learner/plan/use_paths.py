@@ -31,6 +31,7 @@ def plan_held_use(hold, tool, way, turn, avoided, ways):
     if not path:
         return []
     moves = [Action("follow", arm, it) for it in path]
+    moves[2].kind = "lift"
     closing = [Action("grasp", arm, width=width) for _ in range(2)]
     return [Action("open", arm, to=opening), *moves[:2], closing[0], *moves[2:5], closing[1], *moves[5:8],
             Action("open", arm, to=opening), *moves[8:], Action("observe")]

@@ -4,7 +4,8 @@ from itertools import product, tee
 
 import numpy as np
 
-from act.grippers import can_hold, nearest_first
+from act.grippers import nearest_first
+from check.failures import able_arms
 from constants import USES as C
 from match.pressing import is_within
 from match.tools import find_tool
@@ -31,8 +32,10 @@ def plan_use(use, alignment, surface, state, arms, sensor):
     # On the straight way to its work, the tool passes as in the demonstration, and may touch what it changes.
     fixed = around[~is_within(use.changed, alignment, around, state.shown)]
     avoided = surroundings_of(around), surroundings_of(fixed)
-    able = nearest_first([it for it in arms if can_hold(it, tool.size[1])], tool.position[0])
-    candidates = holds(able, tool, looks, others, state.failures, sensor)
+    able, reason = able_arms(arms, block, tool.size[1], state.failures, "no arm brings it there and back")
+    if not able:
+        return [], None, reason
+    candidates = holds(nearest_first(able, tool.position[0]), tool, looks, others, state.failures, sensor)
     for part, ways, side in ways_from([[0]] if use.at is None else C.sides_rad, ways_past(avoided[0])):
         begin, end, yaw = seen_from(use, side, alignment)
         # Each is planned once, when its turn comes first.
@@ -41,7 +44,7 @@ def plan_use(use, alignment, surface, state, arms, sensor):
             actions = plan_held_use(hold, tool, (end + part * (begin - end), end), yaw - tool.yaw, avoided, ways)
             if actions:
                 return actions, hold.grasp, None
-    return [], None, "no arm brings it there and back"
+    return [], None, reason
 
 
 def seen_from(use, side, alignment):

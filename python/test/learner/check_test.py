@@ -9,7 +9,7 @@ import numpy as np
 from act.actions import Action, Grasp
 from check.beliefs import corrected
 from check.choices import Choices
-from check.failures import has_failed, is_too_heavy, num_failures, remember_failure
+from check.failures import able_arms, has_failed, is_too_heavy, num_failures, remember_failure
 from check.looking import compare
 from check.notes import tops_of
 from check.progress import assess_progress, open_steps
@@ -127,7 +127,7 @@ class CheckTest(unittest.TestCase):
 
     def test_what_an_arm_could_not_lift_is_too_heavy_for_it_wherever_it_is(self):
         there, goal = block(RED, CUBE, 3, -2), block(RED, CUBE, 0, -2)
-        right, left = (SimpleNamespace(index=k, opening=2) for k in range(2))
+        right, left = (SimpleNamespace(index=k, opening=2, name=name) for k, name in enumerate(("right", "left")))
         state = TaskState(self.steps)
         state.known, state.grasp = [goal], Grasp(there.position, 0, 0.5)
         remember_failure(state, [Action("lift"), Action("follow"), Action("open")], "an obstacle is in the way of the arm")
@@ -140,6 +140,14 @@ class CheckTest(unittest.TestCase):
         self.assertFalse(is_too_heavy(block(BLUE, CUBE, 5, -2), right, state.failures))
         _, reason = plan_pick_and_place([right], elsewhere, goal, [], None, state.failures)
         self.assertEqual(reason, "it is too heavy to be lifted")
+        able, reason = able_arms([right, left], elsewhere, 1, state.failures)
+        self.assertEqual((able, reason), ([left], "it is too heavy for the arm right, and no other one can do it"))
+
+    def test_what_was_turned_in_vain_is_too_heavy_on_its_other_faces_too(self):
+        lying, on_its_side = block(RED, np.array([3, 1, 0.5]), 3, -2), block(RED, np.array([3, 0.5, 1]), 0, -2)
+        failed = Grasp(lying.position, 0, 0.5, too_heavy=on_its_side)
+        self.assertTrue(is_too_heavy(lying, SimpleNamespace(index=0), [failed]))
+        self.assertFalse(is_too_heavy(block(RED, np.array([3, 1, 1]), 3, -2), SimpleNamespace(index=0), [failed]))
 
 
 if __name__ == "__main__":

@@ -28,6 +28,7 @@ try
   check_impossible_moves();
   check_hand_looks();
   check_path_over();
+  check_points_of_arm();
   check_resting();
   check_failures();
   check_pushes();

@@ -1,6 +1,6 @@
 function found = wayToPush(arms, step, before)
-% Returns the first way (see pushWays) to the place of a step to whose start the arm nearest to it can bring a block, and push it
-% there; an empty struct array if there is none.
+% Returns the first way (see pushWays) to the place of a step on which the nearest arm can push a block: it reaches the start of the
+% way and all poses of the push. An empty struct array if there is none.
 %   before  what stands there then, as blocks
   arm = nearestFirst(arms, step.position(1))(1);
   clearance = constants().motion_planning.clearance;

@@ -18,7 +18,7 @@ function [actions, state, problem] = planDrive(drive, alignment, surface, state,
   near = [surface.points(:, 1:2), zeros(rows(surface.points), 3)];
   around = surroundingsOf(surface.points(~overlap(footprint(tool, constants().uses.around), near), :));
   height = drive.height - drive.tool.position(3) + tool.position(3);
-  [able, problem] = ableArms(arms, tool, tool.size(2), state.failures, 'no arm brings it there and back');
+  [able, problem] = ableArms(arms, tool, tool.size(2), state.failures, 'no arm brings it there and back', drive.tool.name);
   for arm = nearestFirst(able, tool.position(1))
     attempt = newGrasp(tool.position, arm, 0);
     if hasFailed(attempt, state.failures), continue; end

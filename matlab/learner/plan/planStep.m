@@ -60,7 +60,7 @@ function moves = movesFor(state, k, free, is_last_resort, eye, arms, sensor)
   moves = [uncoveringMoves(state, free, eye), proposeMoves(state, k, free)];
   opening = max([arms.opening]) - constants().arms.opening_margin;
   moves = [moves, turningMoves(state.steps(k), state.known, free, opening)];
-  moves = [moves, clearingMoves(state, moves, free), movesFromPush(state.steps(k), state.known, free, arms)];
+  moves = [moves, clearingMoves(state, moves, free), movesFromPush(state, state.steps(k), free, arms)];
   if ~is_last_resort, return; end
   % Room for the hand at its place, on the table, and for fingers beside what is built.
   moves = [moves, movesFromPlace(state.steps(k), state.known, free)];

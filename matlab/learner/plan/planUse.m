@@ -16,7 +16,7 @@ function [actions, state, problem] = planUse(use, alignment, surface, state, arm
   % On the straight way to its work, the tool passes as in the demonstration, and may touch what it changes.
   fixed = around(~isWithin(use.changed, alignment, around, state.shown), :);
   avoided = [surroundingsOf(around), surroundingsOf(fixed)];
-  [able, problem] = ableArms(arms, state.known(end), tool.size(2), state.failures, 'no arm brings it there and back');
+  [able, problem] = ableArms(arms, state.known(end), tool.size(2), state.failures, 'no arm brings it there and back', use.tool.name);
   holds = toolHolds(nearestFirst(able, tool.position(1)), tool, others, state.failures);
   whole = wholeOf(looks, tool.position(3));
   loads = cell(size(holds));

@@ -33,19 +33,21 @@ function check_in_way(corner, goal)
   eval('function q = solvePoseSequence(varargin), q = 0; end');
   eval(['function hands = pushingHands(arm, block, way, others), at = block.position(1:2) + 1.2 * way.away;', ...
         'hands = struct("poses", {{eye(4)}}); if any(vecnorm(vertcat(others.position)(:, 1:2) - at, 2, 2) < 0.5), hands = []; end; end']);
-  remove = onCleanup(@() clear('-f', 'isReachable', 'solvePoseSequence', 'pushingHands'));
-  arm = struct('reach', 0.75, 'parked', 0, 'foot', [1, -5]);
+  arm = struct('reach', 0.75, 'parked', 0, 'foot', [1, -5], 'robot', [], 'name', '');
+  eval('function bounds = smileFingerBounds(varargin), bounds = [0, 0, 0; 0.4, 0.3, 0]; end');
+  remove = onCleanup(@() clear('-f', 'isReachable', 'solvePoseSequence', 'pushingHands', 'smileFingerBounds'));
+  movesWith = @(free, blocks) movesFromPush(struct('known', blocks, 'containers', []), goal, free, arm);
   behind = [block([1, 0, 0], [1, 1, 1], 2.7, -2, 0, 0), block([0, 0, 1], [1, 1, 1], 1, -0.3, 0, 0)];
   far = block([0, 0, 1], [1, 1, 1], -5, -2, 0, 0);
-  check(isempty(movesFromPush(goal, [corner, behind(1), far], 3:4, arm)), 'what is behind one way is not in the way of the other');
-  check(isempty(movesFromPush(goal, [corner, behind, far], 3:5, arm)), 'nor what can be pushed itself');
+  check(isempty(movesWith(3:4, [corner, behind(1), far])), 'what is behind one way is not in the way of the other');
+  check(isempty(movesWith(3:5, [corner, behind, far])), 'nor what can be pushed itself');
   behind(2).color = [1, 0, 0];
-  moves = movesFromPush(goal, [corner, behind, far], 3:5, arm);
+  moves = movesWith(3:5, [corner, behind, far]);
   check(isequal([moves.block], 3:4), 'what is where a hand pushes goes elsewhere');
   room = [moves.room];
-  check(isNear(vertcat(room.position)(:, 1:2), [1.45, -2; 1, -1.55]), 'but not to where the block is pushed from');
-  check(isempty(movesFromPush(goal, [corner, behind], 3:4, arm)), 'where there is nothing to push nothing goes elsewhere');
-  check(isempty(movesFromPush(goal, [corner(1), behind, far], 2:4, arm)), 'nor where fingers have room');
+  check(isNear(vertcat(room.position)(:, 1:2), [1.7, -2; 1, -1.3]), 'but not to where the block is pushed from, and the hand is behind it');
+  check(isempty(movesWith(3:4, [corner, behind])), 'where there is nothing to push nothing goes elsewhere');
+  check(isempty(movesWith(2:4, [corner(1), behind, far])), 'nor where fingers have room');
 end
 
 function check_hidden_tops()

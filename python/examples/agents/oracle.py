@@ -3,7 +3,7 @@ pixels show which other object: what it still fails at is planning or acting, no
 
     smile imitate DEMO SCENE --oracle --brain python/examples/agents/oracle.py
 
-It sees the poses of things with a knob, of several colors or of another shape, of those of which the learner knows only a
+It sees the poses of things with a knob, of several colors or of another shape, of objects of which the learner knows only the
 handle, and of what it drags, itself.
 A real robot does not have this information: only the simulator has it.
 
@@ -36,7 +36,7 @@ def init(aux):
 
 
 def see(sensor, eye, steps, told):
-    """Returns the objects of some steps, and the others of which the whole top is visible, as Blocks."""
+    """Returns the objects of some steps and tools, and the others of which the whole top is visible, as Blocks."""
     picture = sensor.rgbVision / 255
     heights = height_map(sensor.depthVision, eye)
     special = [it for it in steps if it.has_knob or it.parts or it.outline or is_dragged(it) or is_only_part(it, told)]

@@ -42,8 +42,8 @@ def pushing_hands(arm, block, way, others):
 
 
 def way_to_push(arms, step, before):
-    """Returns the first PushWay to the place of a step to whose start the arm nearest to it can bring a block, and push it there;
-    or None.
+    """Returns the first PushWay to the place of a step on which the nearest arm can push a block: it reaches the start of the way
+    and all poses of the push. None if there is none.
 
     before: what stands there then, as Blocks
     """
@@ -55,3 +55,12 @@ def way_to_push(arms, step, before):
                 solve_pose_sequence(arm, [at_height(it.poses[0], over), *it.poses], arm.parked) is not None for it in hands):
             return way
     return None
+
+
+def room_to_push(arms, way):
+    """Returns what a block at the start of a PushWay and the fingers that the nearest arm brings behind it take up, as one
+    Block."""
+    arm = nearest_first(arms, way.end.position[0])[0]
+    behind = np.diff(arm.robot.finger_bounds(arm.name, 0), axis=0)[0, 0] + C.push_margin
+    return replace(way.start, position=way.start.position + behind / 2 * np.append(way.away, 0),
+                   size=np.array([way.length + behind, way.width, way.start.size[2]]), yaw=math.atan2(way.away[1], way.away[0]))

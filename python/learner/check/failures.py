@@ -42,19 +42,21 @@ def is_too_heavy(block, arm, failures):
                for it in failures)
 
 
-def able_arms(arms, block, width, failures, fallback=""):
-    """Returns the arms that can hold a block across a width [units], and for which it is not known to be too heavy; and why they
-    cannot bring it somewhere.
+def able_arms(arms, block, width, failures, fallback="", name="it"):
+    """Returns the arms that can hold a block across a width [units], and for which it is not known to be too heavy; and the reason
+    to report if none of them can bring it to its place.
 
+    failures: Grasps that failed
     fallback: the reason where no other is known
+    name:     of the block in the reason
     """
     holding = [arm for arm in arms if can_hold(arm, width)]
     if not holding:
-        return [], "it is wider than the gripper opens"
+        return [], f"{name} is wider than the gripper opens"
     weak = [arm for arm in holding if is_too_heavy(block, arm, failures)]
     if len(weak) == len(holding):
-        return [], "it is too heavy to be lifted"
-    reason = f"it is too heavy for the arm {weak[0].name}, and no other one can do it" if weak else fallback
+        return [], f"{name} is too heavy to be lifted"
+    reason = f"{name} is too heavy for the arm {weak[0].name}, and no other one can do it" if weak else fallback
     return [arm for arm in holding if arm not in weak], reason
 
 

@@ -70,5 +70,5 @@ def likes(state):
 
 
 def tools_of(state):
-    """Returns the tools of a task, one for each use."""
+    """Returns the tools of a task, one for each use or drive."""
     return [it.tool for it in state.presses if it.tool]

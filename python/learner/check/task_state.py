@@ -64,7 +64,7 @@ class TaskState:
     num_still: int = 0  # number of the last of them in which nothing moved
     without: tuple = ()  # "depth", "second look": abilities that it does not use
     choices: Choices = Choices()  # between several good ways
-    see: Optional[Callable] = None  # told what is seen: from sensor, eye and steps to Blocks
+    see: Optional[Callable] = None  # told what is seen: from sensor, eye, and steps and tools to Blocks
 
     def __post_init__(self):
         self.done = [False] * len(self.steps)

@@ -3,11 +3,12 @@
 import numpy as np
 
 from act.finger_room import grasp_yaws
-from act.pushing_hands import way_to_push
+from act.pushing_hands import room_to_push, way_to_push
 from constants import TASK_PLANNING as C
 from plan.moves import Move, distinct
 from plan.obstruction import has_objects_on, is_close, is_support_known
 from see.sight import is_top_hidden
+from things.areas import container_at
 from things.kinds import is_same_kind
 from things.supports import assumed_support
 
@@ -52,21 +53,25 @@ def moves_from_place(step, free):
     return [Move(it) for it in in_way if not is_same_kind(it, step)]
 
 
-def moves_from_push(step, known, free, arms):
+def moves_from_push(state, step, free, arms):
     """Returns the moves of blocks each of which, alone, keeps an arm from pushing another one to the place of a step, where what
-    is built leaves no room for fingers: a list of Moves."""
-    built = [it for it in known if it not in free]
-    if grasp_yaws(step, built):
+    is built leaves no room for fingers: a list of Moves.
+
+    free: the known blocks that are in no step's place
+    """
+    built = [it for it in state.known if it not in free]
+    # What goes into a container is never pushed there.
+    if grasp_yaws(step, built) or container_at(state.containers, step.position):
         return []
     fits = [it for it in free if is_same_kind(it, step)]
     near = [it for it in free if is_close(it, step)]
     moves = []
-    # What is far away is in nobody's way: it does not matter which of that is pushed.
+    # Blocks far away obstruct nothing, so one of them stands for all.
     for pushed in [it for it in fits if it in near] + [it for it in fits if it not in near][:1]:
         around = [it for it in near if it is not pushed]
         if way_to_push(arms, step, built + around):
             return []
         in_way = [it for it in around if not has_objects_on(it, free)]
         ways = [way_to_push(arms, step, built + [other for other in around if other is not it]) for it in in_way]
-        moves += [Move(it, room=way.start) for it, way in zip(in_way, ways) if way]
+        moves += [Move(it, room=room_to_push(arms, way)) for it, way in zip(in_way, ways) if way]
     return moves

@@ -28,7 +28,8 @@ def plan_drive(drive, alignment, surface, state, arms, sensor):
     points = surface.points
     is_tool = overlap(np.column_stack([points[:, :2], np.zeros((len(points), 3))]), footprint([tool], C.around))[0]
     around = surroundings_of(points[~is_tool])
-    able, reason = able_arms(arms, tool, tool.size[1], state.failures, "no arm brings it there and back")
+    able, reason = able_arms(arms, tool, tool.size[1], state.failures, "no arm brings it there and back",
+                             drive.tool.name)
     for arm in nearest_first(able, tool.position[0]):
         attempt = Grasp(tool.position, arm.index, 0.0)
         if has_failed(attempt, state.failures):

@@ -52,7 +52,7 @@ def moves_for(state, k, free, is_last_resort, eye, arms, sensor):
         return [Move(it) for it in free if is_same_kind(it, step) and not has_objects_on(it, free)]
     moves = uncovering_moves(state, free, eye) + propose_moves(state, step, free)
     moves += turning_moves(step, free, max(arm.opening for arm in arms) - ARMS.opening_margin)
-    moves += clearing_moves(state, moves, free) + moves_from_push(step, state.known, free, arms)
+    moves += clearing_moves(state, moves, free) + moves_from_push(state, step, free, arms)
     if is_last_resort:
         # Room for the hand at its place, on the table, and for fingers beside what is built.
         moves += moves_from_place(step, free)

@@ -48,7 +48,7 @@ def holds(arms, tool, looks, others, failures, sensor):
 
 
 def postures(arm, poses):
-    """Yields the joint angles [rad] at the first of a sequence of tool poses that are found from the starts of an arm. From several
+    """Yields the joint angles [rad] at the first of a sequence of tool poses, 4x4 [units], that are found from the starts of an arm. From several
     starts, often almost the same posture is found: what an arm cannot do in one, it cannot do in the next one either."""
     found = []
     for start in arm.starts:

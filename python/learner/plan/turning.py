@@ -28,9 +28,9 @@ def plan_turn(arms, eye, block, held, then, others, sites, sensor, failures, une
     others, sites, failures, unexplained: as for plan_temporary_placement
     Returns actions, the block at that place, and None; or [], None and a reason.
     """
-    able, too_heavy = able_arms(arms, block, block.size[held], failures)
+    able, reason_of_arms = able_arms(arms, block, block.size[held], failures)
     if not able:
-        return [], None, too_heavy
+        return [], None, reason_of_arms
     reason = "no arm can hold it so that it can be turned"
     # Close to the limits of its joints, the hand of an arm may be folded to it: only if necessary.
     grasps = [grasp for margin in (C.tilted_limit_rad, 0)
@@ -51,7 +51,7 @@ def plan_turn(arms, eye, block, held, then, others, sites, sensor, failures, une
                 actions = plan_turn_to(grasp, block, held, place, others, sensor)
                 if actions:
                     return actions, place, None
-    return [], None, too_heavy or reason
+    return [], None, reason_of_arms or reason
 
 
 def can_turn(arms, block, held, others):

@@ -32,7 +32,7 @@ def plan_use(use, alignment, surface, state, arms, sensor):
     # On the straight way to its work, the tool passes as in the demonstration, and may touch what it changes.
     fixed = around[~is_within(use.changed, alignment, around, state.shown)]
     avoided = surroundings_of(around), surroundings_of(fixed)
-    able, reason = able_arms(arms, block, tool.size[1], state.failures, "no arm brings it there and back")
+    able, reason = able_arms(arms, block, tool.size[1], state.failures, "no arm brings it there and back", use.tool.name)
     if not able:
         return [], None, reason
     candidates = holds(nearest_first(able, tool.position[0]), tool, looks, others, state.failures, sensor)

@@ -64,7 +64,7 @@ def table_color(picture):
 
 
 def is_darker_shade(colors, bright):
-    """Returns true where colors (3, or Nx3) are darker shades of the same hue: those of sides of a block with a bright top."""
+    """Returns whether colors (3, or Nx3) are darker shades of the same hue, bool or N bool: those of sides of a block with a bright top."""
     fractions = (colors * bright).sum(axis=-1, keepdims=True) / max((bright**2).sum(), np.finfo(float).eps)
     least, greatest = C.shade
     is_shade = (np.abs(colors - fractions * bright) < C.shade_tolerance) & (least < fractions) & (fractions < greatest)

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
+from act.actions import Grasp
 from check.task_state import TaskState
 from constants import USES
 from explain.demonstration import read_demonstration
@@ -127,9 +128,13 @@ class CoverTest(RecordingTest):
 
     def test_what_is_put_aside_stays_there_until_it_comes_back(self):
         lid = self.steps[2]
-        reasons = [plan_returning(it, lid, is_back, TaskState(self.steps), [], None)[2]
+        # An arm that failed in each of its grasps.
+        state = TaskState(self.steps, failures=[Grasp(it.position, 0, yaw) for it in (lid, lid.aside.place)
+                                                for yaw in np.arange(8) * math.pi / 4])
+        arm, sensor = SimpleNamespace(index=0, opening=9, reach=0.7, foot=np.zeros(2)), SimpleNamespace(arms=[SimpleNamespace(joints=[])])
+        reasons = [plan_returning(it, lid, is_back, state, [arm], sensor)[2]
                    for it, is_back in [(lid.aside.place, False), (lid.aside.place, True), (lid, False)]]
-        no_arm = "it is wider than the gripper opens"  # of any arm: there is none
+        no_arm = "no arm reaches both its place and its goal"
         self.assertEqual(reasons, ["it is put aside already", no_arm, no_arm])
 
     def test_loosening_is_told_from_fastening_and_turns_are_counted(self):

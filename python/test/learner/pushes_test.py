@@ -4,6 +4,7 @@ import math
 import unittest
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 from smile.motion import Robot
@@ -80,12 +81,13 @@ class PushTest(unittest.TestCase):
         behind = [block(RED, CUBE, 2.7, -2), block(BLUE, CUBE, 1, -0.3)]
 
         def moves(built, *free):
-            return [(it.block, *it.room.position[:2].round(6)) for it in moves_from_push(goal, [*built, *free], free, [self.arm])]
+            return [(it.block, *it.room.position[:2].round(6)) for it in moves_from_push(
+                SimpleNamespace(known=[*built, *free], containers=[]), goal, free, [self.arm])]
 
         self.assertEqual(moves(self.corner, behind[0], far), [], "along the other way it can push")
         self.assertEqual(moves(self.corner, *behind, far), [], "the way of the second one is free")
         behind[1] = replace(behind[1], color=RED)
-        self.assertEqual(moves(self.corner, *behind, far), [(behind[0], 1.45, -2), (behind[1], 1, -1.55)])
+        self.assertEqual(moves(self.corner, *behind, far), [(behind[0], 1.7, -2), (behind[1], 1, -1.3)], "room for fingers, too")
         self.assertEqual(moves(self.corner, *behind), [], "there is nothing to push")
         self.assertEqual(moves(self.corner[:1], *behind, far), [], "fingers have room there")
 

@@ -90,11 +90,17 @@ void LineOfTheTool(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(MoveAlongLine(arm, *q, goal));
 }
 
-/// Measures the test of a configuration for contact between links.
+/// Measures the test of a configuration for contact between links, while one arm moves as a whole.
 void SelfCollisionCheck(benchmark::State& state) {
   const robot::RobotModel model = Baxter();
   motion::ArticulationProbe probe(robot::MakeArticulationSpec(model, {}));
-  for (auto _ : state) benchmark::DoNotOptimize(probe.FirstOverlap(model.q_start));
+  std::vector<double> q = model.q_start;
+  double step = 0.01;
+  for (auto _ : state) {
+    q[model.arms[0].joints.front()] += step;
+    step = -step;
+    benchmark::DoNotOptimize(probe.FirstOverlap(q));
+  }
 }
 
 }  // namespace

@@ -29,52 +29,39 @@ std::vector<scene::Solid> SolidsOf(const scene::ArticulationSpec& spec,
   return all;
 }
 
-/// Ball around a piece, in the world.
-struct Ball {
-  Vector3 p_WQ = Vector3::Zero();
-  double radius = HUGE_VAL;
-};
-
-/// Returns balls around the pieces of the links, which are the last ones; those of the environment
-/// and the base have no bound.
-std::vector<Ball> BallsAround(std::span<const scene::LinkSpec> links,
-                              std::span<const RigidTransform> X_WL, std::size_t num_pieces) {
-  std::vector<Ball> balls;
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    for (const scene::Solid& solid : links[i].solids) {
-      const scene::Bounds bounds = scene::BoundsOf(solid.shape, RigidTransform());
-      balls.push_back({X_WL[i] * (solid.X_BS * bounds.center()), bounds.size().norm() / 2});
-    }
-  }
-  balls.insert(balls.begin(), num_pieces - balls.size(), Ball());
-  return balls;
-}
-
 }  // namespace
 
 ArticulationProbe::ArticulationProbe(const scene::ArticulationSpec& spec,
                                      const std::vector<scene::Solid>& environment)
     : links_(spec.links), X_WBase_(spec.X_WBase), probe_(SolidsOf(spec, environment)) {
-  const auto add_pieces = [this](int link, const std::vector<scene::Solid>& solids) {
-    for (const scene::Solid& solid : solids) pieces_.push_back({link, solid.X_BS});
-  };
-  add_pieces(kEnvironment, environment);
-  add_pieces(-1, spec.base_solids);
+  AddBody(kEnvironment, environment, {});
+  AddBody(-1, spec.base_solids, spec.X_WBase);
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    add_pieces(static_cast<int>(i), links_[i].solids);
+    AddBody(static_cast<int>(i), links_[i].solids, {});
   }
 
   // Pairs are found once here, since each query visits all of them.
   // The base may stand on the environment.
   std::set<std::pair<int, int>> never{{kEnvironment, -1}};
   for (const auto& [a, b] : spec.never_collide) never.insert(std::minmax(a, b));
-  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const std::pair<int, int> links{pieces_[j].link, pieces_[i].link};
-      if (links.first == links.second || never.contains(links)) continue;
-      pairs_.emplace_back(i, j);
+      const bool is_empty = bodies_[i].X_LP.empty() || bodies_[j].X_LP.empty();
+      const std::pair<int, int> links{bodies_[j].link, bodies_[i].link};
+      if (!is_empty && !never.contains(links)) pairs_.push_back({i, j});
     }
   }
+}
+
+void ArticulationProbe::AddBody(int link, const std::vector<scene::Solid>& solids,
+                                const RigidTransform& X_WL) {
+  const std::size_t first =
+      bodies_.empty() ? 0 : bodies_.back().first_piece + bodies_.back().X_LP.size();
+  const scene::Bounds bounds = scene::BoundsOf(solids, RigidTransform());
+  const Vector3 p_LQ = bounds.center();
+  Body body{link, {}, first, p_LQ, bounds.size().norm() / 2, X_WL, X_WL * p_LQ};
+  for (const scene::Solid& solid : solids) body.X_LP.push_back(solid.X_BS);
+  bodies_.push_back(std::move(body));
 }
 
 void ArticulationProbe::Pose(std::span<const double> q) {
@@ -86,19 +73,44 @@ void ArticulationProbe::Pose(std::span<const double> q) {
     throw std::invalid_argument("q is not finite");
   }
   const std::vector<RigidTransform> X_WL = scene::LinkPoses(links_, X_WBase_, q);
-  for (std::size_t i = 0; i < pieces_.size(); ++i) {
-    const Piece& piece = pieces_[i];
-    if (piece.link >= 0) probe_.SetPose(i, X_WL[piece.link] * piece.X_LS);
+  for (Body& body : bodies_) {
+    if (body.link < 0 || X_WL[body.link] == body.X_WL) continue;
+    body.X_WL = X_WL[body.link];
+    body.p_WQ = body.X_WL * body.p_LQ;
+    ++body.num_moves;
+    for (std::size_t i = 0; i < body.X_LP.size(); ++i) {
+      probe_.SetPose(body.first_piece + i, body.X_WL * body.X_LP[i]);
+    }
   }
+}
+
+double ArticulationProbe::DepthOf(Pair& pair, double depth) {
+  const Body &body = bodies_[pair.body], &other = bodies_[pair.other];
+  // Along a path of one arm, most of the robot stands as it did when it was last tested.
+  const std::pair<std::int64_t, std::int64_t> moves{body.num_moves, other.num_moves};
+  if (pair.clear_at_moves == moves && pair.clear_depth <= depth) return 0;
+  // Most of the others are far apart.
+  const double reach = body.radius + other.radius;
+  if ((body.p_WQ - other.p_WQ).squaredNorm() <= reach * reach) {
+    for (std::size_t i = 0; i < body.X_LP.size(); ++i) {
+      for (std::size_t j = 0; j < other.X_LP.size(); ++j) {
+        const double overlap = probe_.Depth(body.first_piece + i, other.first_piece + j);
+        if (overlap > depth) return overlap;
+      }
+    }
+  }
+  pair.clear_at_moves = moves;
+  pair.clear_depth = depth;
+  return 0;
 }
 
 std::optional<LinkOverlap> ArticulationProbe::FirstOverlap(std::span<const double> q,
                                                            double depth) {
   Pose(q);
   // Pairs are in the order of links, so the first overlap found is the first one in that order.
-  for (const auto& [i, j] : pairs_) {
-    const double overlap = probe_.Depth(i, j);
-    if (overlap > depth) return LinkOverlap{pieces_[i].link, pieces_[j].link, overlap};
+  for (Pair& pair : pairs_) {
+    const double overlap = DepthOf(pair, depth);
+    if (overlap > 0) return LinkOverlap{bodies_[pair.body].link, bodies_[pair.other].link, overlap};
   }
   return std::nullopt;
 }
@@ -106,17 +118,14 @@ std::optional<LinkOverlap> ArticulationProbe::FirstOverlap(std::span<const doubl
 std::vector<std::pair<int, int>> ArticulationProbe::AllOverlaps(std::span<const double> q,
                                                                 double depth) {
   Pose(q);
-  const std::vector<RigidTransform> X_WL = scene::LinkPoses(links_, X_WBase_, q);
-  const std::vector<Ball> balls = BallsAround(links_, X_WL, pieces_.size());
-  std::set<std::pair<int, int>> found;
-  for (const auto& [i, j] : pairs_) {
-    const std::pair<int, int> links = std::minmax(pieces_[i].link, pieces_[j].link);
-    // Most pairs are far apart, or have been found by other pieces.
-    const bool is_near = (balls[i].p_WQ - balls[j].p_WQ).norm() < balls[i].radius + balls[j].radius;
-    if (!is_near || found.contains(links)) continue;
-    if (probe_.Depth(i, j) > depth) found.insert(links);
+  std::vector<std::pair<int, int>> found;
+  for (Pair& pair : pairs_) {
+    if (DepthOf(pair, depth) > 0) {
+      found.emplace_back(bodies_[pair.other].link, bodies_[pair.body].link);
+    }
   }
-  return {found.begin(), found.end()};
+  std::ranges::sort(found);
+  return found;
 }
 
 }  // namespace smile::motion

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <utility>
@@ -44,20 +45,36 @@ class ArticulationProbe {
   std::vector<std::pair<int, int>> AllOverlaps(std::span<const double> q, double depth = 0.0005);
 
  private:
-  /// A convex solid S, fixed to a link L.
-  struct Piece {
+  /// A link L, the base or the environment: convex pieces that move together.
+  struct Body {
     int link;
-    RigidTransform X_LS;
+    std::vector<RigidTransform> X_LP;  ///< of its pieces P
+    std::size_t first_piece;           ///< in the probe
+    Vector3 p_LQ;                      ///< center of a ball around them
+    double radius;                     ///< of that ball [m]
+    RigidTransform X_WL;               ///< where it is now
+    Vector3 p_WQ;
+    std::int64_t num_moves = 0;
+  };
+  /// Two bodies that may collide.
+  struct Pair {
+    std::size_t body, other;
+    /// When they were last found not to overlap by more than `clear_depth`.
+    std::pair<std::int64_t, std::int64_t> clear_at_moves{-1, -1};
+    double clear_depth = 0;  ///< [m]
   };
 
-  /// Puts the pieces where their links are at a configuration.
+  void AddBody(int link, const std::vector<scene::Solid>& solids, const RigidTransform& X_WL);
+  /// Puts the links where they are at a configuration.
   void Pose(std::span<const double> q);
+  /// Returns the depth of an overlap of two bodies that is deeper than `depth`; 0 if there is none.
+  double DepthOf(Pair& pair, double depth);
 
   std::vector<scene::LinkSpec> links_;
   RigidTransform X_WBase_;
-  std::vector<Piece> pieces_;
-  std::vector<std::pair<std::size_t, std::size_t>> pairs_;  ///< indexes of pieces that may collide
-  physics::SolidProbe probe_;                               ///< of the pieces
+  std::vector<Body> bodies_;   ///< the environment, the base, and the links, in this order
+  std::vector<Pair> pairs_;    ///< in the order of bodies
+  physics::SolidProbe probe_;  ///< of the pieces
 };
 
 }  // namespace smile::motion

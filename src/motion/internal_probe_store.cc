@@ -5,9 +5,9 @@
 namespace smile::motion {
 namespace {
 
-/// As many as a plan alternates between: both hands with nothing, and with a thing in several
-/// holds.
-constexpr std::size_t kMostKept = 16;
+/// As many as a plan alternates between: both hands with nothing, and with a thing in each of the
+/// holds that are tried.
+constexpr std::size_t kMostKept = 64;
 
 }  // namespace
 

@@ -50,6 +50,26 @@ TEST(ArticulationProbe, AgreesWithBruteForceOnWhatTouches) {
   EXPECT_LT(num_free, 120);
 }
 
+TEST(ArticulationProbe, AnswersTheSameWhateverItWasAskedBefore) {
+  motion::ArticulationProbe asked(MakeArticulationSpec(Baxter(), {}));
+  std::mt19937 random(11);
+  std::vector<double> q = Baxter().q_start;
+  int num_overlaps = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    // One joint after the other: most links stand as they did.
+    const std::size_t joint = random() % q.size();
+    q[joint] = RandomConfiguration(Baxter(), &random)[joint];
+    motion::ArticulationProbe fresh(MakeArticulationSpec(Baxter(), {}));
+    const double depth = trial % 2 == 0 ? 0.0005 : 0.01;
+    const auto overlap = asked.FirstOverlap(q, depth);
+    EXPECT_EQ(overlap, fresh.FirstOverlap(q, depth)) << trial;
+    EXPECT_EQ(asked.AllOverlaps(q), fresh.AllOverlaps(q)) << trial;
+    if (overlap) ++num_overlaps;
+  }
+  EXPECT_GT(num_overlaps, 50);
+  EXPECT_LT(num_overlaps, 250);
+}
+
 TEST(ArticulationProbe, FindsNamedPosesFreeUntilSomethingStandsInTheWay) {
   motion::ArticulationProbe alone(MakeArticulationSpec(Baxter(), {}));
   for (const NamedPose& pose : Baxter().poses) {

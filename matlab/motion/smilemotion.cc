@@ -9,10 +9,12 @@
 #include "mex.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <exception>
 #include <list>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -114,6 +116,16 @@ std::vector<double> RowByRow(const double* numbers, Shape shape) {
   return values;
 }
 
+/// Returns the shape of one or more rows of numbers.
+Shape RowsFrom(const mxArray* value, const std::string& name, std::size_t columns) {
+  NumbersFrom(value, name);
+  const Shape shape{mxGetM(value), mxGetN(value)};
+  const bool fits = mxGetNumberOfDimensions(value) == 2 && shape.columns == columns;
+  if (fits && shape.rows > 0) return shape;
+  throw std::invalid_argument(name + " is " + SizeOf(value) + ", expected Nx" +
+                              std::to_string(columns));
+}
+
 std::vector<double> ConfigurationFrom(const mxArray* value, const std::string& name, Shape shape) {
   CheckSize(value, name, shape.rows, shape.columns);
   return RowByRow(mxGetPr(value), shape);
@@ -159,6 +171,13 @@ mxArray* MatrixOf(const Eigen::MatrixXd& matrix) {
                                        static_cast<mwSize>(matrix.cols()), mxREAL);
   std::copy(matrix.data(), matrix.data() + matrix.size(), mxGetPr(made));
   return made;
+}
+
+/// Room for matrices in one array: RxC, and RxCxN for N of them.
+mxArray* StackOf(Eigen::Index rows, Eigen::Index columns, std::size_t count) {
+  const std::array<mwSize, 3> dims{static_cast<mwSize>(rows), static_cast<mwSize>(columns),
+                                   static_cast<mwSize>(count)};
+  return mxCreateNumericArray(3, dims.data(), mxDOUBLE_CLASS, mxREAL);
 }
 
 mxArray* Empty() { return mxCreateDoubleMatrix(0, 0, mxREAL); }
@@ -389,12 +408,26 @@ void Robot(const Call& call) {
                               {"poseAngles", angles}});
 }
 
-void Forward(const Call& call) {
+/// Writes a matrix for each row of the joint angles of one arm: RxC, and RxCxN for N rows.
+template <class MatrixAt>
+void ForEachRow(const Call& call, MatrixAt matrix_at) {
   CheckCount(call, 3, 3, "robot, arm, q");
   const PlanningRobot& robot = RobotFrom(call);
   const std::string arm = TextFrom(call.arguments[1], "arm");
-  call.outputs[0] =
-      MatrixOf(robot.Forward(arm, ConfigurationFrom(call.arguments[2], "q", ShapeFor(robot, arm))));
+  const Shape shape = RowsFrom(call.arguments[2], "q", robot.JointNames(arm).size());
+  const std::vector<double> angles = RowByRow(mxGetPr(call.arguments[2]), shape);
+  for (std::size_t k = 0; k < shape.rows; ++k) {
+    const auto q = std::span(angles).subspan(k * shape.columns, shape.columns);
+    const auto matrix = matrix_at(robot, arm, q);
+    if (k == 0) call.outputs[0] = StackOf(matrix.rows(), matrix.cols(), shape.rows);
+    std::copy(matrix.data(), matrix.data() + matrix.size(),
+              mxGetPr(call.outputs[0]) + k * matrix.size());
+  }
+}
+
+void Forward(const Call& call) {
+  ForEachRow(call, [](const PlanningRobot& robot, const std::string& arm,
+                      std::span<const double> q) { return robot.Forward(arm, q); });
 }
 
 void GripperMiddle(const Call& call) {
@@ -412,11 +445,8 @@ void FingerBounds(const Call& call) {
 }
 
 void Jacobian(const Call& call) {
-  CheckCount(call, 3, 3, "robot, arm, q");
-  const PlanningRobot& robot = RobotFrom(call);
-  const std::string arm = TextFrom(call.arguments[1], "arm");
-  call.outputs[0] = MatrixOf(
-      robot.Jacobian(arm, ConfigurationFrom(call.arguments[2], "q", ShapeFor(robot, arm))));
+  ForEachRow(call, [](const PlanningRobot& robot, const std::string& arm,
+                      std::span<const double> q) { return robot.Jacobian(arm, q); });
 }
 
 IkOptions IkOptionsFrom(const Call& call, std::size_t first) {

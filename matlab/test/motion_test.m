@@ -26,6 +26,12 @@ function check_answers(robot)
   found = smileInverse(robot, 'left', goal, q);
   check(isequal(size(found), [1 7]), 'q is a row');
   check(norm(smileForward(robot, 'left', found) - goal) < 5e-6, 'inverse undoes forward');
+  rows = [q; found; q + 0.1];
+  poses = smileForward(robot, 'left', rows);
+  jacobians = smileJacobian(robot, 'left', rows);
+  check(isequal(size(poses), [4, 4, 3]) && isequal(size(jacobians), [6, 7, 3]), 'several rows give several matrices');
+  check(isequal(poses(:, :, 2), smileForward(robot, 'left', found)), 'each pose as alone');
+  check(isequal(jacobians(:, :, 3), smileJacobian(robot, 'left', rows(3, :))), 'and each Jacobian');
 
   goal(1, 4) = 40;
   check(isempty(smileInverse(robot, 'left', goal, q)), 'an unreachable goal is []');
@@ -49,8 +55,8 @@ end
 
 function check_errors(robot)
   q = zeros(1, 7);
-  expect_error('smileForward: q is 1x6, expected 1x7', @() smileForward(robot, 'left', zeros(1, 6)));
-  expect_error('smileForward: q is 7x1, expected 1x7', @() smileForward(robot, 'left', zeros(7, 1)));
+  expect_error('smileForward: q is 1x6, expected Nx7', @() smileForward(robot, 'left', zeros(1, 6)));
+  expect_error('smileForward: q is 7x1, expected Nx7', @() smileForward(robot, 'left', zeros(7, 1)));
   expect_error('smileForward: q is not finite', @() smileForward(robot, 'left', nan(1, 7)));
   expect_error('smileForward: q: expected real numbers (double)', ...
                @() smileForward(robot, 'left', int8(q)));

@@ -3,15 +3,10 @@ function points = armPoints(arm, q)
 % turns, the point that is closest to the one before. They follow from the Jacobian: a joint with axis w
 % moves the tool by v = w x r, r from the axis to the tool.
 %   q  joint angles, Nxn [rad]
-  n = rows(q);
-  point = zeros(n, 3);
-  [v, axes] = deal(zeros(n, 3, columns(q)));
-  for k = 1:n
-    point(k, :) = smileForward(arm.robot, arm.name, q(k, :))(1:3, 4)';
-    jacobian = smileJacobian(arm.robot, arm.name, q(k, :));
-    v(k, :, :) = jacobian(1:3, end:-1:1);
-    axes(k, :, :) = jacobian(4:6, end:-1:1);
-  end
+  point = columnsOf(smileForward(arm.robot, arm.name, q), 4);
+  jacobians = permute(smileJacobian(arm.robot, arm.name, q), [3, 1, 2]);
+  v = jacobians(:, 1:3, end:-1:1);
+  axes = jacobians(:, 4:6, end:-1:1);
   % v x w; Octave's own `cross` takes as long as all else here.
   on_axes = point - (v(:, [2, 3, 1], :) .* axes(:, [3, 1, 2], :) - v(:, [3, 1, 2], :) .* axes(:, [2, 3, 1], :));
   points = permute(point, [3, 2, 1]);

@@ -5,11 +5,9 @@ function yes = isPathOver(arm, path, blocks)
   c = constants();
   [along, side] = meshgrid([1, 0, -1] * arm.reach, [-0.5, 0, 0.5] * c.clearance.bar(1));
   samples = samplesOf(path);
-  of_hand = {};
-  for q = samples'
-    tool = smileForward(arm.robot, arm.name, q');
-    of_hand{end + 1, 1} = tool(1:3, 4)' + along(:) * tool(1:3, 3)' + side(:) * tool(1:3, 2)';
-  end
+  tools = smileForward(arm.robot, arm.name, samples);
+  of_hand = kron(columnsOf(tools, 4), ones(numel(along), 1)) + kron(columnsOf(tools, 3), along(:)) + ...
+            kron(columnsOf(tools, 2), side(:));
   yes = all(isPointClear(pointsFromWrist(arm, samples), blocks, c.motion_planning.arm_radius)) && ...
-        all(isPointClear(vertcat(of_hand{:}), blocks, c.motion_planning.clearance / 2));
+        all(isPointClear(of_hand, blocks, c.motion_planning.clearance / 2));
 end

@@ -14,8 +14,11 @@ function actions = planHeldUse(hold, taken, load, tool, way, turn, avoided, ways
   put = {above, atHeight(start, start(3, 4) + c.place_height_margin), above};
   at = @(it) heldToolPose(arm, tool, hold.grasp.yaw, hold.grip, it, turn);
   work = cellfun(at, way, 'UniformOutput', false);
-  isClear = @(path) isUseClear(arm, path, load, avoided);
-  path = planThereAndBack(arm, taken, work([1, 2, 1]), put, ways, boxAround(load), isClear);
+  [around, at_work] = deal(avoided(1), avoided(2));
+  isWayClear = @(path) avoids(around, arm, path, load);
+  isRestClear = @(paths) isWayClear(paths{7}) && avoids(at_work, arm, paths{5}) && avoids(at_work, arm, paths{6}) && ...
+                         avoids(around, arm, paths{1}) && avoids(around, arm, paths{10});
+  path = planThereAndBack(arm, taken, work([1, 2, 1]), put, ways, boxAround(load), isWayClear, isRestClear);
   actions = {};
   if isempty(path), return; end
   move = cellfun(@(it) struct('kind', 'follow', 'arm', arm, 'path', it), path, 'UniformOutput', false);
@@ -23,14 +26,4 @@ function actions = planHeldUse(hold, taken, load, tool, way, turn, avoided, ways
   open = {struct('kind', 'open', 'arm', arm, 'to', opening)};
   closing = {struct('kind', 'grasp', 'arm', arm, 'width', width)};
   actions = [open, move(1:2), closing, move(3:5), closing, move(6:8), open, move(9:end), {struct('kind', 'observe')}];
-end
-
-function yes = isUseClear(arm, path, load, avoided)
-% Returns true if nothing is in the way of the empty arm, the arm with its load, and the arm at work, in the first paths of a use.
-  there = avoided(1);
-  at_work = avoided(2);
-  some = @(numbers) path(numbers(numbers <= numel(path)));
-  yes = all(cellfun(@(it) avoids(there, arm, it, load), some([4, 7]))) && ...
-        all(cellfun(@(it) avoids(at_work, arm, it), some(5:6))) && ...
-        all(cellfun(@(it) avoids(there, arm, it), some([1, 10])));
 end

@@ -1,4 +1,4 @@
-function path = planThereAndBack(arm, taken, work, put, ways, held, isClear)
+function path = planThereAndBack(arm, taken, work, put, ways, held, isWayClear, isRestClear)
 % Plans the paths of an arm that took something along straight lines through the tool poses of its work, on the first possible
 % way there and back, and to its parking pose: a 1xN cell, which begins with the paths on which it took that; {} if there is
 % none.
@@ -8,17 +8,18 @@ function path = planThereAndBack(arm, taken, work, put, ways, held, isClear)
 %   ways     1xN, in the order in which they are tried: a straight line (is_line), or any way, which passes over both poses at a
 %            height of the tool (height [units]); 0 for no such height
 %   held     box around what it holds: see isPathValid
-%   isClear  function of the first of these paths, at least up to the work: whether nothing is in the way
+%   isWayClear  function of the path there: whether nothing is in the way
+%   isRestClear  function of all paths, of which that one is clear
   % Most ways are excluded by where the work begins or on the way there: this is looked at before the rest is planned.
   canBegin = @(q) isPathValid(arm, moveJoints(arm, q), held);
   for way = ways
     [there, via] = thereOn(arm, taken, work, way, canBegin);
-    if isempty(there) || ~isPathValid(arm, there{end}, held) || ~isClear(there), continue; end
+    if isempty(there) || ~isPathValid(arm, there{end}, held) || ~isWayClear(there{end}), continue; end
     path = backAfter(arm, moveLines(arm, there, work(2:end)), put, via);
     if isempty(path), continue; end
     path{end + 1} = moveJoints(arm, [path{end}.positions(end, :); arm.parked]);
     carried = path(numel(there) + 1:end - 2);
-    if arePathsValid(arm, carried, held) && arePathsValid(arm, path(end - 1:end)) && isClear(path), return; end
+    if arePathsValid(arm, carried, held) && arePathsValid(arm, path(end - 1:end)) && isRestClear(path), return; end
   end
   path = {};
 end

@@ -24,6 +24,9 @@ function [actions, state, problem] = planUse(use, alignment, surface, state, arm
   for it = waysFromSides(use, avoided(1))
     [begin, last, yaw] = seenFrom(use, it.side, alignment);
     begin = last + it.part * (begin - last);
+    turn = yaw - tool.yaw;
+    % All ways bring the tool there, whatever the hold.
+    if ~isSkylineBelow(avoided(1).ofLoad, movedTo(whole, tool, begin, turn)), continue; end
     for k = 1:numel(holds)
       hold = holds(k);
       % It is planned once how the tool is taken, when that comes first.
@@ -32,7 +35,7 @@ function [actions, state, problem] = planUse(use, alignment, surface, state, arm
         taken{k} = planToTake(hold, sensor.arms(hold.arm.index).joints(:)', boxAround(loads{k}));
       end
       if isempty(taken{k}), continue; end
-      actions = planHeldUse(hold, taken{k}, loads{k}, tool, {begin, last}, yaw - tool.yaw, avoided, it.ways);
+      actions = planHeldUse(hold, taken{k}, loads{k}, tool, {begin, last}, turn, avoided, it.ways);
       if isempty(actions), continue; end
       state.grasp = hold.grasp;
       problem = '';

@@ -1,7 +1,8 @@
 function check_path_over()
 % A hand moves along x; its fingers, which point down, reach 0.7 below its tool, and its bar 1.3 to both sides, along y.
   eval('function q = samplesOf(path), q = linspace(-4, 4, 41)''; end');
-  eval('function pose = smileForward(robot, name, q), pose = [-1, 0, 0, q; 0, 1, 0, robot(2); 0, 0, -1, robot(1); 0, 0, 0, 1]; end');
+  eval(['function poses = smileForward(robot, name, q), poses = repmat([-1, 0, 0, 0; 0, 1, 0, robot(2); 0, 0, -1, robot(1); 0, 0, 0, 1], 1, 1, rows(q));', ...
+        'poses(1, 4, :) = q; end']);
   eval('function points = armPoints(arm, q), points = permute([q, repmat(arm.robot([2, 1]), rows(q), 1)], [3, 2, 1]) + [0, 0, 0; 0, 0, 5]; end');
   remove = onCleanup(@() clear('-f', 'samplesOf', 'smileForward', 'armPoints'));
   tower = block([1, 0, 0], [1, 1, 1], 0.5, 0, 2, 0);

@@ -1,9 +1,10 @@
 function check_points_of_arm()
 % Its first two joints turn about vertical axes through x = 0 and x = q(4), the third one slides, and the fourth one turns about an axis along
 % x, at y = 0 and z = 3.
-  eval('function pose = smileForward(~, ~, q), pose = [eye(3), q(1:3).''; 0, 0, 0, 1]; end');
-  eval(['function jacobian = smileJacobian(~, ~, q), jacobian = [-q(2), -q(2), 0, 0; q(1), q(1) - q(4), 0, 3 - q(3); 0, 0, 1, q(2);', ...
-        '0, 0, 0, 1; 0, 0, 0, 0; 1, 1, 0, 0]; end']);
+  eval('function poses = smileForward(~, ~, q), poses = repmat(eye(4), 1, 1, rows(q)); poses(1:3, 4, :) = q(:, 1:3).''; end');
+  eval(['function jacobians = smileJacobian(~, ~, q), at = @(q) [-q(2), -q(2), 0, 0; q(1), q(1) - q(4), 0, 3 - q(3); 0, 0, 1, q(2);', ...
+        '0, 0, 0, 1; 0, 0, 0, 0; 1, 1, 0, 0]; all = cellfun(at, num2cell(q, 2), ''UniformOutput'', false);', ...
+        'jacobians = cat(3, all{:}); end']);
   remove = onCleanup(@() clear('-f', 'smileForward', 'smileJacobian'));
   arm = struct('robot', [], 'name', '');
   q = [3, 0.2, 2.9, 2; 5, -1, 1, 4; 2, 0, 3, 1];

@@ -57,7 +57,7 @@ function checkCarrying(eye)
   check(abs(max(points(is_tool, 1)) + 0.3) < 0.05, 'the blue tip is a part of the tool');
   check(all(points(~is_tool, 1) > 2), 'the post is not');
   around = surroundingsOf(points(~is_tool, :));
-  eval('function pose = smileForward(~, ~, q), pose = [diag([1, -1, -1]), q(:); 0, 0, 0, 1]; end');
+  eval('function pose = smileForward(~, ~, q), pose = repmat(diag([1, -1, -1, 1]), 1, 1, rows(q)); pose(1:3, 4, :) = q''; end');
   eval('function points = armPoints(~, q), points = permute(q, [3, 2, 1]) + [0, 0, 0; 0, -1, 3]; end');
   % A path along straight lines through joint waypoints, which contains no other points: a second for each.
   eval('function q = smileSample(path, times), q = interp1(0:path.duration, path.positions, times); end');
@@ -90,10 +90,10 @@ function checkWayOver(eye, arm)
   over = poseAt([-3, -3, 2]);
   high = max(around.ofArm.heights(:)) + arm.reach + 0.1;
   ways = struct('is_line', {true, false, false}, 'height', {0, 0, high});
-  isClear = @(path) all(cellfun(@(it) avoids(around, arm, it), path(4:min(end, 5))));
+  isClear = @(path) avoids(around, arm, path);
   hold = struct('arm', arm, 'poses', {{over, poseAt([-3, -3, 1]), over}}, 'above', [-3, -3, 2]);
   taken = planToTake(hold, parked, []);
-  plan = @(ways) planThereAndBack(arm, taken, {poseAt([3, -3, 2])}, {over, over}, ways, [], isClear);
+  plan = @(ways) planThereAndBack(arm, taken, {poseAt([3, -3, 2])}, {over, over}, ways, [], isClear, @(paths) isClear(paths{5}));
   check(isempty(plan(ways(1:2))), 'a post between a tool and its work is in the way');
   path = plan(ways);
   check(max(max(abs(path{4}.positions - flipud(path{5}.positions)))) < 1e-9, 'the way back is the way there');

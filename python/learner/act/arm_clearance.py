@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from act.arms import points_between
+from act.arm_points import points_from_wrist
 from constants import CLEARANCE, MOTION_PLANNING as C
 from things.areas import footprint, overlap
 
@@ -13,13 +13,6 @@ def is_arm_clear(arm, q, blocks):
     q: its joint angles [rad]
     """
     return are_points_clear(points_from_wrist(arm, q), blocks, C.arm_radius)
-
-
-def points_from_wrist(arm, q):
-    """Returns points along an arm, from its wrist to its first joint: Nx3 [units]."""
-    points = arm.points(q)
-    from_tool = np.linalg.norm(points - points[0], axis=1)
-    return points_between(points[np.argmax(from_tool > C.min_wrist_distance):], C.points_per_link)
 
 
 def is_hand_clear(arm, found, others, held):
@@ -62,14 +55,14 @@ def are_fingers_clear(arm, path, blocks):
 
 def is_path_over(arm, path, blocks):
     """Returns true if an arm with an open gripper passes over blocks, or beside them, all along a path."""
-    of_arm, of_hand = [], []
-    for q in samples(path):
-        tool = arm.forward(q)
-        of_arm.append(points_from_wrist(arm, q))
-        of_hand += [tool[:3, 3] + along * tool[:3, 2] + side * tool[:3, 1]
-                    for along in (arm.reach, 0, -arm.reach) for side in np.array([-0.5, 0, 0.5]) * CLEARANCE.bar[0]]
-    return (are_points_clear(np.concatenate(of_arm), blocks, C.arm_radius)
-            and are_points_clear(np.array(of_hand), blocks, C.clearance / 2))
+    if not blocks:
+        return True
+    moments = samples(path)
+    tools = np.array([arm.forward(q) for q in moments])
+    along, side = np.meshgrid([arm.reach, 0, -arm.reach], np.array([-0.5, 0, 0.5]) * CLEARANCE.bar[0])
+    of_hand = tools[:, :3, 3, None] + along.ravel() * tools[:, :3, 2, None] + side.ravel() * tools[:, :3, 1, None]
+    return (are_points_clear(points_from_wrist(arm, moments), blocks, C.arm_radius)
+            and are_points_clear(np.moveaxis(of_hand, 1, 2).reshape(-1, 3), blocks, C.clearance / 2))
 
 
 def samples(path):

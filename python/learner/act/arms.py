@@ -54,24 +54,22 @@ class Arm:
     def points(self, q):
         """Returns points along the arm from its tool to its first joint, Mx3: on the axis of each
         joint that turns, the point that is closest to the one before. They follow from the
-        Jacobian: a joint with axis w moves the tool by v = w x r, r from the axis to the tool."""
-        tool = self.forward(q)[:3, 3]
+        Jacobian: a joint with axis w moves the tool by v = w x r, r from the axis to the tool.
+
+        q: joint angles; for several rows of them, the points are NxMx3
+        """
+        if np.ndim(q) == 1:
+            return self.points(q[None])[0]
+        tool = np.array([self.forward(it)[:3, 3] for it in q])
+        v, w = np.split(np.array([self.robot.jacobian(self.name, it).T[::-1] for it in q]), 2, axis=2)
+        on_axes = tool[:, None] - np.cross(v, w)
         points = [tool]
-        v, w = np.split(self.robot.jacobian(self.name, q).T[::-1], 2, axis=1)
-        for axis, on_axis in zip(w, tool - np.cross(v, w)):
-            if axis.any():
-                points.append(on_axis + axis * (axis @ (points[-1] - on_axis)))
-        return np.array(points)
+        for k in np.flatnonzero(w[0].any(axis=1)):
+            axis, on_axis = w[:, k], on_axes[:, k]
+            points.append(on_axis + axis * ((points[-1] - on_axis) * axis).sum(axis=1, keepdims=True))
+        return np.stack(points, axis=1)
 
     def is_valid_at(self, q):
         """Returns true if the arm touches neither the robot nor the table."""
         still = self.robot.move_joints(self.name, [q])
         return self.robot.first_invalid(still, table=C.table) is None
-
-
-def points_between(ends, number):
-    """Returns a number of points, at equal distances, on each of the straight lines from one end to the next: Nx3 for the
-    ends Mx3."""
-    fractions = np.linspace(0, 1, number)[:, None]
-    lines = [one + fractions * (other - one) for one, other in zip(ends, ends[1:])]
-    return np.concatenate([np.empty((0, 3)), *lines])

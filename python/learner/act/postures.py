@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from act.arms import points_between
+from act.arm_points import points_between
 from constants import ARMS as C, numbers_of
 from see.eye import to_pixel
 

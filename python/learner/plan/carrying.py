@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from act.arm_clearance import samples
-from act.arms import points_between
+from act.arm_points import points_between
 from constants import MOTION_PLANNING, SKYLINE as C
 from plan.skyline import Skyline, skyline_of
 
@@ -26,7 +26,7 @@ class Surroundings:
             tools.append(arm.forward(q))
             if load and not self.of_load.is_below(load.at(tools[-1])):
                 return False
-        return all(self.of_arm.is_below(hand_and_forearm(arm, q, tool)) for q, tool in zip(moments, tools))
+        return self.of_arm.is_below(hand_and_forearm(arm, moments, np.array(tools)))
 
 
 def surroundings_of(points):
@@ -35,11 +35,11 @@ def surroundings_of(points):
     return Surroundings(skyline.widened(C.margin), skyline.widened(MOTION_PLANNING.arm_radius))
 
 
-def hand_and_forearm(arm, q, tool):
-    """Returns the lowest points of an arm at joint angles, from its hand to its first joint, and its fingertips, Nx3.
+def hand_and_forearm(arm, q, tools):
+    """Returns the lowest points of an arm at rows of joint angles, from its hand to its first joint, and its fingertips, Mx3.
 
-    tool: its pose there, 4x4
+    tools: its poses there, Nx4x4
     """
-    fingers = tool[:3, 3] + np.array([[arm.reach], [0]]) * tool[:3, 2]
+    fingers = tools[:, None, :3, 3] + np.array([[arm.reach], [0]]) * tools[:, None, :3, 2]
     links = points_between(arm.points(q), MOTION_PLANNING.points_per_link)
-    return np.concatenate([fingers, links - [0, 0, MOTION_PLANNING.arm_radius]])
+    return np.concatenate([fingers.reshape(-1, 3), links.reshape(-1, 3) - [0, 0, MOTION_PLANNING.arm_radius]])

@@ -6,7 +6,7 @@ import numpy as np
 
 from constants import SKYLINE as C
 from plan.skyline import cells_of
-from things.areas import footprint, overlap
+from things.areas import footprint, overlap, rotated
 
 
 @dataclass
@@ -34,6 +34,12 @@ def whole_of(points, middle):
 def load_of(whole, tool):
     """Returns the Load that an object becomes when it is taken with a tool at a pose, 4x4. whole: points on it, Nx3 [units]"""
     return Load((whole - tool[:3, 3]) @ tool[:3, :3])
+
+
+def moved_to(points, block, place, turn):
+    """Returns points on a block, Nx3 [units], where it is moved to a place, x y z, and turned [rad]."""
+    from_middle = points - block.position
+    return np.column_stack([rotated(from_middle[:, :2].T, turn).T, from_middle[:, 2]]) + place
 
 
 def belongs_to(block, points):

@@ -13,7 +13,7 @@ from act.reach import solve_pose_sequence
 from act.segments import at_height
 from check.failures import has_failed
 from constants import USES as C
-from plan.loads import Load, load_of, whole_of
+from plan.loads import Load, load_of
 from plan.there_and_back import plan_to_take
 from things.areas import rotated
 
@@ -29,9 +29,8 @@ class Hold(NamedTuple):
     load: Load
 
 
-def holds(arms, tool, looks, others, failures, sensor):
-    """Yields the Holds with which arms can take a tool. looks: visible points of it; others: Blocks around it"""
-    whole = whole_of(looks, tool.position[2])
+def holds(arms, tool, whole, others, failures, sensor):
+    """Yields the Holds with which arms can take a tool. whole: points on it, Nx3 [units]; others: Blocks around it"""
     for arm, across in product(arms, grasp_yaws(tool, others)):
         grasp = Grasp(tool.position, arm.index, across)
         if has_failed(grasp, failures):

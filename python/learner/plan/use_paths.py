@@ -21,13 +21,17 @@ def plan_held_use(hold, tool, way, turn, avoided, ways):
     put = at_height(start, start[2, 3] + MOTION_PLANNING.place_height_margin)
     work = [tool_pose(arm, tool, hold.grasp.yaw, hold.grip, it, turn) for it in (*way, way[0])]
 
-    def is_clear(path):
-        there, at_work = avoided
-        return (all(there.avoids(arm, it, hold.load) for it in path[3:7:3])
-                and all(at_work.avoids(arm, it) for it in path[4:6])
-                and all(there.avoids(arm, it) for it in path[0:10:9]))
+    around, at_work = avoided
 
-    path = plan_there_and_back(arm, hold.taken, work, [above, put, above], ways, hold.load.box(), is_clear)
+    def is_way_clear(path):
+        return around.avoids(arm, path, hold.load)
+
+    def is_rest_clear(paths):
+        return (is_way_clear(paths[6]) and all(at_work.avoids(arm, it) for it in paths[4:6])
+                and all(around.avoids(arm, it) for it in paths[0:10:9]))
+
+    path = plan_there_and_back(arm, hold.taken, work, [above, put, above], ways, hold.load.box(), is_way_clear,
+                               is_rest_clear)
     if not path:
         return []
     moves = [Action("follow", arm, it) for it in path]

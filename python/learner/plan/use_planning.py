@@ -10,7 +10,7 @@ from constants import USES as C
 from match.pressing import is_within
 from match.tools import find_tool
 from plan.carrying import surroundings_of
-from plan.loads import belongs_to
+from plan.loads import belongs_to, moved_to, whole_of
 from plan.tool_holds import holds
 from plan.use_paths import plan_held_use
 from plan.ways import Way
@@ -35,13 +35,18 @@ def plan_use(use, alignment, surface, state, arms, sensor):
     able, reason = able_arms(arms, block, tool.size[1], state.failures, "no arm brings it there and back", use.tool.name)
     if not able:
         return [], None, reason
-    candidates = holds(nearest_first(able, tool.position[0]), tool, looks, others, state.failures, sensor)
+    whole = whole_of(looks, tool.position[2])
+    candidates = holds(nearest_first(able, tool.position[0]), tool, whole, others, state.failures, sensor)
     for part, ways, side in ways_from([[0]] if use.at is None else C.sides_rad, ways_past(avoided[0])):
         begin, end, yaw = seen_from(use, side, alignment)
+        begin = end + part * (begin - end)
+        # All ways bring the tool there, whatever the Hold.
+        if not avoided[0].of_load.is_below(moved_to(whole, tool, begin, yaw - tool.yaw)):
+            continue
         # Each is planned once, when its turn comes first.
         candidates, these = tee(candidates)
         for hold in these:
-            actions = plan_held_use(hold, tool, (end + part * (begin - end), end), yaw - tool.yaw, avoided, ways)
+            actions = plan_held_use(hold, tool, (begin, end), yaw - tool.yaw, avoided, ways)
             if actions:
                 return actions, hold.grasp, None
     return [], None, reason

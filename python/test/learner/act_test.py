@@ -132,7 +132,7 @@ class PathOverBlocksTest(unittest.TestCase):
     def is_over(self, height, *blocks, y=0):
         pose = np.array([[-1.0, 0, 0, 0], [0, 1, 0, y], [0, 0, -1, height], [0, 0, 0, 1]])
         arm = SimpleNamespace(reach=0.7, forward=lambda q: pose + np.outer([1, 0, 0, 0], [0, 0, 0, q[0]]),
-                              points=lambda q: np.array([[q[0], y, height], [q[0], y, height + 5]]))
+                              points=lambda q: q[:, None] * [1, 0, 0] + [[0, y, height], [0, y, height + 5]])
         path = SimpleNamespace(duration=1.0, at=lambda times: (np.interp(times, [0, 1], [-4, 4])[:, None], None))
         return is_path_over(arm, path, blocks)
 

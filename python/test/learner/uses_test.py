@@ -104,7 +104,7 @@ class UseTest(RecordingTest):
         def plan(*ways):
             taken = plan_to_take(arm, [over, pose_at([-3, -3, 1]), over], np.array([-3, -3, 2]), arm.parked, None)
             return plan_there_and_back(arm, taken, [work], [over, over], ways, None,
-                                       lambda path: all(around.avoids(arm, it) for it in path[3:5]))
+                                       lambda path: around.avoids(arm, path), lambda paths: around.avoids(arm, paths[4]))
 
         self.assertEqual(plan(straight, any_way), [])
         path = plan(straight, any_way, high)
@@ -139,7 +139,7 @@ def cartesian_arm():
     parked = np.array([-5.0, -5, 5])
     return SimpleNamespace(robot=robot, name="left", forward=pose_at, reach=0.75, has_torso=False, parked=parked,
                            all_parked=None, starts=[parked], inverse=lambda pose, q, max_iterations: pose[:3, 3],
-                           points=lambda q: np.array([q, q + [0, -1, 3]]))
+                           points=lambda q: q[:, None] + [[0, 0, 0], [0, -1, 3]])
 
 
 if __name__ == "__main__":

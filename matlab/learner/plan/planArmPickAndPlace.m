@@ -1,9 +1,10 @@
-function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, height, lift, others, q)
+function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, height, lift, away, others, q)
 % Plans to bring a block to a goal with one arm and given yaws of the gripper; {} if that arm cannot.
 %   grasp_yaw, place_yaw  directions from finger to finger [rad]
 %   height                of the tool between both places [units]
 %   lift                  of the tool over the block; below `height`, the way leads over the middle between
 %                         both places [units]
+%   away                  how far beside its place it is lowered first, x y [units]; [] if it is dragged there, not lifted
 %   others                obstacles, as blocks
 %   q                     its joint angles, 1xn [rad]
   c = constants().motion_planning;
@@ -20,17 +21,17 @@ function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, h
     via = {from};
     via{1}(1:3, 4) = [(from(1:2, 4) + to(1:2, 4)) / 2; height];
   end
-  if isDragged(goal)
-    transfer = {to};  % it is not lifted
+  is_dragged = isempty(away);
+  if is_dragged
+    transfer = {to};
   else
-    away = besideTouching(goal, others);
     transfer = [{over_from}, via, {shifted(over_to, away), shifted(to, away), to}];
     if ~any(away), transfer(end) = []; end
   end
   to_block = [via, {over_from, from}];
   taken = noBlocks();
-  if ~isDragged(goal), taken = asBlocks(block); end
-  path = planPathThrough(arm, [to_block, transfer, {over_to}], others, q, asBlocks(goal), taken);
+  if ~is_dragged, taken = block; end
+  path = planPathThrough(arm, [to_block, transfer, {over_to}], others, q, goal, taken);
   actions = {};
   if isempty(path), return; end
 
@@ -39,7 +40,7 @@ function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, h
   attempt = newGrasp(block.position, arm, grasp_yaw);
   grasp = struct('kind', 'grasp', 'arm', arm, 'width', width, 'grasp', attempt);
   n = numel(to_block);
-  if ~isDragged(goal), follow{n + 1}.kind = 'lift'; end
+  if ~is_dragged, follow{n + 1}.kind = 'lift'; end
   actions = [{open}, follow(1:n), {grasp}, follow(n + 1:end - 2), {open}, follow(end - 1:end), ...
              {struct('kind', 'observe')}];
 end

@@ -18,8 +18,8 @@ function [actions, reason] = planHeld(arms, block, goal, others, sensor, failure
 % Plans how a block that is held in one way is brought to a goal, see planPickAndPlace.
   actions = {};
   goal.knob = block.knob;
-  held = heldPart(block);
-  target = heldPart(goal);
+  held = asBlocks(heldPart(block));
+  target = asBlocks(heldPart(goal));
   grasp_yaws = graspYaws(block, others);
   place_yaws = graspYaws(goal, others);
   reason = 'there is no room for the fingers';
@@ -27,6 +27,8 @@ function [actions, reason] = planHeld(arms, block, goal, others, sensor, failure
 
   [able, reason] = ableArms(arms, block, held.size(2), failures, 'no arm reaches both its place and its goal');
   if isempty(able), return; end
+  away = [];
+  if ~isDragged(goal), away = besideTouching(target, others); end
 
   % What cannot be lifted as high as necessary to pass over all others is lifted less on a low way.
   trials = false;
@@ -50,7 +52,7 @@ function [actions, reason] = planHeld(arms, block, goal, others, sensor, failure
         turned = block;
         turned.yaw = block.yaw + yaws(2) - yaws(1);
         if ~isTurnedTo(turned, goal) && ~(isempty(block.knob) && isempty(block.parts)), continue; end
-        actions = planArmPickAndPlace(arm, held, yaws(1), target, yaws(2), height, lift, others, q);
+        actions = planArmPickAndPlace(arm, held, yaws(1), target, yaws(2), height, lift, away, others, q);
         if ~isempty(actions), return; end
       end
     end

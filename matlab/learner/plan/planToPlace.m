@@ -2,9 +2,8 @@ function [actions, reason] = planToPlace(arms, block, place, others, sensor, goa
 % Plans the actions that bring a block to a place from which an arm can move it to a goal, if there is one: a 1xN cell; {} and
 % a reason if there are none.
 %   others, goal, failures  as in planTemporaryPlacement
-  if ~isempty(goal)
-    [actions, reason] = planPickAndPlace(arms, place, goal, others, sensor, []);
-    if isempty(actions), return; end
-  end
   [actions, reason] = planPickAndPlace(arms, block, place, others, sensor, failures);
+  if isempty(actions) || isempty(goal), return; end
+  [onward, reason] = planPickAndPlace(arms, place, goal, others, sensor, []);
+  if isempty(onward), actions = {}; end
 end

@@ -39,7 +39,8 @@ function yes = willBeBlocked(i, known, free, steps)
 % Returns true if a known block, a number, lies where no fingers fit in once the steps are built: because of them alone, or
 % of what touches it, too, although there is room now.
   steps = asBlocks(steps);
-  beside = known(free(arrayfun(@(other) other ~= i && isBeside(known(other), known(i)), free)));
+  others = known(free(free ~= i));
+  beside = others(isBeside(others, known(i)));
   yes = isGraspBlocked(known(i), steps) || ...
         (~isempty(graspYaws(known(i), beside)) && isempty(graspYaws(known(i), [beside, steps])));
 end

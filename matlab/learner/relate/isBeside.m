@@ -1,7 +1,10 @@
-function yes = isBeside(one, other)
-% Returns true if two blocks are side by side, almost in contact.
-  height = abs(one.position(3) - other.position(3));
+function yes = isBeside(some, other)
+% Returns which of N blocks are side by side with another one, almost in contact: 1xN logical.
+  yes = false(1, 0);
+  if isempty(some), return; end
+  height = abs(vertcat(some.position)(:, 3) - other.position(3));
+  is_level = 2 * height < vertcat(some.size)(:, 3) + other.size(3);
   rectangle = footprint(other, 0);
-  yes = 2 * height < one.size(3) + other.size(3) && ~overlap(footprint(one, 0), rectangle) && ...
-        overlap(footprint(one, constants().relate.max_gap_beside), rectangle);
+  is_close = overlap(rectangle, footprint(some, constants().relate.max_gap_beside));
+  yes = (is_level & is_close & ~overlap(rectangle, footprint(some, 0)))';
 end

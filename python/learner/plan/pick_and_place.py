@@ -12,6 +12,7 @@ from check.choices import Way
 from check.failures import able_arms, has_failed
 from constants import MOTION_PLANNING as C
 from plan.heights import has_low_way, transfer_height
+from plan.touching import beside_touching
 from plan.transfers import plan_arm_pick_and_place
 from things.blocks import yaw_difference
 from things.held_parts import held_anyhow, held_part
@@ -46,6 +47,7 @@ def plan_held_pick_and_place(arms, block, goal, others, sensor, failures, way):
     able, reason = able_arms(arms, block, held.size[1], failures, "no arm reaches both its place and its goal")
     if not able:
         return [], reason
+    away = None if is_dragged(goal) else beside_touching(target, others)
     can_be_low = not is_dragged(goal) and not block.knob and has_low_way(block, goal, others)
     for is_low, rise, arm in product([False, True] if can_be_low else [False], way.rises(),
                                      nearest_first(able, block.position[0] + goal.position[0])):
@@ -64,7 +66,7 @@ def plan_held_pick_and_place(arms, block, goal, others, sensor, failures, way):
             if (block.knob or block.parts) and not is_turned_to(turned, goal):
                 continue
             actions = plan_arm_pick_and_place(arm, held, grasp_yaw, target, place_yaw, height, lift,
-                                              others, q, is_dragged(goal))
+                                              away, others, q)
             if actions:
                 return actions, None
     return [], reason

@@ -62,11 +62,11 @@ def is_suitable(place, arms, eye, others, site):
 def plan_to_place(arms, block, place, others, sensor, goal, failures):
     """Plans the actions that bring a block to a place from which an arm can move it to a goal, if there is one.
     Returns actions and None; or [] and the reason."""
-    if goal is not None:
-        actions, reason = plan_pick_and_place(arms, place, goal, others, sensor)
-        if not actions:
-            return [], reason
-    return plan_pick_and_place(arms, block, place, others, sensor, failures)
+    actions, reason = plan_pick_and_place(arms, block, place, others, sensor, failures)
+    if not actions or goal is None:
+        return actions, reason
+    onward, reason = plan_pick_and_place(arms, place, goal, others, sensor)
+    return actions if onward else [], reason
 
 
 def blocks_grasps(place, others):

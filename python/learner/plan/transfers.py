@@ -7,11 +7,9 @@ from act.grippers import grip_depth
 from act.segments import at_height
 from constants import MOTION_PLANNING as C
 from plan.arm_paths import plan_path_through
-from plan.touching import beside_touching
 
 
-def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift, others, q,
-                            is_goal_dragged):
+def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift, away, others, q):
     """Plans to bring a block to a goal with one arm and given yaws of the gripper; [] if that arm
     cannot.
 
@@ -19,9 +17,10 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
     height:               of the tool between both places [units]
     lift:                 of the tool over the block; below `height`, the way leads over the middle
                           between both places [units]
+    away:                 how far beside its place it is lowered first, x y [units]; None if it is dragged there, not
+                          lifted
     others:               obstacles, as Blocks
     q:                    its joint angles [rad]
-    is_goal_dragged:      whether it is dragged there, not lifted
     """
     width = block.size[1]
     opening = min(width + C.opening_margin, arm.opening)
@@ -32,21 +31,21 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
     over_start = at_height(start, lift)
     end = arm.tool_pose(goal.position + offset + [0, 0, C.place_height_margin], place_yaw, width)
     over_end = at_height(end, height)
-    away = [0, 0] if is_goal_dragged else beside_touching(goal, others)
-    beside = [shifted(end, away)] if any(away) else []
     via = []
     if lift < height:
         via = [at_height(start, height)]
         via[0][:2, 3] = (start[:2, 3] + end[:2, 3]) / 2
-    # A dragged object is not lifted.
-    transfer = [end] if is_goal_dragged else [over_start, *via, shifted(over_end, away), *beside, end]
+    transfer = [end]
+    if away is not None:
+        beside = [shifted(end, away)] if any(away) else []
+        transfer = [over_start, *via, shifted(over_end, away), *beside, end]
     to_block = [*via, over_start, start]
-    taken = [] if is_goal_dragged else [block]
+    taken = [] if away is None else [block]
     path = plan_path_through(arm, [*to_block, *transfer, over_end], others, q, [goal], taken)
     if not path:
         return []
     moves = [Action("follow", arm, it) for it in path]
-    if not is_goal_dragged:
+    if away is not None:
         moves[len(to_block)].kind = "lift"
     return [Action("open", arm, to=opening), *moves[:len(to_block)],
             Action("grasp", arm, width=width, grasp=Grasp(block.position, arm.index, grasp_yaw)),

@@ -30,9 +30,9 @@ function yes = isGripperClear(place, across, at_fingers, at_bar, at_hand)
 %   across  directions from finger to finger [rad], 1xN
   c = constants().clearance;
   across = across(:);
-  at = repmat(place.position(1:2), numel(across), 1);
   gap = (place.size(2) / 2 + c.finger_gap) * [cos(across), sin(across)];
   one = ones(numel(across), 1);
+  at = one * place.position(1:2);
   yes = ~any(overlap([at + gap, one * c.finger', across], at_fingers), 1) & ...
         ~any(overlap([at - gap, one * c.finger', across], at_fingers), 1) & ...
         ~any(overlap([at, one * c.bar', across], at_bar), 1) & ...

@@ -1,7 +1,7 @@
 function yes = isSuitable(place, arms, eye, others, site)
 % Returns true if a block at a place blocks nothing of a site, blocks existing or planned, and no grasp of others, but of
 % those below it, is seen, and can be taken again.
-  around = others(~arrayfun(@(it) standsOn(place, it), others));
+  around = others(~standsOn(place, others));
   yes = ~(isGraspBlocked(place, site) || isTopHidden(place, site, eye) || blocksGrasps(place, around) || ...
           ~canReach(arms, place));
 end

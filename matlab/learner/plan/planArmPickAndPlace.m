@@ -1,5 +1,6 @@
-function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, height, lift, away, others, q)
-% Plans to bring a block to a goal with one arm and given yaws of the gripper; {} if that arm cannot.
+function [actions, is_beyond] = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, height, lift, away, others, q)
+% Plans to bring a block to a goal with one arm and given yaws of the gripper; {} if that arm cannot, and whether the block is
+% beyond its reach with that yaw, and whether the goal is: 1x2 logical.
 %   grasp_yaw, place_yaw  directions from finger to finger [rad]
 %   height                of the tool between both places [units]
 %   lift                  of the tool over the block; below `height`, the way leads over the middle between
@@ -33,7 +34,12 @@ function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, h
   if ~is_dragged, taken = block; end
   path = planPathThrough(arm, [to_block, transfer, {over_to}], others, q, goal, taken);
   actions = {};
-  if isempty(path), return; end
+  is_beyond = [false, false];
+  if isempty(path)
+    is_beyond = [isBeyond(arm, @(q) solvePoseSequence(arm, to_block, q)), ...
+                 isBeyond(arm, @(q) armInverse(arm, to, q, 'maxIterations', c.ik_iterations))];
+    return
+  end
 
   follow = cellfun(@(it) struct('kind', 'follow', 'arm', arm, 'path', it), path, 'UniformOutput', false);
   open = struct('kind', 'open', 'arm', arm, 'to', opening);
@@ -43,6 +49,15 @@ function actions = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, h
   if ~is_dragged, follow{n + 1}.kind = 'lift'; end
   actions = [{open}, follow(1:n), {grasp}, follow(n + 1:end - 2), {open}, follow(end - 1:end), ...
              {struct('kind', 'observe')}];
+end
+
+function yes = isBeyond(arm, solve)
+% Returns true if from none of an arm's starts joint angles are found: solve is a function of such a start.
+  yes = false;
+  for start = arm.starts'
+    if ~isempty(solve(start')), return; end
+  end
+  yes = true;
 end
 
 function pose = shifted(pose, displacement)

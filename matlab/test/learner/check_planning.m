@@ -40,7 +40,7 @@ end
 
 function checkWays()
 % Seeds vary how a block is held and carried.
-  eval('function actions = planArmPickAndPlace(~, ~, yaw, ~, ~, height, varargin), actions = [yaw, height]; end');
+  eval('function [actions, is_beyond] = planArmPickAndPlace(~, ~, yaw, ~, ~, height, varargin), actions = [yaw, height]; is_beyond = [false, false]; end');
   remove = onCleanup(@() clear('-f', 'planArmPickAndPlace'));
   arm = struct('index', 1, 'opening', 2, 'reach', 0.75, 'foot', [0, 0]);
   start = block([1, 0, 0], [1, 1, 1], -2, -2, 0, 0);

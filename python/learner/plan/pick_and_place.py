@@ -3,8 +3,6 @@
 from dataclasses import replace
 from itertools import product
 
-import numpy as np
-
 from act.actions import Grasp
 from act.finger_room import grasp_yaws
 from act.grippers import nearest_first
@@ -14,8 +12,7 @@ from constants import MOTION_PLANNING as C
 from plan.heights import has_low_way, transfer_height
 from plan.touching import beside_touching
 from plan.transfers import plan_arm_pick_and_place
-from things.blocks import yaw_difference
-from things.held_parts import held_anyhow, held_part
+from things.held_parts import held_anyhow, held_part, is_turned_to
 from things.steps import is_dragged
 
 
@@ -48,6 +45,8 @@ def plan_held_pick_and_place(arms, block, goal, others, sensor, failures, way):
     if not able:
         return [], reason
     away = None if is_dragged(goal) else beside_touching(target, others)
+    # Arms, and yaws with which they do not reach the goal, at whichever height they come.
+    beyond_goal = set()
     can_be_low = not is_dragged(goal) and not block.knob and has_low_way(block, goal, others)
     for is_low, rise, arm in product([False, True] if can_be_low else [False], way.rises(),
                                      nearest_first(able, block.position[0] + goal.position[0])):
@@ -60,19 +59,18 @@ def plan_held_pick_and_place(arms, block, goal, others, sensor, failures, way):
         q = sensor.arms[arm.index].joints
         yaws = [yaw for yaw in at_start
                 if not has_failed(Grasp(held.position, arm.index, yaw), failures)]
+        beyond_start = set()
         for place_yaw, grasp_yaw in way.ranked(list(product(at_goal, yaws))):
+            if grasp_yaw in beyond_start or (arm.index, place_yaw) in beyond_goal:
+                continue
             # The object turns with the hand; it may look the same after some turns.
             turned = replace(block, yaw=block.yaw + place_yaw - grasp_yaw)
             if (block.knob or block.parts) and not is_turned_to(turned, goal):
                 continue
-            actions = plan_arm_pick_and_place(arm, held, grasp_yaw, target, place_yaw, height, lift,
-                                              away, others, q)
+            actions, is_start_beyond, is_goal_beyond = plan_arm_pick_and_place(
+                arm, held, grasp_yaw, target, place_yaw, height, lift, away, others, q)
             if actions:
                 return actions, None
+            beyond_start |= {grasp_yaw} if is_start_beyond else set()
+            beyond_goal |= {(arm.index, place_yaw)} if is_goal_beyond else set()
     return [], reason
-
-
-def is_turned_to(block, goal):
-    """Returns true if a block at the place of a goal would look as wanted there, and its held part be where that of the goal is."""
-    there = held_part(replace(block, position=goal.position)).position - held_part(goal).position
-    return abs(yaw_difference(block, goal.yaw)) < C.same_yaw_rad and np.hypot(*there[:2]) < C.same_held_distance

@@ -4,14 +4,15 @@ import numpy as np
 
 from act.actions import Action, Grasp
 from act.grippers import grip_depth
+from act.reach import solve_pose_sequence
 from act.segments import at_height
 from constants import MOTION_PLANNING as C
 from plan.arm_paths import plan_path_through
 
 
 def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift, away, others, q):
-    """Plans to bring a block to a goal with one arm and given yaws of the gripper; [] if that arm
-    cannot.
+    """Plans to bring a block to a goal with one arm and given yaws of the gripper. Returns actions, or [] if that arm
+    cannot; and then, whether the block is beyond its reach with that yaw, and whether the goal is.
 
     grasp_yaw, place_yaw: directions from finger to finger [rad]
     height:               of the tool between both places [units]
@@ -43,14 +44,16 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
     taken = [] if away is None else [block]
     path = plan_path_through(arm, [*to_block, *transfer, over_end], others, q, [goal], taken)
     if not path:
-        return []
+        return [], all(solve_pose_sequence(arm, to_block, q) is None for q in arm.starts), \
+            all(arm.inverse(end, q, max_iterations=C.ik_iterations) is None for q in arm.starts)
     moves = [Action("follow", arm, it) for it in path]
     if away is not None:
         moves[len(to_block)].kind = "lift"
-    return [Action("open", arm, to=opening), *moves[:len(to_block)],
-            Action("grasp", arm, width=width, grasp=Grasp(block.position, arm.index, grasp_yaw)),
-            *moves[len(to_block):-2],
-            Action("open", arm, to=opening), *moves[-2:], Action("observe")]
+    actions = [Action("open", arm, to=opening), *moves[:len(to_block)],
+               Action("grasp", arm, width=width, grasp=Grasp(block.position, arm.index, grasp_yaw)),
+               *moves[len(to_block):-2],
+               Action("open", arm, to=opening), *moves[-2:], Action("observe")]
+    return actions, False, False
 
 
 def shifted(pose, displacement):

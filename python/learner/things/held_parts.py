@@ -4,8 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from constants import MOTION_PLANNING as C
 from things.areas import rotated
-from things.blocks import Block
+from things.blocks import Block, yaw_difference
 
 
 def held_part(block):
@@ -25,3 +26,9 @@ def with_held_parts(blocks):
 def held_anyhow(block):
     """Returns a block, and that block held by each other part by which it can be held: a list of Blocks, the best first."""
     return [block, *(replace(block, knob=it, other_knobs=[]) for it in block.other_knobs)]
+
+
+def is_turned_to(block, goal):
+    """Returns true if a block at the place of a goal would look as wanted there, and its held part be where that of the goal is."""
+    there = held_part(replace(block, position=goal.position)).position - held_part(goal).position
+    return abs(yaw_difference(block, goal.yaw)) < C.same_yaw_rad and np.hypot(*there[:2]) < C.same_held_distance

@@ -49,7 +49,7 @@ class PartsTest(RecordingTest):
         goal, turns = replace(thing, position=np.array([0, -2, 0.8]), yaw=1.0), []
         arm = SimpleNamespace(opening=2, reach=0.75, foot=np.zeros(2), index=0)
         with patch("plan.pick_and_place.plan_arm_pick_and_place",
-                   side_effect=lambda arm, held, yaw, target, place_yaw, *_: turns.append(place_yaw - yaw)):
+                   side_effect=lambda arm, held, yaw, target, place_yaw, *_: turns.append(place_yaw - yaw) or ([], 0, 0)):
             plan_pick_and_place([arm], thing, goal, [], SimpleNamespace(arms=[SimpleNamespace(joints=None)]))
         self.assertTrue(turns)
         np.testing.assert_allclose([math.remainder(it - 1, 2 * math.pi) for it in turns], 0, atol=1e-9)

@@ -204,7 +204,7 @@ class MovesTest(unittest.TestCase):
         def first_ways(choices):
             ways = []
             with patch("plan.pick_and_place.plan_arm_pick_and_place",
-                       side_effect=lambda arm, held, yaw, target, place_yaw, height, *_: ways.append((yaw, height)) or 1):
+                       side_effect=lambda arm, held, yaw, target, place_yaw, height, *_: ways.append((yaw, height)) or ([1], 0, 0)):
                 for move in range(30):
                     plan_pick_and_place([arm], start, goal, [], sensor, way=choices.way(move))
             return ways

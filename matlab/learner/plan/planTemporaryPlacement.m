@@ -12,10 +12,14 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
   actions = {};
   place = noBlocks();
   reason = 'there is no free place on the table';
-  if ~canReach(arms, block)
+  % One arm reaches both it and the place, and one both that and the goal.
+  able = reaching(arms, block);
+  onward = onwardArms(arms, block, goal);
+  if isempty(able)
     reason = 'no arm reaches it';
     return
   end
+  tried = noBlocks();
   for k = 1:numel(sites) + 1
     % First those on the table, at last those on others.
     if k <= numel(sites)
@@ -25,15 +29,16 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
       site = sites{1};
       places = placesOnOthers(block, others, site, eye);
     end
-    tried = noBlocks();
+    num_tried = 0;
     for place = places
       has_yaw = tried([tried.yaw] == place.yaw);
       if isNear(place, left) || isNear(place, has_yaw), continue; end
-      if ~isSuitable(place, arms, eye, others, site), continue; end
+      if ~isSuitable(place, able, onward, eye, others, site), continue; end
       [actions, reason] = planToPlace(arms, block, place, others, sensor, goal, failures);
       if ~isempty(actions), return; end
       tried(end + 1) = place;
-      if numel(tried) == constants().task_planning.max_place_attempts, break; end
+      num_tried = num_tried + 1;
+      if num_tried == constants().task_planning.max_place_attempts, break; end
     end
   end
 end

@@ -1,14 +1,11 @@
 """Plans to bring blocks to temporary places, on the table or, where that is full, on other blocks."""
 
-from act.finger_room import grasp_yaws, is_grasp_blocked
-from act.reach import can_reach
+from act.reach import reaching
 from constants import TASK_PLANNING as C
 from plan.free_places import free_placements, is_near
-from plan.obstruction import is_close
 from plan.pick_and_place import plan_pick_and_place
 from plan.places_on_others import places_on_others
-from see.sight import is_top_hidden
-from things.standing import stands_on
+from plan.suitable_places import is_suitable, onward_arms
 
 
 def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, failures, left,
@@ -24,21 +21,24 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
     unexplained: as from unexplained_points
     Returns actions, the block at that place, and None; or [], None and a reason if there is none.
     """
-    if not can_reach(arms, block):
+    # One arm reaches both it and the place, and one both that and the goal.
+    able, onward = reaching(arms, block), onward_arms(arms, block, goal)
+    if not able:
         return [], None, "no arm reaches it"
-    reason = "there is no free place on the table"
+    reason, tried = "there is no free place on the table", []
     for places, site in candidates(arms, eye, block, others, sites, goal, unexplained):
-        tried = []
+        num_tried = 0
         for place in places:
             has_yaw = [it for it in tried if it.yaw == place.yaw]
-            if is_near(place, left + has_yaw) or not is_suitable(place, arms, eye, others, site):
+            if is_near(place, left + has_yaw) or not is_suitable(place, able, onward, eye, others, site):
                 continue
             actions, why = plan_to_place(arms, block, place, others, sensor, goal, failures)
             if actions:
                 return actions, place, None
             reason = why
             tried.append(place)
-            if len(tried) == C.max_place_attempts:
+            num_tried += 1
+            if num_tried == C.max_place_attempts:
                 break
     return [], None, reason
 
@@ -51,14 +51,6 @@ def candidates(arms, eye, block, others, sites, goal, unexplained):
     yield places_on_others(block, others, sites[0], eye), sites[0]
 
 
-def is_suitable(place, arms, eye, others, site):
-    """Returns true if a block at a place blocks nothing of a site and no grasp of others, but of those below it, is seen,
-    and can be taken again."""
-    around = [it for it in others if not stands_on(place, it)]
-    return not (is_grasp_blocked(place, site) or is_top_hidden(place, site, eye) or blocks_grasps(place, around)
-                or not can_reach(arms, place))
-
-
 def plan_to_place(arms, block, place, others, sensor, goal, failures):
     """Plans the actions that bring a block to a place from which an arm can move it to a goal, if there is one.
     Returns actions and None; or [] and the reason."""
@@ -67,13 +59,3 @@ def plan_to_place(arms, block, place, others, sensor, goal, failures):
         return actions, reason
     onward, reason = plan_pick_and_place(arms, place, goal, others, sensor)
     return actions if onward else [], reason
-
-
-def blocks_grasps(place, others):
-    """Returns true if a block at a place would leave no room for the fingers at one of the others
-    that can be grasped without it."""
-    for block in (it for it in others if is_close(it, place)):
-        rest = [it for it in others if it is not block]
-        if grasp_yaws(block, rest) and not grasp_yaws(block, [*rest, place]):
-            return True
-    return False

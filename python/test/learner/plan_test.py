@@ -20,7 +20,8 @@ from plan.places_on_others import places_on_others
 from plan.proposals import propose_moves, turning_moves
 from plan.step_choice import plan_one_of
 from plan.step_planning import plan_step
-from plan.temporary_places import blocks_grasps, candidates
+from plan.suitable_places import blocks_grasps
+from plan.temporary_places import candidates, plan_temporary_placement
 from plan.touching import beside_touching
 from scenes import BLUE, BROWN, CUBE, EYE, GREEN, PLANK, RED, block, step
 from see.eye import Eye, to_pixel
@@ -130,6 +131,19 @@ class MovesTest(unittest.TestCase):
         for one in moves:
             others = [it for it in cubes if it is one.block or it in rest]
             self.assertEqual(free_placements([], EYE, plank, others + sites, None), [], "each is in the way")
+
+    def test_for_the_other_arm_a_block_is_put_where_both_reach_and_each_place_is_tried_once(self):
+        arms = [SimpleNamespace(index=0, is_at=lambda x: x < 1), SimpleNamespace(index=1, is_at=lambda x: x > -1)]
+        places = [block(RED, CUBE, x, -3) for x in (4, 0, -4)]
+        tried = []
+        reach = {"side_effect": lambda arms, at: [arm for arm in arms if arm.is_at(at.position[0])]}
+        with (patch("plan.temporary_places.reaching", **reach), patch("plan.suitable_places.reaching", **reach),
+              patch("plan.temporary_places.free_placements", return_value=places),
+              patch("plan.temporary_places.plan_to_place",
+                    side_effect=lambda arms, held, place, *_: tried.append(place.position[0]) or ([], "it slips"))):
+            actions, _, reason = plan_temporary_placement(arms, EYE, block(RED, CUBE, 5, -3), [], [[], []], None,
+                                                          block(RED, CUBE, -5, -3), (), [], None)
+        self.assertEqual((actions, reason, tried), ([], "it slips", [0]))
 
     def test_where_the_table_is_full_a_block_is_put_on_one_that_no_step_needs(self):
         moved = block(RED, CUBE, -4, -2)

@@ -9,7 +9,7 @@
 #include "scene/bounds.h"
 
 // Tests poses of a robot for overlaps without a world: motion planning asks this thousands of
-// times. Only geometry counts; there is no state from one query to the next.
+// times. Only geometry counts. What is remembered from one query to the next saves time only.
 
 namespace smile::motion {
 namespace {

@@ -1,6 +1,6 @@
 function [actions, is_beyond] = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, height, lift, away, others, q)
-% Plans to bring a block to a goal with one arm and given yaws of the gripper; {} if that arm cannot, and whether the block is
-% beyond its reach with that yaw, and whether the goal is: 1x2 logical.
+% Plans to bring a block to a goal with one arm and given yaws of the gripper; {} if that arm cannot. is_beyond, 1x2 logical: then,
+% whether it finds no joint angles at the block with that yaw, and none at the goal with that one, whatever the other yaw.
 %   grasp_yaw, place_yaw  directions from finger to finger [rad]
 %   height                of the tool between both places [units]
 %   lift                  of the tool over the block; below `height`, the way leads over the middle between
@@ -36,8 +36,7 @@ function [actions, is_beyond] = planArmPickAndPlace(arm, block, grasp_yaw, goal,
   actions = {};
   is_beyond = [false, false];
   if isempty(path)
-    is_beyond = [isBeyond(arm, @(q) solvePoseSequence(arm, to_block, q)), ...
-                 isBeyond(arm, @(q) armInverse(arm, to, q, 'maxIterations', c.ik_iterations))];
+    is_beyond = [isBeyond(arm, to_block), isBeyond(arm, {over_to, to})];
     return
   end
 
@@ -51,11 +50,11 @@ function [actions, is_beyond] = planArmPickAndPlace(arm, block, grasp_yaw, goal,
              {struct('kind', 'observe')}];
 end
 
-function yes = isBeyond(arm, solve)
-% Returns true if from none of an arm's starts joint angles are found: solve is a function of such a start.
+function yes = isBeyond(arm, poses)
+% Returns true if joint angles for a sequence of tool poses are found from none of an arm's starts.
   yes = false;
   for start = arm.starts'
-    if ~isempty(solve(start')), return; end
+    if ~isempty(solvePoseSequence(arm, poses, start')), return; end
   end
   yes = true;
 end

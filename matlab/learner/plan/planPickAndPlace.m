@@ -35,8 +35,6 @@ function [actions, reason] = planHeld(arms, block, goal, others, sensor, failure
   if ~isDragged(goal) && isempty(block.knob) && hasLowWay(block, goal, others), trials = [false, true]; end
   [is_low, rises] = ndgrid(trials, way.rises);
   is_plain = isempty(block.knob) && isempty(block.parts);
-  % Numbers of arms, and yaws with which they do not reach the goal, at whichever height they come.
-  beyond_goal = zeros(0, 2);
   for trial = [is_low'(:)'; rises'(:)']
     for arm = nearestFirst(able, block.position(1) + goal.position(1))
       bottom = goal.position(3) - goal.size(3) / 2;
@@ -50,17 +48,17 @@ function [actions, reason] = planHeld(arms, block, goal, others, sensor, failure
       q = sensor.arms(arm.index).joints(:)';
       has_failed = arrayfun(@(yaw) hasFailed(newGrasp(held.position, arm, yaw), failures), grasp_yaws);
       [at_start, at_goal] = ndgrid(grasp_yaws(~has_failed), place_yaws);
-      beyond_start = [];
+      % Yaws with which the arm does not reach the block, and the goal.
+      beyond = {[], []};
       for yaws = shuffled([at_start(:)'; at_goal(:)'], way.seed)
-        if any(yaws(1) == beyond_start) || any(all([arm.index, yaws(2)] == beyond_goal, 2)), continue; end
+        if any(yaws(1) == beyond{1}) || any(yaws(2) == beyond{2}), continue; end
         % The object turns with the hand; it may look the same after some turns.
         turned = block;
         turned.yaw = block.yaw + yaws(2) - yaws(1);
         if ~is_plain && ~isTurnedTo(turned, goal), continue; end
         [actions, is_beyond] = planArmPickAndPlace(arm, held, yaws(1), target, yaws(2), height, lift, away, others, q);
         if ~isempty(actions), return; end
-        if is_beyond(1), beyond_start(end + 1) = yaws(1); end
-        if is_beyond(2), beyond_goal(end + 1, :) = [arm.index, yaws(2)]; end
+        for k = find(is_beyond), beyond{k}(end + 1) = yaws(k); end
       end
     end
   end

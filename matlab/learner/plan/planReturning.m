@@ -7,8 +7,8 @@ function [actions, place, reason] = planReturning(block, step, is_back, state, a
   place = block;
   reason = 'it is put aside already';
   places = {asBlocks(step), step.aside.place};
-  away = cellfun(@(it) norm(block.position - it.position), places);
-  is_aside = away(2) < away(1);
+  distances = cellfun(@(it) norm(block.position - it.position), places);
+  is_aside = distances(2) < distances(1);
   if is_aside && ~is_back, return; end
   here = places{1 + is_aside};
   there = places{2 - is_back};
@@ -20,6 +20,7 @@ function [actions, place, reason] = planReturning(block, step, is_back, state, a
   is_other = arrayfun(@(it) it.position(3) + it.size(3) / 2 > lowest && ~isSameKind(it, step), state.known);
   others = state.known(is_other);
   height = step.aside.height + block.size(3) / 2;
+  away = besideTouching(place, others);
   [able, reason] = ableArms(arms, block, block.size(2), state.failures, 'no arm reaches both its place and its goal');
   for arm = nearestFirst(able, block.position(1))
     tool_height = height - gripDepth(arm, block.size(3));
@@ -30,7 +31,7 @@ function [actions, place, reason] = planReturning(block, step, is_back, state, a
       for place_yaw = place_yaws
         turn = place_yaw - grasp_yaw - (place.yaw - block.yaw);
         if abs(sin(turn / 2)) > 0.01, continue; end
-        actions = planArmPickAndPlace(arm, block, grasp_yaw, place, place_yaw, tool_height, tool_height, others, q);
+        actions = planArmPickAndPlace(arm, block, grasp_yaw, place, place_yaw, tool_height, tool_height, away, others, q);
         if ~isempty(actions), return; end
       end
     end

@@ -12,7 +12,7 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
   actions = {};
   place = noBlocks();
   reason = 'there is no free place on the table';
-  % One arm reaches both it and the place, and one both that and the goal.
+  % What takes it from where it is must reach the place, too, and so must what brings it to the goal.
   able = reaching(arms, block);
   onward = onwardArms(arms, block, goal);
   if isempty(able)

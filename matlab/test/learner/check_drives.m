@@ -24,6 +24,7 @@ function check_drives()
     is_there = it{1}.position(1) == 3 && ~it{2};
     check(isempty(actions) && strcmp(reason, 'it is put aside already') == is_there, 'it stays aside until it comes back');
   end
+  checkReturning(cover);
   drives = inferDevices(demo, cover, appearances);
   check(numel(drives) == 2 && isempty(drives(1).after) && isequal(drives(2).after, 1), 'two drives, before and after');
   check([drives(1).turns.number, drives(2).turns.number] == [2, 1], 'of two turns and of one');
@@ -56,4 +57,19 @@ function checkHands()
   [first, last, number] = strokesOf(hand, struct('isLoosening', true, 'number', 2));
   check(abs(first - last - turn) < 1e-9 && number == 4, 'and back to loosen');
   check(abs(directed(knob, 3) - pi) < 1e-9, 'of two directions the nearer one');
+end
+
+function checkReturning(cover)
+% What comes back is brought beside others, or alone.
+  eval('function pose = toolPose(varargin), pose = eye(4); end');
+  eval('function path = planPathThrough(arm, poses, others, varargin), path = [poses, {numel(others)}]; end');
+  remove = onCleanup(@() clear('-f', 'toolPose', 'planPathThrough'));
+  arm = struct('index', 1, 'opening', 9, 'reach', 0.7, 'foot', [0, 0], 'starts', [], 'parked', []);
+  for others = {noBlocks(), block([0.5, 0.5, 0.5], [0.5, 0.5, 3], 5, -4, 0, 0)}
+    state = initialTaskState(cover, []);
+    state.known = others{1};
+    [actions, place] = planReturning(cover.aside.place, cover, true, state, arm, struct('arms', struct('joints', [])));
+    check(~isempty(actions) && max(abs(place.position - cover.position)) < 1e-9, 'it is brought back');
+    check(isequal(actions{end - 1}.path, numel(others{1})), 'past the others');
+  end
 end

@@ -25,6 +25,7 @@ function check_planning()
   check(isequal(known, tower([2, 1])), 'a hidden block is remembered, a missing one is not');
 
   checkOrders(steps);
+  checkBeyondReach();
   checkWays();
 end
 
@@ -36,6 +37,21 @@ function checkOrders(steps)
     orders(end + 1, :) = openSteps(initialTaskState(steps, [], noPresses(), [], choicesOf(struct('variationOrder', seed))));
   end
   check(isequal(unique(orders, 'rows'), [1, 3; 3, 1]), 'a seed varies the order of what may be next');
+end
+
+function checkBeyondReach()
+% Yaws with which an arm does not reach a block, or its goal, are tried once for each way: the first ones are such.
+  global tried;
+  tried = zeros(0, 2);
+  eval(['function [actions, is_beyond] = planArmPickAndPlace(~, ~, yaw, ~, place_yaw, varargin), global tried; ', ...
+        'tried(end + 1, :) = [yaw, place_yaw]; actions = {}; is_beyond = tried(end, :) == tried(1, :); end']);
+  remove = onCleanup(@() clear('-f', 'planArmPickAndPlace'));
+  arm = struct('index', 1, 'opening', 2, 'reach', 0.75, 'foot', [0, 0]);
+  start = block([1, 0, 0], [1, 1, 1], -2, -2, 0, 0);
+  goal = block([1, 0, 0], [1, 1, 1], 2, -2, 0, 0);
+  planPickAndPlace(arm, start, asStep(goal), noBlocks(), struct('arms', struct('joints', [])), []);
+  check(rows(tried) == 2 * (1 + 3 * 3), 'each yaw of the others is tried with each, once more for a low way');
+  check(isequal(sum(tried == tried(1, :)), [2, 2]), 'but none that is beyond reach');
 end
 
 function checkWays()

@@ -71,6 +71,20 @@ function checkCarrying(eye)
   end
   check(~avoids(around, arm, straightPath([0.5, -3, 2; 5.5, -3, 2])), 'a post between the ends of a path is in the way');
   checkWayOver(eye, arm);
+  clear remove;
+  checkMoved();
+end
+
+function checkMoved()
+% A tool is where its hold says, whatever the hold.
+  tool = block([1, 0, 0], [2, 0.5, 0.4], -2, -3, 0, 0.3);
+  whole = [-1, -3, 0.1; -2.5, -2, 0.4; -2, -3.5, 0];
+  arm = struct('opening', 0, 'reach', 0.75);
+  for hold = [0.3, 1.2; 0, 0.5]
+    load = loadOf(whole, heldToolPose(arm, tool, hold(1), hold(2), tool.position, 0));
+    there = loadAt(load, heldToolPose(arm, tool, hold(1), hold(2), [3, -1, 2], 0.7));
+    check(max(max(abs(movedTo(whole, tool, [3, -1, 2], 0.7) - there))) < 1e-9, 'a tool is moved with its hand');
+  end
 end
 
 function checkWayOver(eye, arm)

@@ -45,8 +45,6 @@ def plan_held_pick_and_place(arms, block, goal, others, sensor, failures, way):
     if not able:
         return [], reason
     away = None if is_dragged(goal) else beside_touching(target, others)
-    # Arms, and yaws with which they do not reach the goal, at whichever height they come.
-    beyond_goal = set()
     can_be_low = not is_dragged(goal) and not block.knob and has_low_way(block, goal, others)
     for is_low, rise, arm in product([False, True] if can_be_low else [False], way.rises(),
                                      nearest_first(able, block.position[0] + goal.position[0])):
@@ -59,18 +57,20 @@ def plan_held_pick_and_place(arms, block, goal, others, sensor, failures, way):
         q = sensor.arms[arm.index].joints
         yaws = [yaw for yaw in at_start
                 if not has_failed(Grasp(held.position, arm.index, yaw), failures)]
-        beyond_start = set()
+        # Yaws with which the arm does not reach the block, and the goal.
+        beyond = [], []
         for place_yaw, grasp_yaw in way.ranked(list(product(at_goal, yaws))):
-            if grasp_yaw in beyond_start or (arm.index, place_yaw) in beyond_goal:
+            if grasp_yaw in beyond[0] or place_yaw in beyond[1]:
                 continue
             # The object turns with the hand; it may look the same after some turns.
             turned = replace(block, yaw=block.yaw + place_yaw - grasp_yaw)
             if (block.knob or block.parts) and not is_turned_to(turned, goal):
                 continue
-            actions, is_start_beyond, is_goal_beyond = plan_arm_pick_and_place(
-                arm, held, grasp_yaw, target, place_yaw, height, lift, away, others, q)
+            actions, *are_beyond = plan_arm_pick_and_place(arm, held, grasp_yaw, target, place_yaw, height, lift,
+                                                           away, others, q)
             if actions:
                 return actions, None
-            beyond_start |= {grasp_yaw} if is_start_beyond else set()
-            beyond_goal |= {(arm.index, place_yaw)} if is_goal_beyond else set()
+            for yaws_beyond, yaw, is_beyond in zip(beyond, (grasp_yaw, place_yaw), are_beyond):
+                if is_beyond:
+                    yaws_beyond.append(yaw)
     return [], reason

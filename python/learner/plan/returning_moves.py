@@ -11,6 +11,7 @@ from act.grippers import grip_depth, nearest_first
 from check.failures import able_arms, has_failed
 from constants import CLEARANCE
 from match.returning import directed
+from plan.touching import beside_touching
 from plan.transfers import plan_arm_pick_and_place
 from things.kinds import is_same_kind
 
@@ -33,6 +34,7 @@ def plan_returning(block, step, is_back, state, arms, sensor):
     others = [it for it in state.known if it.top > min(block.top, place.top) - CLEARANCE.hand_above_top
               and not is_same_kind(it, step)]
     height = step.aside.height + block.size[2] / 2
+    away = beside_touching(place, others)
     able, reason = able_arms(arms, block, block.size[1], state.failures, "no arm reaches both its place and its goal")
     for arm in nearest_first(able, block.position[0]):
         tool_height = height - grip_depth(arm, block.size[2])
@@ -41,8 +43,8 @@ def plan_returning(block, step, is_back, state, arms, sensor):
             attempt = Grasp(block.position, arm.index, grasp_yaw)
             if abs(np.sin(turn / 2)) > 0.01 or has_failed(attempt, state.failures):
                 continue
-            actions = plan_arm_pick_and_place(arm, block, grasp_yaw, place, place_yaw, tool_height, tool_height, others,
-                                              sensor.arms[arm.index].joints, False)
+            actions, *_ = plan_arm_pick_and_place(arm, block, grasp_yaw, place, place_yaw, tool_height, tool_height,
+                                                  away, others, sensor.arms[arm.index].joints)
             if actions:
                 return actions, place, None
     return [], None, reason

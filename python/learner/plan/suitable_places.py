@@ -30,7 +30,7 @@ def blocks_grasps(place, others):
 
 def onward_arms(arms, block, goal):
     """Returns the arms that can bring a block to a goal from wherever it is put: those that surely reach it there; all if none
-    does, or there is no goal (None)."""
+    does, if it is dragged there, or if there is no goal (None)."""
     if goal is None or is_dragged(goal):
         return arms
     return reaching(arms, replace(block, position=goal.position, yaw=goal.yaw)) or arms

@@ -21,7 +21,7 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
     unexplained: as from unexplained_points
     Returns actions, the block at that place, and None; or [], None and a reason if there is none.
     """
-    # One arm reaches both it and the place, and one both that and the goal.
+    # What takes it from where it is must reach the place, too, and so must what brings it to the goal.
     able, onward = reaching(arms, block), onward_arms(arms, block, goal)
     if not able:
         return [], None, "no arm reaches it"

@@ -12,7 +12,8 @@ from plan.arm_paths import plan_path_through
 
 def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift, away, others, q):
     """Plans to bring a block to a goal with one arm and given yaws of the gripper. Returns actions, or [] if that arm
-    cannot; and then, whether the block is beyond its reach with that yaw, and whether the goal is.
+    cannot; and then, whether it finds no joint angles at the block with that yaw, and whether none at the goal with that
+    one, whatever the other yaw.
 
     grasp_yaw, place_yaw: directions from finger to finger [rad]
     height:               of the tool between both places [units]
@@ -44,8 +45,7 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
     taken = [] if away is None else [block]
     path = plan_path_through(arm, [*to_block, *transfer, over_end], others, q, [goal], taken)
     if not path:
-        return [], all(solve_pose_sequence(arm, to_block, q) is None for q in arm.starts), \
-            all(arm.inverse(end, q, max_iterations=C.ik_iterations) is None for q in arm.starts)
+        return [], is_beyond(arm, to_block), is_beyond(arm, [over_end, end])
     moves = [Action("follow", arm, it) for it in path]
     if away is not None:
         moves[len(to_block)].kind = "lift"
@@ -54,6 +54,11 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
                *moves[len(to_block):-2],
                Action("open", arm, to=opening), *moves[-2:], Action("observe")]
     return actions, False, False
+
+
+def is_beyond(arm, poses):
+    """Returns true if joint angles for a sequence of tool poses are found from none of an arm's starts."""
+    return all(solve_pose_sequence(arm, poses, q) is None for q in arm.starts)
 
 
 def shifted(pose, displacement):

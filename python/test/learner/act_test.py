@@ -9,12 +9,14 @@ import numpy as np
 
 from act.actions import Action
 from act.arm_clearance import is_path_over
+from act.arm_points import points_from_wrist
+from act.arms import Arm
 from act.execution import execute_action
 from act.finger_room import grasp_yaws, is_grasp_blocked
 from act.joint_estimates import JointEstimates
 from act.segments import at_height
 from check.claims import Claim
-from constants import TASK_PLANNING
+from constants import MOTION_PLANNING, TASK_PLANNING
 from plan.arm_paths import plan_path_through
 from scenes import BLUE, CUBE, GREEN, PLANK, RED, block
 
@@ -124,6 +126,29 @@ class CaughtArmTest(unittest.TestCase):
                     self.assertFalse(hasattr(aux, "claim"), "it does not look")
                     learner.step(sensor, SimpleNamespace(), aux)
             self.assertEqual(aux.claim, word)
+
+
+class ArmPointsTest(unittest.TestCase):
+    """Its first two joints turn about vertical axes through x = 0 and x = q[3], the third one slides, and the fourth one turns about
+    an axis along x, at y = 0 and z = 3."""
+
+    def setUp(self):
+        def jacobian(_, q):
+            return np.array([[-q[1], -q[1], 0, 0], [q[0], q[0] - q[3], 0, 3 - q[2]], [0, 0, 1, q[1]],
+                             [0, 0, 0, 1], [0, 0, 0, 0], [1, 1, 0, 0]])
+
+        robot = SimpleNamespace(forward=lambda _, q: np.vstack([np.column_stack([np.eye(3), q[:3]]), [0, 0, 0, 1]]), jacobian=jacobian)
+        self.arm = Arm(robot, "left", 0, 0, None)
+        self.q = np.array([[3, 0.2, 2.9, 2], [5, -1, 1, 4], [2, 0, 3, 1]])
+
+    def test_points_of_an_arm_are_on_the_axes_of_its_joints(self):
+        for q, points in zip(self.q, self.arm.points(self.q)):
+            np.testing.assert_allclose(points, [q[:3], [q[0], 0, 3], [q[3], 0, 3], [0, 0, 3]], atol=1e-12)
+
+    def test_those_of_several_postures_follow_one_another_from_the_wrist_on(self):
+        apart = [points_from_wrist(self.arm, q) for q in self.q]
+        np.testing.assert_array_equal(points_from_wrist(self.arm, self.q), np.concatenate(apart))
+        self.assertEqual([len(it) for it in apart], [MOTION_PLANNING.points_per_link * it for it in (1, 2, 1)])
 
 
 class PathOverBlocksTest(unittest.TestCase):

@@ -4,6 +4,7 @@ import math
 import unittest
 from dataclasses import replace
 from types import SimpleNamespace
+from unittest.mock import patch
 
 import numpy as np
 
@@ -136,6 +137,19 @@ class CoverTest(RecordingTest):
                    for it, is_back in [(lid.aside.place, False), (lid.aside.place, True), (lid, False)]]
         no_arm = "no arm reaches both its place and its goal"
         self.assertEqual(reasons, ["it is put aside already", no_arm, no_arm])
+
+    def test_what_comes_back_is_brought_as_high_as_shown_beside_others_or_alone(self):
+        lid = self.steps[2]
+        arm = SimpleNamespace(index=0, opening=9, reach=0.7, foot=np.zeros(2), starts=[], parked=None,
+                              tool_pose=lambda point, across, opening: np.vstack([np.column_stack([np.eye(3), point]), [0, 0, 0, 1]]))
+        for others in ([], [block(GRAY, np.array([0.5, 0.5, 3]), 5, -4)]):
+            state = TaskState(self.steps)
+            state.known = others
+            with patch("plan.transfers.plan_path_through", side_effect=lambda arm, poses, *_: [*poses, "home"]) as through:
+                actions, place, _ = plan_returning(lid.aside.place, lid, True, state, [arm], SimpleNamespace(arms=[SimpleNamespace(joints=[])]))
+            self.assertEqual([it.kind for it in actions][-3:], ["follow", "follow", "observe"])
+            np.testing.assert_allclose(place.position, lid.position)
+            self.assertEqual(through.call_args[0][2], others)
 
     def test_loosening_is_told_from_fastening_and_turns_are_counted(self):
         first, last = self.drives

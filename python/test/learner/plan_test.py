@@ -210,6 +210,21 @@ class MovesTest(unittest.TestCase):
         _, reason = plan_pick_and_place([SimpleNamespace(opening=2)], wide, wide, [], None)
         self.assertEqual(reason, "it is wider than the gripper opens")
 
+    def test_yaws_with_which_an_arm_does_not_reach_a_block_or_its_goal_are_tried_once(self):
+        arm = SimpleNamespace(opening=2, reach=0.75, foot=np.zeros(2), index=0)
+        start, goal = block(RED, CUBE, -2, -2), block(RED, CUBE, 2, -2)
+        tried = []
+
+        def transfer(arm, held, yaw, target, place_yaw, *_):
+            tried.append((yaw, place_yaw))
+            return [], yaw == tried[0][0], place_yaw == tried[0][1]
+
+        with patch("plan.pick_and_place.plan_arm_pick_and_place", side_effect=transfer):
+            plan_pick_and_place([arm], start, goal, [], SimpleNamespace(arms=[SimpleNamespace(joints=None)]))
+        # Once more for a low way.
+        self.assertEqual(len(tried), 2 * (1 + 3 * 3))
+        self.assertEqual([sum(it[k] == tried[0][k] for it in tried) for k in (0, 1)], [2, 2])
+
     def test_seeds_vary_how_a_block_is_held_and_carried(self):
         arm = SimpleNamespace(opening=2, reach=0.75, foot=np.zeros(2), index=0)
         sensor = SimpleNamespace(arms=[SimpleNamespace(joints=None)])

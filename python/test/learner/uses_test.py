@@ -7,6 +7,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
+from act.arms import Arm
 from explain.demonstration import read_demonstration
 from explain.devices import infer_devices
 from explain.explanation import explain
@@ -14,9 +15,10 @@ from explain.task_model import infer_task
 from match.alignment import Alignment
 from match.tools import find_tool
 from plan.carrying import surroundings_of
-from plan.loads import belongs_to, load_of, whole_of
-from plan.use_planning import seen_from
+from plan.loads import belongs_to, load_of, moved_to, whole_of
 from plan.there_and_back import plan_there_and_back, plan_to_take
+from plan.tool_holds import tool_pose
+from plan.use_planning import seen_from
 from plan.ways import Way
 from recordings import RecordingTest
 from scenes import BLUE, BROWN, EYE, GREEN, RED, block, picture_of, view_of
@@ -92,6 +94,15 @@ class UseTest(RecordingTest):
             self.assertEqual(around.avoids(arm, path), is_hand_clear, (x, z))
         # Both ends of that path are clear, but not what is between them.
         self.assertFalse(around.avoids(arm, straight_path([[0.5, -3, 2], [5.5, -3, 2]])))
+
+    def test_a_tool_is_where_its_hold_says_whatever_the_hold(self):
+        tool = block(RED, np.array([2, 0.5, 0.4]), -2, -3, yaw=0.3)
+        whole = np.array([[-1, -3, 0.1], [-2.5, -2, 0.4], [-2, -3.5, 0]])
+        arm = Arm(None, "left", 0, 0, None, reach=0.75)
+        there = moved_to(whole, tool, np.array([3, -1, 2]), 0.7)
+        for across, grip in ((0.3, 0), (1.2, 0.5)):
+            load = load_of(whole, tool_pose(arm, tool, across, grip, tool.position))
+            np.testing.assert_allclose(load.at(tool_pose(arm, tool, across, grip, np.array([3, -1, 2]), 0.7)), there, atol=1e-9)
 
     def test_the_way_leads_over_what_is_between_a_tool_and_its_work_and_back_over_it(self):
         picture, heights = view_of([block(BROWN, np.array([0.5, 0.5, 3]), 0, -3)])

@@ -1,9 +1,9 @@
-function yes = isSuitable(place, arms, onward, eye, others, site)
+function yes = isSuitable(place, arms, eye, others, site)
 % Returns true if a block at a place blocks nothing of a site, blocks existing or planned, and no grasp of others, but of
-% those below it, is seen, and can be reached by one of the arms, and by one of those that bring it on (see onwardArms).
+% those below it, is seen, and can be taken again.
   around = others(~standsOn(place, others));
-  yes = ~(isGraspBlocked(place, site) || isTopHidden(place, site, eye) || isempty(reaching(arms, place)) || ...
-          isempty(reaching(onward, place)) || blocksGrasps(place, around));
+  yes = ~(isGraspBlocked(place, site) || isTopHidden(place, site, eye) || ~canReach(arms, place) || ...
+          blocksGrasps(place, around));
 end
 
 function yes = blocksGrasps(place, others)

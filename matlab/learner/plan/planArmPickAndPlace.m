@@ -36,7 +36,8 @@ function [actions, is_beyond] = planArmPickAndPlace(arm, block, grasp_yaw, goal,
   actions = {};
   is_beyond = [false, false];
   if isempty(path)
-    is_beyond = [isBeyond(arm, to_block), isBeyond(arm, {over_to, to})];
+    % From another posture, it may avoid the torso at the goal.
+    is_beyond = [isBeyond(arm, to_block), isBeyond(setfield(arm, 'hasTorso', false), {over_to, to})];
     return
   end
 

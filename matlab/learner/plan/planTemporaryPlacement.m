@@ -12,10 +12,7 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
   actions = {};
   place = noBlocks();
   reason = 'there is no free place on the table';
-  % What takes it from where it is must reach the place, too, and so must what brings it to the goal.
-  able = reaching(arms, block);
-  onward = onwardArms(arms, block, goal);
-  if isempty(able)
+  if ~canReach(arms, block)
     reason = 'no arm reaches it';
     return
   end
@@ -33,7 +30,7 @@ function [actions, place, reason] = planTemporaryPlacement(arms, eye, block, oth
     for place = places
       has_yaw = tried([tried.yaw] == place.yaw);
       if isNear(place, left) || isNear(place, has_yaw), continue; end
-      if ~isSuitable(place, able, onward, eye, others, site), continue; end
+      if ~isSuitable(place, arms, eye, others, site), continue; end
       [actions, reason] = planToPlace(arms, block, place, others, sensor, goal, failures);
       if ~isempty(actions), return; end
       tried(end + 1) = place;

@@ -27,7 +27,7 @@ function [actions, place, reason] = planTurn(arms, eye, block, held, then, other
   for site = sites
     num_tried = 0;
     for place = freePlacements(arms, eye, like, [others, site{1}], [], unexplained)
-      if isempty(then), is_useful = ~isempty(reaching(arms, place)); else, is_useful = canTurn(arms, place, then, others); end
+      if isempty(then), is_useful = canReach(arms, place); else, is_useful = canTurn(arms, place, then, others); end
       if ~is_useful, continue; end
       num_tried = num_tried + 1;
       if num_tried > c.task_planning.max_place_attempts, break; end

@@ -28,8 +28,6 @@ function [place, blocks] = roomFor(state, move, movable, site, arms, eye, sensor
   known = state.known;
   block = known(move.block);
   fixed = [known(setdiff(1:numel(known), [move.block, movable])), assumedSupport(block)];
-  able = reaching(arms, block);
-  onward = onwardArms(arms, block, move.goal);
   left = noBlocks();
   if isempty(move.goal), left = [state.left, block]; end
   places = freePlacements(arms, eye, block, [fixed, site], move.goal, state.unexplained);
@@ -48,7 +46,7 @@ function [place, blocks] = roomFor(state, move, movable, site, arms, eye, sensor
     place = places(i);
     blocks = in_way{i};
     others = withHeldParts([fixed, known(setdiff(movable, blocks, 'stable'))]);
-    if ~isSuitable(place, able, onward, eye, others, site), continue; end
+    if ~isSuitable(place, arms, eye, others, site), continue; end
     if ~isempty(planToPlace(arms, block, place, others, sensor, move.goal, state.failures)), return; end
     num_tried = num_tried + 1;
     if num_tried == c.max_place_attempts, break; end

@@ -44,9 +44,9 @@ def avoids_torso(arm, q):
     return bool((first < upper - C.torso_margin_rad).all())
 
 
-def reaching(arms, place):
-    """Returns those arms that reach a block's place, a list."""
-    return [arm for arm in arms if is_reachable(arm, place)]
+def can_reach(arms, place):
+    """Returns true if one of the arms reaches a block's place."""
+    return any(is_reachable(arm, place) for arm in arms)
 
 
 def solve(arm, poses, q, margin):

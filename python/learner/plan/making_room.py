@@ -1,11 +1,10 @@
 """Makes room on the table: if no place is free for a block, others are put aside first."""
 
-from act.reach import reaching
 from constants import TASK_PLANNING as C
 from plan.free_places import free_placements, is_free, is_near
 from plan.moves import Move
 from plan.obstruction import has_objects_on
-from plan.suitable_places import is_suitable, onward_arms
+from plan.suitable_places import is_suitable
 from plan.temporary_places import plan_to_place
 from things.areas import footprint
 from things.held_parts import with_held_parts
@@ -37,7 +36,6 @@ def room_for(state, move, movable, site, arms, eye, sensor):
     """
     block = move.block
     fixed = [it for it in state.known if it is not block and it not in movable] + assumed_support(block)
-    able, onward = reaching(arms, block), onward_arms(arms, block, move.goal)
     left = [] if move.goal else [*state.left, block]
     candidates = free_placements(arms, eye, block, fixed + site, move.goal, state.unexplained)
     covered = footprint(candidates, C.place_margin / 2)
@@ -50,7 +48,7 @@ def room_for(state, move, movable, site, arms, eye, sensor):
     num_tried = 0
     for place, in_way in sorted(places, key=lambda it: len(it[1])):
         others = with_held_parts(fixed + [it for it in movable if it not in in_way])
-        if not is_suitable(place, able, onward, eye, others, site):
+        if not is_suitable(place, arms, eye, others, site):
             continue
         if plan_to_place(arms, block, place, others, sensor, move.goal, state.failures)[0]:
             return place, in_way

@@ -1,11 +1,11 @@
 """Plans to bring blocks to temporary places, on the table or, where that is full, on other blocks."""
 
-from act.reach import reaching
+from act.reach import can_reach
 from constants import TASK_PLANNING as C
 from plan.free_places import free_placements, is_near
 from plan.pick_and_place import plan_pick_and_place
 from plan.places_on_others import places_on_others
-from plan.suitable_places import is_suitable, onward_arms
+from plan.suitable_places import is_suitable
 
 
 def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, failures, left,
@@ -21,16 +21,14 @@ def plan_temporary_placement(arms, eye, block, others, sites, sensor, goal, fail
     unexplained: as from unexplained_points
     Returns actions, the block at that place, and None; or [], None and a reason if there is none.
     """
-    # What takes it from where it is must reach the place, too, and so must what brings it to the goal.
-    able, onward = reaching(arms, block), onward_arms(arms, block, goal)
-    if not able:
+    if not can_reach(arms, block):
         return [], None, "no arm reaches it"
     reason, tried = "there is no free place on the table", []
     for places, site in candidates(arms, eye, block, others, sites, goal, unexplained):
         num_tried = 0
         for place in places:
             has_yaw = [it for it in tried if it.yaw == place.yaw]
-            if is_near(place, left + has_yaw) or not is_suitable(place, able, onward, eye, others, site):
+            if is_near(place, left + has_yaw) or not is_suitable(place, arms, eye, others, site):
                 continue
             actions, why = plan_to_place(arms, block, place, others, sensor, goal, failures)
             if actions:

@@ -1,5 +1,7 @@
 """Plans how one arm brings a block from one place to another, held in a given way."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from act.actions import Action, Grasp
@@ -45,7 +47,8 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
     taken = [] if away is None else [block]
     path = plan_path_through(arm, [*to_block, *transfer, over_end], others, q, [goal], taken)
     if not path:
-        return [], is_beyond(arm, to_block), is_beyond(arm, [over_end, end])
+        # From another posture, it may avoid the torso at the goal.
+        return [], is_beyond(arm, to_block), is_beyond(replace(arm, has_torso=False), [over_end, end])
     moves = [Action("follow", arm, it) for it in path]
     if away is not None:
         moves[len(to_block)].kind = "lift"

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from act.grippers import can_hold, nearest_first
-from act.reach import reaching, solve
+from act.reach import can_reach, solve
 from check.failures import able_arms, has_failed
 from constants import MOTION_PLANNING as C, TASK_PLANNING
 from plan.free_places import free_placements
@@ -42,7 +42,7 @@ def plan_turn(arms, eye, block, held, then, others, sites, sensor, failures, une
         reason = "there is no free place on the table where an arm can turn it"
         num_tried = 0
         for place in free_placements(arms, eye, like, others + site, None, unexplained):
-            if not (reaching(arms, place) if then is None else can_turn(arms, place, then, others)):
+            if not (can_reach(arms, place) if then is None else can_turn(arms, place, then, others)):
                 continue
             num_tried += 1
             if num_tried > TASK_PLANNING.max_place_attempts:

@@ -132,18 +132,15 @@ class MovesTest(unittest.TestCase):
             others = [it for it in cubes if it is one.block or it in rest]
             self.assertEqual(free_placements([], EYE, plank, others + sites, None), [], "each is in the way")
 
-    def test_for_the_other_arm_a_block_is_put_where_both_reach_and_each_place_is_tried_once(self):
-        arms = [SimpleNamespace(index=0, is_at=lambda x: x < 1), SimpleNamespace(index=1, is_at=lambda x: x > -1)]
-        places = [block(RED, CUBE, x, -3) for x in (4, 0, -4)]
+    def test_a_place_that_failed_is_not_tried_again(self):
+        places = [block(RED, CUBE, x, -3) for x in (4, -4)]
         tried = []
-        reach = {"side_effect": lambda arms, at: [arm for arm in arms if arm.is_at(at.position[0])]}
-        with (patch("plan.temporary_places.reaching", **reach), patch("plan.suitable_places.reaching", **reach),
+        with (patch("plan.temporary_places.can_reach", return_value=True), patch("plan.suitable_places.can_reach", return_value=True),
               patch("plan.temporary_places.free_placements", return_value=places),
               patch("plan.temporary_places.plan_to_place",
                     side_effect=lambda arms, held, place, *_: tried.append(place.position[0]) or ([], "it slips"))):
-            actions, _, reason = plan_temporary_placement(arms, EYE, block(RED, CUBE, 5, -3), [], [[], []], None,
-                                                          block(RED, CUBE, -5, -3), (), [], None)
-        self.assertEqual((actions, reason, tried), ([], "it slips", [0]))
+            actions, _, reason = plan_temporary_placement([], EYE, block(RED, CUBE, 5, -3), [], [[], []], None, None, (), [], None)
+        self.assertEqual((actions, reason, tried), ([], "it slips", [4, -4]))
 
     def test_where_the_table_is_full_a_block_is_put_on_one_that_no_step_needs(self):
         moved = block(RED, CUBE, -4, -2)

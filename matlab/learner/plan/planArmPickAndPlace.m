@@ -1,6 +1,6 @@
 function [actions, is_beyond] = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, height, lift, away, others, q)
 % Plans to bring a block to a goal with one arm and given yaws of the gripper; {} if that arm cannot. is_beyond, 1x2 logical: then,
-% whether it finds no joint angles at the block with that yaw, and none at the goal with that one, whatever the other yaw.
+% whether it finds no joint angles at the block with that yaw, or else none at the goal with that one, whatever the other yaw.
 %   grasp_yaw, place_yaw  directions from finger to finger [rad]
 %   height                of the tool between both places [units]
 %   lift                  of the tool over the block; below `height`, the way leads over the middle between
@@ -36,8 +36,9 @@ function [actions, is_beyond] = planArmPickAndPlace(arm, block, grasp_yaw, goal,
   actions = {};
   is_beyond = [false, false];
   if isempty(path)
+    is_beyond(1) = isBeyond(arm, to_block);
     % From another posture, it may avoid the torso at the goal.
-    is_beyond = [isBeyond(arm, to_block), isBeyond(setfield(arm, 'hasTorso', false), {over_to, to})];
+    is_beyond(2) = ~is_beyond(1) && isBeyond(setfield(arm, 'hasTorso', false), {over_to, to});
     return
   end
 

@@ -14,8 +14,8 @@ from plan.arm_paths import plan_path_through
 
 def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift, away, others, q):
     """Plans to bring a block to a goal with one arm and given yaws of the gripper. Returns actions, or [] if that arm
-    cannot; and then, whether it finds no joint angles at the block with that yaw, and whether none at the goal with that
-    one, whatever the other yaw.
+    cannot; and then, whether it finds no joint angles at the block with that yaw, or else none at the goal with that one,
+    whatever the other yaw.
 
     grasp_yaw, place_yaw: directions from finger to finger [rad]
     height:               of the tool between both places [units]
@@ -47,8 +47,9 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
     taken = [] if away is None else [block]
     path = plan_path_through(arm, [*to_block, *transfer, over_end], others, q, [goal], taken)
     if not path:
+        is_start_beyond = is_beyond(arm, to_block)
         # From another posture, it may avoid the torso at the goal.
-        return [], is_beyond(arm, to_block), is_beyond(replace(arm, has_torso=False), [over_end, end])
+        return [], is_start_beyond, not is_start_beyond and is_beyond(replace(arm, has_torso=False), [over_end, end])
     moves = [Action("follow", arm, it) for it in path]
     if away is not None:
         moves[len(to_block)].kind = "lift"

@@ -25,6 +25,7 @@ function check_planning()
   check(isequal(known, tower([2, 1])), 'a hidden block is remembered, a missing one is not');
 
   checkOrders(steps);
+  checkEndsBeyondReach();
   checkBeyondReach();
   checkWays();
 end
@@ -37,6 +38,25 @@ function checkOrders(steps)
     orders(end + 1, :) = openSteps(initialTaskState(steps, [], noPresses(), [], choicesOf(struct('variationOrder', seed))));
   end
   check(isequal(unique(orders, 'rows'), [1, 3; 3, 1]), 'a seed varies the order of what may be next');
+end
+
+function checkEndsBeyondReach()
+% Of a block at x = -2 and its goal at x = 2, it is told which one is beyond reach. Only from the second start joint angles are found;
+% at the goal, from there, the arm would touch the torso.
+  global reached;
+  eval('function pose = toolPose(arm, point, varargin), pose = eye(4); pose(1:3, 4) = point; end');
+  eval('function path = planPathThrough(varargin), path = {}; end');
+  eval(['function q = solvePoseSequence(arm, poses, q), global reached; x = cellfun(@(it) it(1, 4), poses); ', ...
+        'if q ~= 1 || ~all(ismember(x, reached)) || (arm.hasTorso && any(x == 2)), q = []; end; end']);
+  remove = onCleanup(@() clear('-f', 'toolPose', 'planPathThrough', 'solvePoseSequence'));
+  arm = struct('index', 1, 'opening', 2, 'reach', 0.75, 'starts', [0; 1], 'hasTorso', true);
+  start = block([1, 0, 0], [1, 1, 1], -2, -2, 0, 0);
+  goal = block([1, 0, 0], [1, 1, 1], 2, -2, 0, 0);
+  for it = {[-2, 2], -2, 2, []; [false, false], [false, true], [true, false], [true, false]}
+    reached = it{1};
+    [actions, is_beyond] = planArmPickAndPlace(arm, start, 0, goal, 0, 3, 3, [0, 0], noBlocks(), 0);
+    check(isempty(actions) && isequal(is_beyond, it{2}), 'it is told which end is beyond reach');
+  end
 end
 
 function checkBeyondReach()

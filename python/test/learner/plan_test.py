@@ -3,12 +3,14 @@
 import math
 import unittest
 from dataclasses import replace
-from act.grippers import grip_depth
+from functools import partial
 from types import SimpleNamespace
 from unittest.mock import patch
 
 import numpy as np
 
+from act.arms import Arm
+from act.grippers import grip_depth
 from check.choices import Choices
 from check.task_state import TaskState
 from plan.clearing import clearing_moves, moves_from_place, uncovering_moves
@@ -23,6 +25,7 @@ from plan.step_planning import plan_step
 from plan.suitable_places import blocks_grasps
 from plan.temporary_places import candidates, plan_temporary_placement
 from plan.touching import beside_touching
+from plan.transfers import plan_arm_pick_and_place
 from scenes import BLUE, BROWN, CUBE, EYE, GREEN, PLANK, RED, block, step
 from see.eye import Eye, to_pixel
 
@@ -206,6 +209,21 @@ class MovesTest(unittest.TestCase):
         wide = block(BLUE, np.array([3, 2, 1]), 0, -2)
         _, reason = plan_pick_and_place([SimpleNamespace(opening=2)], wide, wide, [], None)
         self.assertEqual(reason, "it is wider than the gripper opens")
+
+    def test_of_a_block_and_its_goal_it_is_told_which_one_is_beyond_reach(self):
+        arm = Arm(None, "left", 0, 0, None, starts=[np.zeros(7), np.ones(7)], reach=0.75, has_torso=True)
+        start, goal = block(RED, CUBE, -2, -2), block(RED, CUBE, 2, -2)
+
+        def solve(reached, arm, poses, q):
+            # From one of the starts only; at the goal, from there, it would touch the torso.
+            are_reached = q[0] == 1 and all(it[0, 3] in reached and not (arm.has_torso and it[0, 3] == 2) for it in poses)
+            return q if are_reached else None
+
+        for reached, expected in (([-2, 2], (False, False)), ([-2], (False, True)), ([2], (True, False)), ([], (True, False))):
+            with (patch("plan.transfers.plan_path_through", return_value=[]),
+                  patch("plan.transfers.solve_pose_sequence", side_effect=partial(solve, reached))):
+                actions, *are_beyond = plan_arm_pick_and_place(arm, start, 0, goal, 0, 3, 3, [0, 0], [], None)
+            self.assertEqual((actions, tuple(are_beyond)), ([], expected))
 
     def test_yaws_with_which_an_arm_does_not_reach_a_block_or_its_goal_are_tried_once(self):
         arm = SimpleNamespace(opening=2, reach=0.75, foot=np.zeros(2), index=0)

@@ -86,6 +86,21 @@ Eigen::Matrix4d PoseFrom(const mxArray* value, const std::string& name) {
   return Eigen::Map<const Eigen::Matrix4d>(mxGetPr(value));
 }
 
+/// One pose, or several, one behind the other: 4x4xN.
+std::vector<Eigen::Matrix4d> PosesFrom(const mxArray* value, const std::string& name) {
+  const double* numbers = NumbersFrom(value, name);
+  const auto* dimensions = mxGetDimensions(value);
+  const mwSize num_dimensions = mxGetNumberOfDimensions(value);
+  if (num_dimensions > 3 || dimensions[0] != 4 || dimensions[1] != 4 || mxIsEmpty(value)) {
+    throw std::invalid_argument(name + " is " + SizeOf(value) + ", expected 4x4 or 4x4xN");
+  }
+  std::vector<Eigen::Matrix4d> poses;
+  for (std::size_t i = 0; i < mxGetNumberOfElements(value); i += 16) {
+    poses.emplace_back(Eigen::Map<const Eigen::Matrix4d>(numbers + i));
+  }
+  return poses;
+}
+
 const mxArray* FieldOf(const mxArray* value, const char* field, const std::string& name) {
   const mxArray* found = mxGetField(value, 0, field);
   if (!found) Reject(name, std::string("a field `") + field + "`");
@@ -480,14 +495,23 @@ void Inverse(const Call& call) {
   const PlanningRobot& robot = RobotFrom(call);
   const std::string arm = TextFrom(call.arguments[1], "arm");
   const Shape shape = ShapeFor(robot, arm);
-  const Eigen::Matrix4d goal = PoseFrom(call.arguments[2], "goal");
-  const std::vector<double> q_start = ConfigurationFrom(call.arguments[3], "qStart", shape);
+  const std::vector<Eigen::Matrix4d> goals = PosesFrom(call.arguments[2], "goal");
+  std::vector<double> q_start = ConfigurationFrom(call.arguments[3], "qStart", shape);
   const IkOptions options = IkOptionsFrom(call, 4);
-  const auto q = robot.Inverse(arm, goal, q_start, options);
-  call.outputs[0] = q ? ConfigurationOf(*q, shape) : Empty();
-  if (call.num_outputs < 2) return;
-  const std::string reason = q ? "" : robot.WhyUnreachable(arm, goal, q_start, options);
-  call.outputs[1] = mxCreateString(reason.c_str());
+  std::vector<std::vector<double>> found;
+  std::string reason;
+  for (const Eigen::Matrix4d& goal : goals) {
+    const auto q = robot.Inverse(arm, goal, q_start, options);
+    if (!q) {
+      if (call.num_outputs > 1) reason = robot.WhyUnreachable(arm, goal, q_start, options);
+      found.clear();
+      break;
+    }
+    found.push_back(*q);
+    q_start = *q;
+  }
+  call.outputs[0] = found.empty() ? Empty() : ConfigurationsOf(found, shape);
+  if (call.num_outputs > 1) call.outputs[1] = mxCreateString(reason.c_str());
 }
 
 LineOptions LineOptionsFrom(const Call& call, std::size_t first, bool is_line) {

@@ -33,8 +33,13 @@ function check_answers(robot)
   check(isequal(poses(:, :, 2), smileForward(robot, 'left', found)), 'each pose as alone');
   check(isequal(jacobians(:, :, 3), smileJacobian(robot, 'left', rows(3, :))), 'and each Jacobian');
 
+  goals = cat(3, goal, smileForward(robot, 'left', q - 0.2));
+  both = smileInverse(robot, 'left', goals, q);
+  check(isequal(both, [found; smileInverse(robot, 'left', goals(:, :, 2), found)]), 'of several goals, each from the one before');
+
   goal(1, 4) = 40;
   check(isempty(smileInverse(robot, 'left', goal, q)), 'an unreachable goal is []');
+  check(isempty(smileInverse(robot, 'left', cat(3, goals, goal), q)), 'also after others');
   [move, fault] = smileMoveLine(robot, 'left', q, goal);
   check(isempty(move) && fault.fraction < 1, 'a line out of reach has a fault');
   check(~isempty(fault.reason), 'and a reason');
@@ -65,7 +70,7 @@ function check_errors(robot)
   expect_error('smileForward: arm: expected text', @() smileForward(robot, 1, q));
   expect_error('smileForward: robot: expected what smileRobot made', ...
                @() smileForward(q, 'left', q));
-  expect_error('smileInverse: goal is 3x3, expected 4x4', ...
+  expect_error('smileInverse: goal is 3x3, expected 4x4 or 4x4xN', ...
                @() smileInverse(robot, 'left', eye(3), q));
   expect_error(['smileInverse: there is no option ''anyturn'', expected anyTurn, ' ...
                 'anyRotation, positionTolerance, angleTolerance, maxIterations or seed'], ...

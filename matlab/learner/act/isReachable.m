@@ -7,7 +7,7 @@ function yes = isReachable(arm, place)
     held = heldPart(it);
     for across = graspYaws(held, [])
       poses = arrayfun(@(height) {toolPose(arm, held.position + [0, 0, height], across, held.size(2))}, heights(:)');
-      yes = ~isempty(solvePoseSequence(arm, poses, arm.parked));
+      yes = ~isempty(solvePoses(arm, poses, arm.parked));
       if yes, return; end
     end
   end

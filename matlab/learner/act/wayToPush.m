@@ -9,7 +9,7 @@ function found = wayToPush(arms, step, before)
     over = way.start.position(3) + way.start.size(3) / 2 + arm.reach + clearance;
     for hand = pushingHands(arm, way.start, way, before)
       found = way;
-      if ~isempty(solvePoseSequence(arm, [{atHeight(hand.poses{1}, over)}, hand.poses], arm.parked)), return; end
+      if ~isempty(solvePoses(arm, [{atHeight(hand.poses{1}, over)}, hand.poses], arm.parked)), return; end
     end
   end
   found = struct([]);

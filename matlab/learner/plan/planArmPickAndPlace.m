@@ -1,6 +1,6 @@
 function [actions, is_beyond] = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, height, lift, away, others, q)
-% Plans to bring a block to a goal with one arm and given yaws of the gripper; {} if that arm cannot. is_beyond, 1x2 logical: then,
-% whether it finds no joint angles at the block with that yaw, or else none at the goal with that one, whatever the other yaw.
+% Plans to bring a block to a goal with one arm and given yaws of the gripper; {} if that arm cannot. is_beyond, 1x2 logical: whether
+% it finds no joint angles at the block with that yaw and lift, or else none at the goal with that yaw and height.
 %   grasp_yaw, place_yaw  directions from finger to finger [rad]
 %   height                of the tool between both places [units]
 %   lift                  of the tool over the block; below `height`, the way leads over the middle between
@@ -22,6 +22,13 @@ function [actions, is_beyond] = planArmPickAndPlace(arm, block, grasp_yaw, goal,
     via = {from};
     via{1}(1:3, 4) = [(from(1:2, 4) + to(1:2, 4)) / 2; height];
   end
+  % What is beyond reach by itself is not looked for along the way. From another posture, the arm may avoid the torso at the goal.
+  actions = {};
+  is_beyond = [isBeyond(arm, {over_from, from}), false];
+  if ~is_beyond(1), is_beyond(2) = isBeyond(setfield(arm, 'hasTorso', false), {over_to, to}); end
+  if any(is_beyond), return; end
+
+  to_block = [via, {over_from, from}];
   is_dragged = isempty(away);
   if is_dragged
     transfer = {to};
@@ -29,18 +36,10 @@ function [actions, is_beyond] = planArmPickAndPlace(arm, block, grasp_yaw, goal,
     transfer = [{over_from}, via, {shifted(over_to, away), shifted(to, away), to}];
     if ~any(away), transfer(end) = []; end
   end
-  to_block = [via, {over_from, from}];
   taken = noBlocks();
   if ~is_dragged, taken = block; end
   path = planPathThrough(arm, [to_block, transfer, {over_to}], others, q, goal, taken);
-  actions = {};
-  is_beyond = [false, false];
-  if isempty(path)
-    is_beyond(1) = isBeyond(arm, to_block);
-    % From another posture, it may avoid the torso at the goal.
-    is_beyond(2) = ~is_beyond(1) && isBeyond(setfield(arm, 'hasTorso', false), {over_to, to});
-    return
-  end
+  if isempty(path), return; end
 
   follow = cellfun(@(it) struct('kind', 'follow', 'arm', arm, 'path', it), path, 'UniformOutput', false);
   open = struct('kind', 'open', 'arm', arm, 'to', opening);
@@ -56,7 +55,7 @@ function yes = isBeyond(arm, poses)
 % Returns true if joint angles for a sequence of tool poses are found from none of an arm's starts.
   yes = false;
   for start = arm.starts'
-    if ~isempty(solvePoseSequence(arm, poses, start')), return; end
+    if ~isempty(solvePoses(arm, poses, start')), return; end
   end
   yes = true;
 end

@@ -11,9 +11,9 @@ function path = planPathThrough(arm, poses, others, q, placed, taken)
   height = max(cellfun(@(pose) pose(3, 4), poses));
   possible = {};
   for start = arm.starts'
-    above = solvePoseSequence(arm, poses, start');
-    if isempty(above), continue; end
-    path = {moveJoints(arm, [q; above])};
+    found = solvePoses(arm, poses, start');
+    if isempty(found), continue; end
+    path = {moveJoints(arm, [q; found(1, :)])};
     for pose = poses(2:end)
       path{end + 1} = moveLine(arm, path{end}, pose{1});
       if isempty(path{end}), break; end

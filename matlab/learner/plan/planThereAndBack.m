@@ -38,11 +38,11 @@ function [path, via] = thereOn(arm, taken, work, way, canBegin)
   via = taken{end}.positions(end, :);
   if way.height > 0
     over = {atHeight(smileForward(arm.robot, arm.name, via), way.height), atHeight(work{1}, way.height)};
-    via = [via; solvePoses(arm, over, via, 0)];
+    via = [via; solvePoses(arm, over, via)];
     if rows(via) == 1, return; end
   end
-  first = solvePoses(arm, work(1), via(end, :), 0);
-  if isempty(first) || ~canBegin(first) || rows(solvePoses(arm, work(2:end), first, 0)) < numel(work) - 1, return; end
+  first = solvePoses(arm, work(1), via(end, :));
+  if isempty(first) || ~canBegin(first) || (numel(work) > 1 && isempty(solvePoses(arm, work(2:end), first))), return; end
   path = [taken, {moveJoints(arm, [via; first])}];
 end
 

@@ -31,9 +31,9 @@ function found = posturesAt(arm, poses)
 % several starts, often almost the same posture is found: what an arm cannot do in one, it cannot do in the next one either.
   found = zeros(0, numel(arm.parked));
   for start = arm.starts'
-    posture = solvePoseSequence(arm, poses, start');
-    if ~isempty(posture) && all(max(abs(found - posture), [], 2) > constants().uses.same_posture_rad)
-      found(end + 1, :) = posture;
+    postures = solvePoses(arm, poses, start');
+    if ~isempty(postures) && all(max(abs(found - postures(1, :)), [], 2) > constants().uses.same_posture_rad)
+      found(end + 1, :) = postures(1, :);
     end
   end
 end

@@ -63,8 +63,9 @@ function checkReturning(cover)
 % What comes back is brought beside others, or alone.
   eval('function pose = toolPose(varargin), pose = eye(4); end');
   eval('function path = planPathThrough(arm, poses, others, varargin), path = [poses, {numel(others)}]; end');
-  remove = onCleanup(@() clear('-f', 'toolPose', 'planPathThrough'));
-  arm = struct('index', 1, 'opening', 9, 'reach', 0.7, 'foot', [0, 0], 'starts', [], 'parked', []);
+  eval('function q = solvePoses(arm, varargin), q = arm.starts; end');
+  remove = onCleanup(@() clear('-f', 'toolPose', 'planPathThrough', 'solvePoses'));
+  arm = struct('index', 1, 'opening', 9, 'reach', 0.7, 'foot', [0, 0], 'starts', 0, 'parked', []);
   for others = {noBlocks(), block([0.5, 0.5, 0.5], [0.5, 0.5, 3], 5, -4, 0, 0)}
     state = initialTaskState(cover, []);
     state.known = others{1};

@@ -17,14 +17,14 @@ end
 
 function check_way_back()
 % Its joint is the height of its tool. What it placed is only passed over higher than 3.9.
-  eval('function q = solvePoseSequence(varargin), q = 3; end');
+  eval('function q = solvePoses(varargin), q = 3; end');
   eval('function path = moveJoints(arm, points), path.positions = points; end');
   eval('function path = moveLine(arm, before, goal), path.positions = [before.positions(end); goal(3, 4)]; end');
   eval('function yes = isArmClear(varargin), yes = true; end');
   eval('function yes = isPathValid(varargin), yes = true; end');
   eval('function yes = isPathOver(arm, path, blocks), yes = isempty(blocks) || max(path.positions) > 3.9; end');
   eval('function pose = smileForward(robot, name, q), pose = atHeight(eye(4), q); end');
-  remove = onCleanup(@() clear('-f', 'solvePoseSequence', 'moveJoints', 'moveLine', 'isArmClear', 'isPathValid', ...
+  remove = onCleanup(@() clear('-f', 'solvePoses', 'moveJoints', 'moveLine', 'isArmClear', 'isPathValid', ...
                                'isPathOver', 'smileForward'));
   arm = struct('starts', 0, 'parked', 0, 'robot', [], 'name', 'arm');
   poses = {atHeight(eye(4), 3), atHeight(eye(4), 1), atHeight(eye(4), 3)};

@@ -46,9 +46,9 @@ function checkEndsBeyondReach()
   global reached;
   eval('function pose = toolPose(arm, point, varargin), pose = eye(4); pose(1:3, 4) = point; end');
   eval('function path = planPathThrough(varargin), path = {}; end');
-  eval(['function q = solvePoseSequence(arm, poses, q), global reached; x = cellfun(@(it) it(1, 4), poses); ', ...
+  eval(['function q = solvePoses(arm, poses, q), global reached; x = cellfun(@(it) it(1, 4), poses); ', ...
         'if q ~= 1 || ~all(ismember(x, reached)) || (arm.hasTorso && any(x == 2)), q = []; end; end']);
-  remove = onCleanup(@() clear('-f', 'toolPose', 'planPathThrough', 'solvePoseSequence'));
+  remove = onCleanup(@() clear('-f', 'toolPose', 'planPathThrough', 'solvePoses'));
   arm = struct('index', 1, 'opening', 2, 'reach', 0.75, 'starts', [0; 1], 'hasTorso', true);
   start = block([1, 0, 0], [1, 1, 1], -2, -2, 0, 0);
   goal = block([1, 0, 0], [1, 1, 1], 2, -2, 0, 0);
@@ -71,7 +71,7 @@ function checkBeyondReach()
   goal = block([1, 0, 0], [1, 1, 1], 2, -2, 0, 0);
   planPickAndPlace(arm, start, asStep(goal), noBlocks(), struct('arms', struct('joints', [])), []);
   check(rows(tried) == 2 * (1 + 3 * 3), 'each yaw of the others is tried with each, once more for a low way');
-  check(isequal(sum(tried == tried(1, :)), [2, 2]), 'but none that is beyond reach');
+  check(isequal(sum(tried == tried(1, :)), [2, 1]), 'but none that is beyond reach: the block is lifted less then, the goal reached as before');
 end
 
 function checkWays()

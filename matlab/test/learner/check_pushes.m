@@ -30,12 +30,12 @@ end
 function check_in_way(corner, goal)
 % A hand needs room behind the start of a way.
   eval('function yes = isReachable(varargin), yes = true; end');
-  eval('function q = solvePoseSequence(varargin), q = 0; end');
+  eval('function q = solvePoses(varargin), q = 0; end');
   eval(['function hands = pushingHands(arm, block, way, others), at = block.position(1:2) + 1.2 * way.away;', ...
         'hands = struct("poses", {{eye(4)}}); if any(vecnorm(vertcat(others.position)(:, 1:2) - at, 2, 2) < 0.5), hands = []; end; end']);
   arm = struct('reach', 0.75, 'parked', 0, 'foot', [1, -5], 'robot', [], 'name', '');
   eval('function bounds = smileFingerBounds(varargin), bounds = [0, 0, 0; 0.4, 0.3, 0]; end');
-  remove = onCleanup(@() clear('-f', 'isReachable', 'solvePoseSequence', 'pushingHands', 'smileFingerBounds'));
+  remove = onCleanup(@() clear('-f', 'isReachable', 'solvePoses', 'pushingHands', 'smileFingerBounds'));
   movesWith = @(free, blocks) movesFromPush(struct('known', blocks, 'containers', []), goal, free, arm);
   behind = [block([1, 0, 0], [1, 1, 1], 2.7, -2, 0, 0), block([0, 0, 1], [1, 1, 1], 1, -0.3, 0, 0)];
   far = block([0, 0, 1], [1, 1, 1], -5, -2, 0, 0);

@@ -91,7 +91,7 @@ function checkWayOver(eye, arm)
 % The way leads over what is between a tool and its work, and back over it. Three joint angles are the place of the tool.
   [picture, heights] = pictureOf(block([0.5, 0.3, 0.2], [0.5, 0.5, 3], 0, -3, 0, 0));
   around = surroundingsOf(surfaceOf(picture, heights, eye).points);
-  eval('function q = smileInverse(~, ~, pose, varargin), q = pose(1:3, 4).''; end');
+  eval('function q = smileInverse(~, ~, poses, varargin), q = columnsOf(poses, 4); end');
   eval('function path = smileMoveJoints(~, ~, waypoints, varargin), path = straightPathOf(waypoints); end');
   eval('function path = smileMoveLine(~, ~, q, goal, varargin), path = straightPathOf([q; goal(1:3, 4).'']); end');
   eval('function path = straightPathOf(q), path = struct(''positions'', q, ''duration'', rows(q) - 1); end');

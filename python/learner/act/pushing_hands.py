@@ -9,7 +9,7 @@ import numpy as np
 from act.finger_room import grasp_yaws
 from act.grippers import grip_depth, nearest_first
 from act.push_ways import push_ways
-from act.reach import is_reachable, solve_pose_sequence
+from act.reach import is_reachable, solve_poses
 from act.segments import at_height
 from constants import MOTION_PLANNING as C
 
@@ -52,7 +52,7 @@ def way_to_push(arms, step, before):
         hands = pushing_hands(arm, way.start, way, before)
         over = way.start.top + arm.reach + C.clearance
         if is_reachable(arm, way.start) and any(
-                solve_pose_sequence(arm, [at_height(it.poses[0], over), *it.poses], arm.parked) is not None for it in hands):
+                solve_poses(arm, [at_height(it.poses[0], over), *it.poses], arm.parked) for it in hands):
             return way
     return None
 

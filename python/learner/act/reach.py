@@ -7,16 +7,17 @@ from constants import MOTION_PLANNING as C
 from things.held_parts import held_anyhow, held_part
 
 
-def solve_pose_sequence(arm, poses, q):
-    """Solves inverse kinematics for a sequence of tool poses, each from the solution before, the
-    first from q. Returns the first solution; None if some pose has none."""
+def solve_poses(arm, poses, q, margin=0):
+    """Returns the joint angles of a sequence of tool poses, each searched from the one before, the first from q, with a
+    margin from their limits [rad]: a list; [] if one has none."""
+    lower, upper = arm.robot.limits(arm.name)
     found = []
     for pose in poses:
         q = arm.inverse(pose, q, max_iterations=C.ik_iterations)
-        if q is None or not avoids_torso(arm, q):
-            return None
+        if q is None or np.minimum(q - lower, upper - q).min() < margin or not avoids_torso(arm, q):
+            return []
         found.append(q)
-    return found[0]
+    return found
 
 
 def is_reachable(arm, place):
@@ -27,7 +28,7 @@ def is_reachable(arm, place):
         return [arm.tool_pose([x, y, z + height], across, held.size[1])
                 for height in C.reach_heights]
 
-    return any(solve_pose_sequence(arm, poses(held_part(it), across), arm.parked) is not None
+    return any(solve_poses(arm, poses(held_part(it), across), arm.parked)
                for it in held_anyhow(place) for across in grasp_yaws(it, []))
 
 
@@ -47,17 +48,3 @@ def avoids_torso(arm, q):
 def can_reach(arms, place):
     """Returns true if one of the arms reaches a block's place."""
     return any(is_reachable(arm, place) for arm in arms)
-
-
-def solve(arm, poses, q, margin):
-    """Returns the joint angles of a sequence of tool poses, each searched from the one before, with a margin
-    from their limits [rad]: a list; [] if one has none."""
-    lower, upper = arm.robot.limits(arm.name)
-    found = []
-    for pose in poses:
-        q = arm.inverse(pose, q, max_iterations=C.ik_iterations)
-        if (q is None or not avoids_torso(arm, q)
-                or np.minimum(q - lower, upper - q).min() < margin):
-            return []
-        found.append(q)
-    return found

@@ -1,7 +1,7 @@
 """Paths of an arm through poses of its tool, and to where it waits."""
 
 from act.arm_clearance import is_arm_clear, is_path_over
-from act.reach import solve_pose_sequence
+from act.reach import solve_poses
 from act.segments import at_height, is_path_valid, move_joints, move_line
 from constants import MOTION_PLANNING as C
 
@@ -19,10 +19,10 @@ def plan_path_through(arm, poses, others, q, placed=(), taken=()):
     height = max(pose[2, 3] for pose in poses)
     possible = []
     for first in arm.starts:
-        above = solve_pose_sequence(arm, poses, first)
-        if above is None:
+        found = solve_poses(arm, poses, first)
+        if not found:
             continue
-        path = [move_joints(arm, [q, above])]
+        path = [move_joints(arm, [q, found[0]])]
         for pose in poses[1:]:
             path.append(move_line(arm, path[-1], pose))
             if not path[-1]:

@@ -45,6 +45,8 @@ def plan_held_pick_and_place(arms, block, goal, others, sensor, failures, way):
     if not able:
         return [], reason
     away = None if is_dragged(goal) else beside_touching(target, others)
+    # Where an arm does not reach the block, and the goal: it, the yaw of its hand and the height of the tool over that.
+    beyond = set(), set()
     can_be_low = not is_dragged(goal) and not block.knob and has_low_way(block, goal, others)
     for is_low, rise, arm in product([False, True] if can_be_low else [False], way.rises(),
                                      nearest_first(able, block.position[0] + goal.position[0])):
@@ -57,10 +59,9 @@ def plan_held_pick_and_place(arms, block, goal, others, sensor, failures, way):
         q = sensor.arms[arm.index].joints
         yaws = [yaw for yaw in at_start
                 if not has_failed(Grasp(held.position, arm.index, yaw), failures)]
-        # Yaws with which the arm does not reach the block, and the goal.
-        beyond = [], []
         for place_yaw, grasp_yaw in way.ranked(list(product(at_goal, yaws))):
-            if grasp_yaw in beyond[0] or place_yaw in beyond[1]:
+            ends = (arm.index, grasp_yaw, lift), (arm.index, place_yaw, height)
+            if ends[0] in beyond[0] or ends[1] in beyond[1]:
                 continue
             # The object turns with the hand; it may look the same after some turns.
             turned = replace(block, yaw=block.yaw + place_yaw - grasp_yaw)
@@ -70,7 +71,7 @@ def plan_held_pick_and_place(arms, block, goal, others, sensor, failures, way):
                                                            away, others, q)
             if actions:
                 return actions, None
-            for yaws_beyond, yaw, is_beyond in zip(beyond, (grasp_yaw, place_yaw), are_beyond):
+            for known, end, is_beyond in zip(beyond, ends, are_beyond):
                 if is_beyond:
-                    yaws_beyond.append(yaw)
+                    known.add(end)
     return [], reason

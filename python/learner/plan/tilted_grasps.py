@@ -6,7 +6,7 @@ import numpy as np
 
 from act.actions import Grasp
 from act.arm_clearance import is_hand_clear
-from act.reach import solve
+from act.reach import solve_poses
 from act.segments import at_height
 from constants import MOTION_PLANNING as C
 from plan.tilt import height_over, lowest_tilted_tool, pose_at, turn_height
@@ -64,7 +64,7 @@ def tilted_grasps(arm, block, held, others, margin):
         for across in (1, -1):
             grasp = TiltedGrasp(arm, block, held, sign, across, height, margin)
             for first in arm.starts:
-                grasp.q = solve(arm, [grasp.over_start, grasp.start], first, margin)
+                grasp.q = solve_poses(arm, [grasp.over_start, grasp.start], first, margin)
                 if grasp.q and is_hand_clear(arm, grasp.q, others, block):
                     found.append(grasp)
                     break

@@ -9,7 +9,7 @@ from act.actions import Grasp
 from act.arms import Arm
 from act.finger_room import grasp_yaws
 from act.grippers import grip_depth
-from act.reach import solve_pose_sequence
+from act.reach import solve_poses
 from act.segments import at_height
 from check.failures import has_failed
 from constants import USES as C
@@ -51,10 +51,10 @@ def postures(arm, poses):
     starts, often almost the same posture is found: what an arm cannot do in one, it cannot do in the next one either."""
     found = []
     for start in arm.starts:
-        posture = solve_pose_sequence(arm, poses, start)
-        if posture is not None and all(abs(posture - it).max() > C.same_posture_rad for it in found):
-            found.append(posture)
-            yield posture
+        for posture in solve_poses(arm, poses, start)[:1]:
+            if all(abs(posture - it).max() > C.same_posture_rad for it in found):
+                found.append(posture)
+                yield posture
 
 
 def tool_pose(arm, tool, across, grip, position, turn=0):

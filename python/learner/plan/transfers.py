@@ -6,7 +6,7 @@ import numpy as np
 
 from act.actions import Action, Grasp
 from act.grippers import grip_depth
-from act.reach import solve_pose_sequence
+from act.reach import solve_poses
 from act.segments import at_height
 from constants import MOTION_PLANNING as C
 from plan.arm_paths import plan_path_through
@@ -14,8 +14,8 @@ from plan.arm_paths import plan_path_through
 
 def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift, away, others, q):
     """Plans to bring a block to a goal with one arm and given yaws of the gripper. Returns actions, or [] if that arm
-    cannot; and then, whether it finds no joint angles at the block with that yaw, or else none at the goal with that one,
-    whatever the other yaw.
+    cannot; and whether it finds no joint angles at the block with that yaw and lift, or else none at the goal with that yaw
+    and height.
 
     grasp_yaw, place_yaw: directions from finger to finger [rad]
     height:               of the tool between both places [units]
@@ -35,6 +35,13 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
     over_start = at_height(start, lift)
     end = arm.tool_pose(goal.position + offset + [0, 0, C.place_height_margin], place_yaw, width)
     over_end = at_height(end, height)
+    # What is beyond reach by itself is not looked for along the way. From another posture, the arm may avoid the torso at
+    # the goal.
+    is_start_beyond = is_beyond(arm, [over_start, start])
+    is_end_beyond = not is_start_beyond and is_beyond(replace(arm, has_torso=False), [over_end, end])
+    if is_start_beyond or is_end_beyond:
+        return [], is_start_beyond, is_end_beyond
+
     via = []
     if lift < height:
         via = [at_height(start, height)]
@@ -47,9 +54,7 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
     taken = [] if away is None else [block]
     path = plan_path_through(arm, [*to_block, *transfer, over_end], others, q, [goal], taken)
     if not path:
-        is_start_beyond = is_beyond(arm, to_block)
-        # From another posture, it may avoid the torso at the goal.
-        return [], is_start_beyond, not is_start_beyond and is_beyond(replace(arm, has_torso=False), [over_end, end])
+        return [], False, False
     moves = [Action("follow", arm, it) for it in path]
     if away is not None:
         moves[len(to_block)].kind = "lift"
@@ -62,7 +67,7 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
 
 def is_beyond(arm, poses):
     """Returns true if joint angles for a sequence of tool poses are found from none of an arm's starts."""
-    return all(solve_pose_sequence(arm, poses, q) is None for q in arm.starts)
+    return not any(solve_poses(arm, poses, q) for q in arm.starts)
 
 
 def shifted(pose, displacement):

@@ -2,7 +2,7 @@
 
 from act.actions import Action
 from act.arm_clearance import are_fingers_clear, is_hand_clear, samples
-from act.reach import solve
+from act.reach import solve_poses
 from act.segments import move_joints, move_line
 from constants import ARMS, MOTION_PLANNING as C
 from plan.tilt import turn_height
@@ -15,7 +15,7 @@ def plan_turn_to(grasp, block, held, place, others, sensor):
     opening = min(width + C.opening_margin, arm.opening)
     highest = max((it.top for it in others), default=0)
     for over_end, end in grasp.ends(place, turn_height(block, others)):
-        found = solve(arm, [over_end, end], grasp.q[0], grasp.margin)
+        found = solve_poses(arm, [over_end, end], grasp.q[0], grasp.margin)
         if not found or not is_hand_clear(arm, found, others, place):
             continue
         to_start = move_joints(arm, [sensor.arms[arm.index].joints, grasp.q[0]])

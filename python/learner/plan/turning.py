@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from act.grippers import can_hold, nearest_first
-from act.reach import can_reach, solve
+from act.reach import can_reach, solve_poses
 from check.failures import able_arms, has_failed
 from constants import MOTION_PLANNING as C, TASK_PLANNING
 from plan.free_places import free_placements
@@ -61,6 +61,6 @@ def can_turn(arms, block, held, others):
     height = turn_height(block, others)
     grasps = [grasp for arm in arms if can_hold(arm, block.size[held])
               for grasp in tilted_grasps(arm, block, held, others, C.tilted_limit_rad)]
-    return any(solve(grasp.arm, end, grasp.q[0], grasp.margin)
+    return any(solve_poses(grasp.arm, end, grasp.q[0], grasp.margin)
                for yaw in np.arange(4) * math.pi / 4 for grasp in grasps
                for end in grasp.ends(replace(like, yaw=yaw), height))

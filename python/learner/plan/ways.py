@@ -2,7 +2,7 @@
 
 from collections import namedtuple
 
-from act.reach import solve
+from act.reach import solve_poses
 from act.segments import at_height, move_joints, move_line
 
 # How an arm comes from one pose to another: on a straight line, or in any way, which passes over both at a height of
@@ -19,12 +19,12 @@ def there_on(arm, taken, work, way, can_begin):
         return (path if path and can_begin(path[-1].positions[-1]) else []), []
     via = [taken[-1].positions[-1]]
     if way.height:
-        over = solve(arm, [at_height(it, way.height) for it in (arm.forward(via[0]), work[0])], via[0], 0)
+        over = solve_poses(arm, [at_height(it, way.height) for it in (arm.forward(via[0]), work[0])], via[0])
         if not over:
             return [], []
         via += over
-    first = solve(arm, work[:1], via[-1], 0)
-    if not first or not can_begin(first[0]) or len(solve(arm, work[1:], first[0], 0)) < len(work) - 1:
+    first = solve_poses(arm, work[:1], via[-1])
+    if not first or not can_begin(first[0]) or len(solve_poses(arm, work[1:], first[0])) < len(work) - 1:
         return [], via
     return [*taken, move_joints(arm, [*via, *first])], via
 

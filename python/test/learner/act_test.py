@@ -176,7 +176,7 @@ class PathOverBlocksTest(unittest.TestCase):
         def path_of(points):
             return SimpleNamespace(positions=np.array([np.ravel(it) for it in points], float))
 
-        with (patch("plan.arm_paths.solve_pose_sequence", return_value=np.array([3.0])),
+        with (patch("plan.arm_paths.solve_poses", return_value=[np.array([3.0])]),
               patch("plan.arm_paths.move_joints", side_effect=lambda _, points: path_of(points)),
               patch("plan.arm_paths.move_line", side_effect=lambda _, before, goal: path_of([*before.positions[-1], goal[2, 3]])),
               patch("plan.arm_paths.is_arm_clear", return_value=True), patch("plan.arm_paths.is_path_valid", return_value=True),

@@ -9,6 +9,7 @@ from unittest.mock import patch
 import numpy as np
 
 from act.actions import Grasp
+from act.arms import Arm
 from check.task_state import TaskState
 from constants import USES
 from explain.demonstration import read_demonstration
@@ -140,12 +141,12 @@ class CoverTest(RecordingTest):
 
     def test_what_comes_back_is_brought_as_high_as_shown_beside_others_or_alone(self):
         lid = self.steps[2]
-        arm = SimpleNamespace(index=0, opening=9, reach=0.7, foot=np.zeros(2), starts=[], parked=None,
-                              tool_pose=lambda point, across, opening: np.vstack([np.column_stack([np.eye(3), point]), [0, 0, 0, 1]]))
+        arm = Arm(SimpleNamespace(gripper_middle=lambda *_: 0), "left", 0, 9, None, reach=0.7, foot=np.zeros(2))
         for others in ([], [block(GRAY, np.array([0.5, 0.5, 3]), 5, -4)]):
             state = TaskState(self.steps)
             state.known = others
-            with patch("plan.transfers.plan_path_through", side_effect=lambda arm, poses, *_: [*poses, "home"]) as through:
+            with (patch("plan.transfers.is_beyond", return_value=False),
+                  patch("plan.transfers.plan_path_through", side_effect=lambda arm, poses, *_: [*poses, "home"]) as through):
                 actions, place, _ = plan_returning(lid.aside.place, lid, True, state, [arm], SimpleNamespace(arms=[SimpleNamespace(joints=[])]))
             self.assertEqual([it.kind for it in actions][-3:], ["follow", "follow", "observe"])
             np.testing.assert_allclose(place.position, lid.position)

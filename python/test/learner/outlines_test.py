@@ -142,7 +142,8 @@ class OutlinesTest(RecordingTest):
             self.assertTrue(np.hypot(*(one.position - other.position)[:2]) > 0.4 or turn > 0.7)
         # Both legs are among them, and the hand of this arm reaches only what is on the left.
         self.assertTrue({True, False} <= {it.position[0] < 0 for it in ways if it.size[1] < 0.65})
-        arm = SimpleNamespace(parked=None, has_torso=False, tool_pose=lambda point, across, opening: point,
+        robot = SimpleNamespace(limits=lambda _: (np.full(3, -9), np.full(3, 9)))
+        arm = SimpleNamespace(robot=robot, name="left", parked=None, has_torso=False, tool_pose=lambda point, across, opening: point,
                               inverse=lambda point, q, max_iterations: point if point[0] < limit else None)
         for limit in sorted(it.position[0] for it in ways):
             self.assertEqual(is_reachable(arm, place), any(it.position[0] < limit for it in ways), limit)

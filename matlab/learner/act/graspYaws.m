@@ -10,11 +10,18 @@ function yaws = graspYaws(place, others)
   if isRound(place), yaws = [yaws, yaws + pi / 4]; end
   if isempty(others), return; end
   c = constants().clearance;
+  covered = footprint(others, c.margin);
+  % Most are too far away.
+  reach = max([place.size(2) / 2 + c.finger_gap + norm(c.finger) / 2, norm(c.bar) / 2, norm(c.hand) / 2]);
+  away = hypot(covered(:, 1) - place.position(1), covered(:, 2) - place.position(2));
+  is_near = away < reach + hypot(covered(:, 3), covered(:, 4)) / 2;
+  if ~any(is_near), return; end
+  others = others(is_near);
+  covered = covered(is_near, :);
   % Obstacles as high as the fingers, as the bar that joins them, and as the hand above it.
   at = vertcat(others.position);
   sizes = vertcat(others.size);
   tops = at(:, 3) + sizes(:, 3) / 2;
-  covered = footprint(others, c.margin);
   top = place.position(3) + place.size(3) / 2;
   at_fingers = covered(tops > top - place.size(3) + c.finger_depth_margin, :);
   % Low blocks are held closer to their tops, so that the bar is higher.

@@ -1,5 +1,6 @@
-function yes = isGraspBlocked(block, steps)
-% Returns true if a block lies where steps will be built, or so close that no fingers fit in afterwards.
-  covered = footprint(block, constants().clearance.site_margin);
-  yes = any(overlap(covered, gripperClearance(steps))) || isempty(graspYaws(block, steps));
+function yes = isGraspBlocked(blocks, steps)
+% Returns which of some blocks lie where steps will be built, or so close that no fingers fit in afterwards: 1xN logical.
+  covered = footprint(blocks, constants().clearance.site_margin);
+  yes = any(overlap(covered, gripperClearance(steps)), 1);
+  for k = find(~yes), yes(k) = isempty(graspYaws(blocks(k), steps)); end
 end

@@ -1,12 +1,12 @@
-function state = knowColors(state, picture, eye, heights)
+function state = knowColors(state, picture, eye, heights, tops)
 % Gives what is wanted the colors that it has in a picture, once for each color: one that is seen as it was
 % demonstrated stays as it is. What is not seen, or not clearly, is looked for in the next picture.
+%   tops  of objects in the picture, as from segmentTopFaces
   if any(isnan(state.unseenColors(:))), state = knowLight(state, picture); end
   things = wantedThings(state);
   wanted = colorsOfThings(things);
   if any(isnan(state.unseenColors(:))), state.unseenColors = wanted; end
   if isempty(state.unseenColors), return; end
-  tops = segmentTopFaces(picture, tableColor(picture), heights);
   tops = distinctColors(vertcat(zeros(0, 3), tops.color)')';
   is_unseen = @(color) ~isSeen(color, things, tops, picture);
   unseen = state.unseenColors(cellfun(is_unseen, num2cell(state.unseenColors, 2)), :);

@@ -2,15 +2,18 @@ function state = observe(state, picture, heights, eye)
 % Updates the known blocks, the appearances of unknown objects and the unexplained points from a picture.
 %   picture  HxWx3, 0 to 1
 %   heights  as from heightMap
-  state = knowColors(state, picture, eye, heights);
+  is_odd = rows(state.unexplained) >= constants().perception.many_unexplained;
+  looks_around = ~state.hasSite || state.numBlocked > 0 || is_odd;
+  tops = [];
+  if looks_around || ~isempty(state.unseenColors), tops = segmentTopFaces(picture, tableColor(picture), heights); end
+  state = knowColors(state, picture, eye, heights, tops);
   containers = state.containers;
   if ~state.hasSite, containers = []; end  % their places in this scene are not known yet
   [like, staying] = likes(state);
   seen = detectBlocks(picture, eye, like, containers, heights, staying);
   [state.steps, seen] = findKnobs(state.steps, seen, picture, eye, heights);
-  is_odd = rows(state.unexplained) >= constants().perception.many_unexplained;
-  if ~state.hasSite || state.numBlocked > 0 || is_odd
-    unknown = detectUnknownObjects(picture, eye, withHeldParts([seen, state.known]), heights);
+  if looks_around
+    unknown = detectUnknownObjects(picture, eye, withHeldParts([seen, state.known]), heights, tops);
     state.unknownObjects = joined(state.unknownObjects, unknown);
     seen = addKnobs(state.steps, detectBlocks(picture, eye, joined(like, unknown), containers, heights, staying));
   end

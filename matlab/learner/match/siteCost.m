@@ -4,10 +4,12 @@ function cost = siteCost(steps, known, eye)
 % needed and were never seen, if it would hide them.
   cost = 0;
   share = constants().building_site.hidden_cost;
-  for block = known
-    if isGraspBlocked(block, steps)
+  is_blocked = isGraspBlocked(known, steps);
+  for k = 1:numel(known)
+    block = known(k);
+    if is_blocked(k)
       cost = cost + block.size(1);
-    elseif any(arrayfun(@(step) isSameKind(block, step), steps)) && isTopHidden(block, steps, eye)
+    elseif isTopHidden(block, steps, eye) && any(arrayfun(@(step) isSameKind(block, step), steps))
       cost = cost + share * block.size(1);
     end
     below = assumedSupport(block);

@@ -1,11 +1,13 @@
-function blocks = detectUnknownObjects(picture, eye, known, heights)
+function blocks = detectUnknownObjects(picture, eye, known, heights, tops)
 % Detects blocks that are none of the known ones; they belong to no step, but may be in the way. Without
 % heights, as from heightMap, only those on the table. Returns a 1xN struct array, see newBlock.
+%   tops  what segmentTopFaces found in the picture; omitted if that is not known yet
   if nargin < 4, heights = []; end
   blocks = noBlocks();
   known = spaceOf(known);
   table = tableColor(picture);
-  for top = segmentTopFaces(picture, table, heights)
+  if nargin < 5, tops = segmentTopFaces(picture, table, heights); end
+  for top = tops
     if any(arrayfun(@(other) isTopOf(top, other, eye, heights), known)), continue; end
     for block = measureBlock(top, picture, eye, table, heights)
       beside = known(arrayfun(@(other) isBeside(other, block), known));

@@ -12,17 +12,15 @@ function yes = isTopHidden(block, others, eye)
   if ~any(higher), return; end
   covered = footprint(others(higher), 0);
   bottoms = max(places(higher, 3) - sizes(higher, 3) / 2, top);
-  % A row for each of the others, a column for each height.
+  % A row for each of the others at each height, a column for each point.
   z = bottoms + linspace(0, 1, c.sight_heights) .* (tops(higher) - bottoms);
-  along = (z - top) / (eye.pose(3, 4) - top);
+  along = (z(:) - top) / (eye.pose(3, 4) - top);
+  covered = repmat(covered, c.sight_heights, 1);
+  points = topPoints(block)';
+  x = points(1, :) + along .* (eye.pose(1, 4) - points(1, :)) - covered(:, 1);
+  y = points(2, :) + along .* (eye.pose(2, 4) - points(2, :)) - covered(:, 2);
   yaw_cos = cos(covered(:, 5));
   yaw_sin = sin(covered(:, 5));
-  for point = topPoints(block)'
-    x = point(1) + along * (eye.pose(1, 4) - point(1)) - covered(:, 1);
-    y = point(2) + along * (eye.pose(2, 4) - point(2)) - covered(:, 2);
-    is_inside = 2 * abs(x .* yaw_cos + y .* yaw_sin) < covered(:, 3) & ...
-                2 * abs(y .* yaw_cos - x .* yaw_sin) < covered(:, 4);
-    yes = any(is_inside(:));
-    if yes, return; end
-  end
+  is_inside = 2 * abs(x .* yaw_cos + y .* yaw_sin) < covered(:, 3) & 2 * abs(y .* yaw_cos - x .* yaw_sin) < covered(:, 4);
+  yes = any(is_inside(:));
 end

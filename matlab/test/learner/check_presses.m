@@ -23,14 +23,14 @@ function check_presses()
   check_stop();
   check_lamp_elsewhere(press);
 
-  state = knowColors(initialTaskState(noSteps(), [], press, eye), picture, eye, heights);
+  state = knowColors(initialTaskState(noSteps(), [], press, eye), picture, eye, heights, segmentTopFaces(picture, tableColor(picture), heights));
   check(isequal(state.presses.before, press.before), 'in the same light nothing changes');
   [picture, heights] = pictureOf(fixture(1.5, -3, 0.4, false));
   light = [0.8, 0.75, 0.6];
   picture = round(255 * picture .* reshape(light, 1, 1, 3)) / 255;
   check(isempty(locateControl(press, picture, heights, eye, eye)), 'in another light it looks otherwise');
   step = newStep(block([0, 1, 0], [1, 1, 1], 0, 0, 0, 0), 'cube');
-  state = knowColors(initialTaskState(step, [], press, eye), picture, eye, heights);
+  state = knowColors(initialTaskState(step, [], press, eye), picture, eye, heights, segmentTopFaces(picture, tableColor(picture), heights));
   check(max(abs(state.steps.color - light .* [0, 1, 0])) < 0.005, 'so does what is wanted');
   alignment = locateControl(state.presses, picture, heights, eye, eye);
   check(abs(sin((alignment.angle + 0.4) / 2)) < 0.01, 'and is found as the demonstration would look there');

@@ -8,11 +8,12 @@ from check.other_light import know_colors
 from check.verdict_notes import verdict_notes
 from check.verdicts import verdicts_on
 from constants import BLOCKS, PERCEPTION as C
+from see.colors import table_color
 from see.detection import detect_blocks
 from see.eye import height_map
 from see.knobs import add_knobs, find_knobs
 from see.unexplained import unexplained_points
-from see.unknown_objects import detect_unknown_objects
+from see.unknown_objects import detect_unknown_objects, segment_top_faces
 from things.held_parts import with_held_parts
 
 
@@ -22,16 +23,20 @@ def observe(state, sensor, picture, eye):
     if state.see:
         compare(state, state.see(sensor, eye, state.steps + tools_of(state)), picture, eye, heights)
         return
+    looks_around = not state.has_site or state.num_blocked > 0 or len(state.unexplained) >= C.many_unexplained
+    tops = []
+    if looks_around or state.unseen_colors != []:
+        tops = segment_top_faces(picture, table_color(picture), heights)
     if heights is not None:
-        know_colors(state, picture, eye, heights)
+        know_colors(state, picture, eye, heights, tops)
     # The places of containers are not known before a site is chosen.
     containers = state.containers if state.has_site else []
     seen = detect_blocks(picture, eye, likes(state), containers, heights)
     if heights is not None:
         find_knobs(state.steps, seen, picture, eye, heights)
-    if not state.has_site or state.num_blocked > 0 or len(state.unexplained) >= C.many_unexplained:
+    if looks_around:
         whole = with_held_parts(seen + state.known)
-        state.unknown_objects += detect_unknown_objects(picture, eye, whole, heights)
+        state.unknown_objects += detect_unknown_objects(picture, eye, whole, heights, tops)
         seen = detect_blocks(picture, eye, likes(state), containers, heights)
         add_knobs(state.steps, seen)
     compare(state, seen, picture, eye, heights)

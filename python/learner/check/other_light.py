@@ -6,25 +6,27 @@ import numpy as np
 
 from check.light_of_controls import know_light
 from constants import PERCEPTION as C
-from see.colors import color_mask, distinct_colors, table_color
+from see.colors import color_mask, distinct_colors
 from see.containers import detect_container
 from see.detection import detect_blocks
 from see.light import clear_matches, color_changes
-from see.unknown_objects import segment_top_faces
 from things.colored import different_colors, is_among, is_near, of_color, whole
 from things.steps import Container, start_supports_of
 
 
-def know_colors(state, picture, eye, heights):
+def know_colors(state, picture, eye, heights, tops):
     """Gives what is wanted the colors that it has in a picture, once for each color: one that is seen as it was
-    demonstrated stays as it is. What is not seen, or not clearly, is looked for in the next picture."""
+    demonstrated stays as it is. What is not seen, or not clearly, is looked for in the next picture.
+
+    tops: of objects in the picture, as from segment_top_faces
+    """
     things = wanted_things(state)
     if state.unseen_colors is None:
         know_light(state, things + state.unknown_objects, picture)
         state.unseen_colors = different_colors(whole(things))
     if not state.unseen_colors:
         return
-    tops = distinct_colors([color for color, _, _ in segment_top_faces(picture, table_color(picture), heights)])
+    tops = distinct_colors([color for color, _, _ in tops])
     unseen = [it for it in state.unseen_colors if not is_seen(it, things, tops, picture)]
     seen = [it for it in different_colors(whole(things)) if not is_among(it, unseen)]
     tops = [it for it in tops if not is_near(it, seen)]

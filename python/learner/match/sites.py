@@ -23,8 +23,7 @@ def site_cost(steps, known, eye):
     for block in known:
         if is_grasp_blocked(block, steps):
             cost += block.size[0]
-        elif (any(is_same_kind(block, step) for step in steps)
-              and is_top_hidden(block, steps, eye)):
+        elif is_top_hidden(block, steps, eye) and any(is_same_kind(block, step) for step in steps):
             cost += C.hidden_cost * block.size[0]
         if any(is_top_hidden(it, steps, eye) for it in assumed_support(block)):
             cost += block.size[0]

@@ -11,13 +11,16 @@ from things.areas import footprint, overlap
 from things.parts import space_of
 
 
-def detect_unknown_objects(picture, eye, known, heights=None):
+def detect_unknown_objects(picture, eye, known, heights=None, tops=None):
     """Detects Blocks that are none of the known ones; they belong to no step, but may be in the
-    way. Without heights, as from height_map, only those on the table. Returns a list."""
+    way. Without heights, as from height_map, only those on the table. Returns a list.
+
+    tops: what segment_top_faces found in the picture; None if that is not known yet
+    """
     table = table_color(picture)
     known = [space_of(it) for it in known]
     unknown = []
-    for color, row, column in segment_top_faces(picture, table, heights):
+    for color, row, column in segment_top_faces(picture, table, heights) if tops is None else tops:
         if any(is_top_of(row, column, it, picture, eye, heights) for it in known):
             continue
         block = measure_block(color, row, column, picture, eye, table, heights)

@@ -7,7 +7,9 @@ import numpy as np
 from check.other_light import know_colors
 from check.task_state import TaskState
 from scenes import BLUE, BROWN, CUBE, EYE, GREEN, PLANK, RED, block, step, view_of
+from see.colors import table_color
 from see.light import clear_matches, color_changes
+from see.unknown_objects import segment_top_faces
 
 YELLOW, ORANGE, PINK = np.array([1, 1, 0]), np.array([1, 0.5, 0]), np.array([1, 0.7, 0.7])
 
@@ -21,7 +23,8 @@ class LightTest(unittest.TestCase):
 
     def look(self, seen):
         picture, heights = view_of(seen)
-        return np.round(255 * picture) / 255, EYE, heights
+        picture = np.round(255 * picture) / 255
+        return picture, EYE, heights, segment_top_faces(picture, table_color(picture), heights)
 
     def test_in_the_same_light_nothing_changes(self):
         wanted = [block(RED, CUBE, -2, -2), block(GREEN, CUBE, 0, -2)]

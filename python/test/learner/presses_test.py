@@ -14,7 +14,9 @@ from match.controls import locate
 from match.pressing import button_of, looks_pressed
 from recordings import RecordingTest
 from scenes import BLUE, BROWN, CUBE, EYE, GRAY, GREEN, RED, block, picture_of, step, thing, view_of
+from see.colors import table_color
 from see.surfaces import surface_of
+from see.unknown_objects import segment_top_faces
 from things.areas import rotated
 
 
@@ -84,7 +86,7 @@ class PressTest(RecordingTest):
         wanted = step(block(GREEN, CUBE, 0, 0), [])
         self.assertIsNone(locate(self.press, picture, heights, EYE, EYE))
         state = TaskState([wanted], presses=[self.press], shown=EYE)
-        know_colors(state, picture, EYE, heights)
+        know_colors(state, picture, EYE, heights, segment_top_faces(picture, table_color(picture), heights))
         np.testing.assert_allclose(wanted.color, light * GREEN, atol=0.005)
         alignment = locate(self.press, picture, heights, EYE, EYE)
         self.assertAlmostEqual(math.remainder(alignment.angle + 0.4, 2 * math.pi), 0, delta=0.02)
@@ -94,7 +96,7 @@ class PressTest(RecordingTest):
         before = self.press.before.copy()
         state = TaskState([], presses=[self.press], shown=EYE)
         picture, heights = view_of([*self.fixture(1.5, -3, 0.4, True), *thing(RED, -3, -2)])
-        know_colors(state, picture, EYE, heights)
+        know_colors(state, picture, EYE, heights, segment_top_faces(picture, table_color(picture), heights))
         np.testing.assert_array_equal(self.press.before, before)
 
     def test_what_is_not_there_is_not_found(self):

@@ -8,8 +8,8 @@ function [q, reason] = smileInverse(robot, arm, goal, qStart, varargin)
 %   robot   from smileRobot
 %   arm     its name
 %   goal    4x4, wanted pose of the tool in the world [units]; 4x4xN for several, one after the other
-%   qStart  1xn positions at which the search starts [rad; m]; that for each further goal, at the solution of the one before
-%   q       1xn within the limits [rad; m]; Nxn for several goals; [] if for one no solution is found
+%   qStart  1xn positions at which the search starts [rad; m]; for each further goal it starts at the solution for the one before
+%   q       1xn within the limits [rad; m]; Nxn for several goals; [] if no solution is found for one of them
 %   reason  '', or why no solution is found: whether another rotation of the tool would be reached
 %
 %   Options, by name:

@@ -11,7 +11,7 @@ function yaws = graspYaws(place, others)
   if isempty(others), return; end
   c = constants().clearance;
   covered = footprint(others, c.margin);
-  % Most are too far away.
+  % Most are too far away to touch the gripper.
   reach = max([place.size(2) / 2 + c.finger_gap + norm(c.finger) / 2, norm(c.bar) / 2, norm(c.hand) / 2]);
   away = hypot(covered(:, 1) - place.position(1), covered(:, 2) - place.position(2));
   is_near = away < reach + hypot(covered(:, 3), covered(:, 4)) / 2;

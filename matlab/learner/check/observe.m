@@ -4,7 +4,7 @@ function state = observe(state, picture, heights, eye)
 %   heights  as from heightMap
   is_odd = rows(state.unexplained) >= constants().perception.many_unexplained;
   looks_around = ~state.hasSite || state.numBlocked > 0 || is_odd;
-  tops = [];
+  tops = struct('color', {}, 'row', {}, 'column', {});
   if looks_around || ~isempty(state.unseenColors), tops = segmentTopFaces(picture, tableColor(picture), heights); end
   state = knowColors(state, picture, eye, heights, tops);
   containers = state.containers;

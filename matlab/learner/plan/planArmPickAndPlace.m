@@ -1,6 +1,6 @@
 function [actions, is_beyond] = planArmPickAndPlace(arm, block, grasp_yaw, goal, place_yaw, height, lift, away, others, q)
 % Plans to bring a block to a goal with one arm and given yaws of the gripper; {} if that arm cannot. is_beyond, 1x2 logical: whether
-% it finds no joint angles at the block with that yaw and lift, or else none at the goal with that yaw and height.
+% it finds no joint angles at the block with that yaw, lift and height, or else none at the goal with that yaw and height.
 %   grasp_yaw, place_yaw  directions from finger to finger [rad]
 %   height                of the tool between both places [units]
 %   lift                  of the tool over the block; below `height`, the way leads over the middle between
@@ -22,13 +22,12 @@ function [actions, is_beyond] = planArmPickAndPlace(arm, block, grasp_yaw, goal,
     via = {from};
     via{1}(1:3, 4) = [(from(1:2, 4) + to(1:2, 4)) / 2; height];
   end
-  % What is beyond reach by itself is not looked for along the way. From another posture, the arm may avoid the torso at the goal.
+  % Without a way to the block, none is looked for that goes on to the goal.
   actions = {};
-  is_beyond = [isBeyond(arm, {over_from, from}), false];
-  if ~is_beyond(1), is_beyond(2) = isBeyond(setfield(arm, 'hasTorso', false), {over_to, to}); end
-  if any(is_beyond), return; end
-
   to_block = [via, {over_from, from}];
+  is_beyond = [isBeyond(arm, to_block), false];
+  if is_beyond(1), return; end
+
   is_dragged = isempty(away);
   if is_dragged
     transfer = {to};
@@ -39,7 +38,11 @@ function [actions, is_beyond] = planArmPickAndPlace(arm, block, grasp_yaw, goal,
   taken = noBlocks();
   if ~is_dragged, taken = block; end
   path = planPathThrough(arm, [to_block, transfer, {over_to}], others, q, goal, taken);
-  if isempty(path), return; end
+  if isempty(path)
+    % From another posture, it may avoid the torso at the goal.
+    is_beyond(2) = isBeyond(setfield(arm, 'hasTorso', false), {over_to, to});
+    return
+  end
 
   follow = cellfun(@(it) struct('kind', 'follow', 'arm', arm, 'path', it), path, 'UniformOutput', false);
   open = struct('kind', 'open', 'arm', arm, 'to', opening);

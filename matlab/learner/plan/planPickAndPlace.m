@@ -35,8 +35,8 @@ function [actions, reason] = planHeld(arms, block, goal, others, sensor, failure
   if ~isDragged(goal) && isempty(block.knob) && hasLowWay(block, goal, others), trials = [false, true]; end
   [is_low, rises] = ndgrid(trials, way.rises);
   is_plain = isempty(block.knob) && isempty(block.parts);
-  % Where an arm does not reach the block, and the goal: it, the yaw of its hand and the height of the tool over that, 3xN.
-  beyond = {zeros(3, 0), zeros(3, 0)};
+  % Ends that proved beyond reach, at the block and at the goal: the arm, the yaw of its hand, and the heights of its tool.
+  beyond = {zeros(4, 0), zeros(3, 0)};
   for trial = [is_low'(:)'; rises'(:)']
     for arm = nearestFirst(able, block.position(1) + goal.position(1))
       bottom = goal.position(3) - goal.size(3) / 2;
@@ -51,15 +51,15 @@ function [actions, reason] = planHeld(arms, block, goal, others, sensor, failure
       has_failed = arrayfun(@(yaw) hasFailed(newGrasp(held.position, arm, yaw), failures), grasp_yaws);
       [at_start, at_goal] = ndgrid(grasp_yaws(~has_failed), place_yaws);
       for yaws = shuffled([at_start(:)'; at_goal(:)'], way.seed)
-        ends = [arm.index, arm.index; yaws'; lift, height];
-        if any(all(beyond{1} == ends(:, 1))) || any(all(beyond{2} == ends(:, 2))), continue; end
+        ends = {[arm.index; yaws(1); lift; height], [arm.index; yaws(2); height]};
+        if any(all(beyond{1} == ends{1})) || any(all(beyond{2} == ends{2})), continue; end
         % The object turns with the hand; it may look the same after some turns.
         turned = block;
         turned.yaw = block.yaw + yaws(2) - yaws(1);
         if ~is_plain && ~isTurnedTo(turned, goal), continue; end
         [actions, is_beyond] = planArmPickAndPlace(arm, held, yaws(1), target, yaws(2), height, lift, away, others, q);
         if ~isempty(actions), return; end
-        for k = find(is_beyond), beyond{k}(:, end + 1) = ends(:, k); end
+        for k = find(is_beyond), beyond{k}(:, end + 1) = ends{k}; end
       end
     end
   end

@@ -12,10 +12,10 @@ function yes = isTopHidden(block, others, eye)
   if ~any(higher), return; end
   covered = footprint(others(higher), 0);
   bottoms = max(places(higher, 3) - sizes(higher, 3) / 2, top);
-  % A row for each of the others at each height, a column for each point.
   z = bottoms + linspace(0, 1, c.sight_heights) .* (tops(higher) - bottoms);
   along = (z(:) - top) / (eye.pose(3, 4) - top);
   covered = repmat(covered, c.sight_heights, 1);
+  % A row for each of the others at each height, a column for each point.
   points = topPoints(block)';
   x = points(1, :) + along .* (eye.pose(1, 4) - points(1, :)) - covered(:, 1);
   y = points(2, :) + along .* (eye.pose(2, 4) - points(2, :)) - covered(:, 2);

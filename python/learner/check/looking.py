@@ -25,7 +25,7 @@ def observe(state, sensor, picture, eye):
         return
     looks_around = not state.has_site or state.num_blocked > 0 or len(state.unexplained) >= C.many_unexplained
     tops = []
-    if looks_around or state.unseen_colors != []:
+    if looks_around or heights is not None and state.unseen_colors != []:
         tops = segment_top_faces(picture, table_color(picture), heights)
     if heights is not None:
         know_colors(state, picture, eye, heights, tops)

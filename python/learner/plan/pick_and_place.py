@@ -45,7 +45,7 @@ def plan_held_pick_and_place(arms, block, goal, others, sensor, failures, way):
     if not able:
         return [], reason
     away = None if is_dragged(goal) else beside_touching(target, others)
-    # Where an arm does not reach the block, and the goal: it, the yaw of its hand and the height of the tool over that.
+    # Ends that proved beyond reach, at the block and at the goal: the arm, the yaw of its hand, and the heights of its tool.
     beyond = set(), set()
     can_be_low = not is_dragged(goal) and not block.knob and has_low_way(block, goal, others)
     for is_low, rise, arm in product([False, True] if can_be_low else [False], way.rises(),
@@ -60,7 +60,7 @@ def plan_held_pick_and_place(arms, block, goal, others, sensor, failures, way):
         yaws = [yaw for yaw in at_start
                 if not has_failed(Grasp(held.position, arm.index, yaw), failures)]
         for place_yaw, grasp_yaw in way.ranked(list(product(at_goal, yaws))):
-            ends = (arm.index, grasp_yaw, lift), (arm.index, place_yaw, height)
+            ends = (arm.index, grasp_yaw, lift, height), (arm.index, place_yaw, height)
             if ends[0] in beyond[0] or ends[1] in beyond[1]:
                 continue
             # The object turns with the hand; it may look the same after some turns.

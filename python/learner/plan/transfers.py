@@ -14,8 +14,8 @@ from plan.arm_paths import plan_path_through
 
 def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift, away, others, q):
     """Plans to bring a block to a goal with one arm and given yaws of the gripper. Returns actions, or [] if that arm
-    cannot; and whether it finds no joint angles at the block with that yaw and lift, or else none at the goal with that yaw
-    and height.
+    cannot; and whether it finds no joint angles at the block with that yaw, lift and height, or else none at the goal with
+    that yaw and height.
 
     grasp_yaw, place_yaw: directions from finger to finger [rad]
     height:               of the tool between both places [units]
@@ -35,13 +35,6 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
     over_start = at_height(start, lift)
     end = arm.tool_pose(goal.position + offset + [0, 0, C.place_height_margin], place_yaw, width)
     over_end = at_height(end, height)
-    # What is beyond reach by itself is not looked for along the way. From another posture, the arm may avoid the torso at
-    # the goal.
-    is_start_beyond = is_beyond(arm, [over_start, start])
-    is_end_beyond = not is_start_beyond and is_beyond(replace(arm, has_torso=False), [over_end, end])
-    if is_start_beyond or is_end_beyond:
-        return [], is_start_beyond, is_end_beyond
-
     via = []
     if lift < height:
         via = [at_height(start, height)]
@@ -51,10 +44,14 @@ def plan_arm_pick_and_place(arm, block, grasp_yaw, goal, place_yaw, height, lift
         beside = [shifted(end, away)] if any(away) else []
         transfer = [over_start, *via, shifted(over_end, away), *beside, end]
     to_block = [*via, over_start, start]
+    # Without a way to the block, none is looked for that goes on to the goal.
+    if is_beyond(arm, to_block):
+        return [], True, False
     taken = [] if away is None else [block]
     path = plan_path_through(arm, [*to_block, *transfer, over_end], others, q, [goal], taken)
     if not path:
-        return [], False, False
+        # From another posture, it may avoid the torso at the goal.
+        return [], False, is_beyond(replace(arm, has_torso=False), [over_end, end])
     moves = [Action("follow", arm, it) for it in path]
     if away is not None:
         moves[len(to_block)].kind = "lift"

@@ -12,8 +12,8 @@ from things.parts import space_of
 
 
 def detect_unknown_objects(picture, eye, known, heights=None, tops=None):
-    """Detects Blocks that are none of the known ones; they belong to no step, but may be in the
-    way. Without heights, as from height_map, only those on the table. Returns a list.
+    """Detects Blocks that are none of the known ones; they belong to no step, but may be in the way. Without heights, as
+    from height_map, only those on the table. Returns a list.
 
     tops: what segment_top_faces found in the picture; None if that is not known yet
     """
@@ -26,8 +26,7 @@ def detect_unknown_objects(picture, eye, known, heights=None, tops=None):
         block = measure_block(color, row, column, picture, eye, table, heights)
         if not block:
             continue
-        beside = [it for it in known if it.top > block.bottom + C.on_table
-                  and it.bottom < block.top - C.on_table]
+        beside = [it for it in known if it.top > block.bottom + C.on_table and it.bottom < block.top - C.on_table]
         if not overlap([*block.position[:2], 0, 0, 0], footprint(beside, 0)).any():
             unknown.append(block)
     return unknown
@@ -42,9 +41,9 @@ def is_top_of(row, column, block, picture, eye, heights=None):
 
 
 def segment_top_faces(picture, table, heights=None):
-    """Segments the flat areas of a picture that may be tops of blocks: those at one height above
-    the table, or, without heights, those that are not, like the sides of blocks, below a brighter
-    area of the same hue. Returns a list of color, rows and columns.
+    """Segments the flat areas of a picture that may be tops of blocks: those at one height above the table, or, without
+    heights, those that are not, like the sides of blocks, below a brighter area of the same hue. Returns a list of color,
+    rows and columns.
 
     table: color of the table
     """

@@ -108,9 +108,12 @@ StructureComparison ComparePoses(const Structure& structure, const Episode& outc
                                  .achieved = {}};
   // Motion and match are optimized together; the match by appearance alone is the start, and stays
   // for objects that only effects refer to.
-  for (const Structure& part : PartsOf(structure)) {
+  const std::vector<Structure> parts = PartsOf(structure);
+  for (const Structure& part : parts) {
     const Placing placing = FindPlacing(part, outcome, comparison.match);
-    if (!part.objects.empty() && part.is_free()) comparison.turn = placing.turn;
+    // Several parts may each be turned otherwise.
+    const bool has_turn = parts.size() == 1 && !part.objects.empty() && part.is_free();
+    if (has_turn) comparison.turn = placing.turn;
     for (const scene::ObjectSpec& object : part.objects) {
       comparison.match[object.id()] = placing.match.at(object.id());
       comparison.goal[object.id()] = placing.motion * object.pose_in_world();

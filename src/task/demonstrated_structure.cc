@@ -45,6 +45,29 @@ std::vector<Surrounding> SurroundingsIn(const Episode& episode, const Structure&
   return surroundings;
 }
 
+/// Returns the loose objects of a structure that stood on the table, were not moved and carry
+/// others.
+std::vector<std::string> FoundationsOf(const Episode& episode, const Structure& structure) {
+  const ObjectPoses before = PosesAt(episode.scene, episode.begin);
+  const auto is_on_table = [](const Relation& it) { return it.support.empty(); };
+  std::vector<std::string> foundations;
+  for (const scene::ObjectSpec& object : structure.objects) {
+    const std::string& id = object.id();
+    const auto is_its = [&](const Relation& it) { return it.object == id && is_on_table(it); };
+    const auto is_carried = [&](const Relation& it) { return it.support == id; };
+    const auto is_around = [&](const Surrounding& it) { return it.inner == id; };
+    if (object.is_static() || HasMoved(before.at(id), object.pose_in_world()) ||
+        std::ranges::none_of(structure.relations, is_its)) {
+      continue;
+    }
+    if (std::ranges::any_of(structure.relations, is_carried) ||
+        std::ranges::any_of(structure.around, is_around)) {
+      foundations.push_back(id);
+    }
+  }
+  return foundations;
+}
+
 /// Returns the pairs of objects that belong together. A support or container belongs to what it
 /// carries, but not the reverse: other objects on the same plank may be unrelated. What stayed
 /// belongs to what was put around it. Sliders and bonds connect both ways.
@@ -158,6 +181,7 @@ Structure StructureOf(const recording::Recording& demonstration) {
                 [&](const Relation& relation) { return !structure.Contains(relation.object); });
   std::erase_if(structure.around,
                 [&](const Surrounding& it) { return !structure.Contains(it.object); });
+  if (structure.anchor == Anchor::kNone) structure.foundations = FoundationsOf(episode, structure);
   structure.neighbors = NeighborsOf(structure);
   structure.bystanders = BystandersOf(structure, episode);
   structure.support_rules = SupportRulesOf(structure.attention, episode);

@@ -37,6 +37,7 @@ void RemovePlaces(const std::set<std::string>& ids, Structure* structure) {
     return is_removed(relation.object) || is_removed(relation.support);
   });
   std::erase_if(structure->order, is_removed);
+  std::erase_if(structure->foundations, is_removed);
   std::erase_if(structure->neighbors, [&](const Neighbors& pair) {
     return is_removed(pair.object) || is_removed(pair.other);
   });

@@ -19,14 +19,15 @@ std::vector<std::string> Structure::AttendedOf(const std::string& object) const 
 }
 
 std::vector<Structure> PartsOf(const Structure& structure) {
-  std::vector<Structure> parts;
-  std::map<std::string, std::size_t> part_of;
+  std::vector<std::string> bases;
   for (const scene::ObjectSpec& object : structure.objects) {
-    if (!object.is_static()) continue;
-    part_of[object.id()] = parts.size();
-    parts.emplace_back();
+    if (object.is_static()) bases.push_back(object.id());
   }
-  if (parts.size() <= 1) return {structure};
+  bases.insert(bases.end(), structure.foundations.begin(), structure.foundations.end());
+  if (bases.size() <= 1) return {structure};
+  std::vector<Structure> parts(bases.size());
+  std::map<std::string, std::size_t> part_of;
+  for (std::size_t i = 0; i < bases.size(); ++i) part_of[bases[i]] = i;
   // From supports to what they carry, and from what stayed to what is around it, over several
   // levels.
   std::vector<std::pair<std::string, std::string>> placed_by;

@@ -57,7 +57,10 @@ struct Structure {
   std::vector<std::string> fallen;
   Attention attention;  ///< properties of objects that matter, as specified by the demonstrator
   Anchor anchor = Anchor::kNone;
-  std::string landmark;              ///< the anchor, one of `objects`; empty for other anchors
+  std::string landmark;  ///< the anchor, one of `objects`; empty for other anchors
+  /// Loose objects of these that stood on the table, were not moved and carry others now, in scene
+  /// order. Empty if there is an anchor.
+  std::vector<std::string> foundations;
   std::vector<Neighbors> neighbors;  ///< pairs whose relative places matter
   /// Objects that touched the structure in the end without belonging to it.
   std::vector<scene::ObjectSpec> bystanders;
@@ -72,9 +75,9 @@ struct Structure {
   std::vector<std::string> AttendedOf(const std::string& object) const;
 };
 
-/// Returns a structure in parts, each of which has one place: each fixed object with all that it
-/// carries, and what was put around any of this; all other objects belong to the first part. A
-/// structure with one fixed object or none is one part.
+/// Returns a structure in parts, each of which has one place: each fixed object, and then each
+/// foundation, with all that it carries, and what was put around any of this; all other objects
+/// belong to the first part. A structure with one of these or none is one part.
 std::vector<Structure> PartsOf(const Structure& structure);
 
 }  // namespace smile::task

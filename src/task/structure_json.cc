@@ -116,6 +116,7 @@ Json ToJson(const Structure& structure, double meters_per_unit) {
           {"attention", structure.attention},
           {"rules", RulesJson(structure)},
           {"anchor", AnchorJson(structure)},
+          {"foundations", structure.foundations},
           {"fixed", structure.is_fixed()}};
 }
 
@@ -163,6 +164,11 @@ std::vector<std::string> WordsOf(const Structure& structure, double meters_per_u
   }
   for (const Surrounding& it : structure.around) {
     lines.push_back("what matters is that " + it.object + " is around " + it.inner);
+  }
+  if (PartsOf(structure).size() > 1) {
+    for (const std::string& id : structure.foundations) {
+      lines.push_back(id + " may stand anywhere, with what it carries");
+    }
   }
   if (structure.anchor == Anchor::kLandmark) {
     lines.push_back("what matters is the place relative to " + structure.landmark);

@@ -168,6 +168,31 @@ TEST(StructureComparison, EachFixedObjectHasAPlaceOfItsOwn) {
   EXPECT_FALSE(beside.errors.at("e").is_within());
 }
 
+TEST(StructureComparison, WhatWasNotMovedMayStandAnywhereWithWhatItCarries) {
+  const scene::Block plate{{0.2, 0.2, 0.02}};
+  Structure structure{
+      .objects = {ObjectAt("p", plate, {0, 0, 0.01}, kBlue),
+                  ObjectAt("q", plate, {0.4, 0, 0.01}, kRed), CubeAt("a", {0, 0, 0.07}, kBlue),
+                  CubeAt("b", {0.4, 0, 0.07}, kRed)},
+      .relations = {{"p", Relation::Kind::kOn, ""},
+                    {"q", Relation::Kind::kOn, ""},
+                    {"a", Relation::Kind::kOn, "p"},
+                    {"b", Relation::Kind::kOn, "q"}}};
+  std::vector<scene::ObjectSpec> outcome = structure.objects;
+  const RigidTransform X_moved(RotationFromFixedAxes({0, 0, 70}), Vector3(0.1, 0.5, 0));
+  for (std::size_t i : {1u, 3u}) {
+    outcome[i].whole.X_PE = X_moved * structure.objects[i].pose_in_world();
+  }
+  EXPECT_EQ(CompareWith(structure, EpisodeTo(outcome)).score, 0.5);
+  structure.foundations = {"p", "q"};
+  const StructureComparison comparison = CompareWith(structure, EpisodeTo(outcome));
+  EXPECT_TRUE(comparison.is_achieved());
+  EXPECT_FALSE(comparison.turn) << "each may be turned otherwise";
+  // Each cube belongs on its own plate.
+  std::swap(outcome[2].whole.X_PE, outcome[3].whole.X_PE);
+  EXPECT_EQ(CompareWith(structure, EpisodeTo(outcome)).score, 0.5);
+}
+
 TEST(StructureComparison, ARingHasItsPlaceWhereItsFixedPostIs) {
   const scene::Ring ring{.radius_outer = 0.1, .radius_inner = 0.08, .height = 0.05};
   const scene::Block post{{0.05, 0.05, 0.4}};

@@ -61,6 +61,37 @@ TEST_F(StructureTest, ContainsMovedObjectsAndTheirSupports) {
   EXPECT_FALSE(structure.is_fixed());
 }
 
+TEST_F(StructureTest, WhatStayedAndCarriesOthersMayStandAnywhere) {
+  const Structure structure = StructureOf(recording::OpenRecording(
+      Record(R"({"hand":"left","do":"grasp","object":"a"}
+{"hand":"left","do":"move_to","position":[0,-2,3]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"move_to","position":[-3,2,3]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"move_to","position":[-3,2,0.71]}
+{"do":"wait","until":"arrived"}
+{"hand":"left","do":"release"}
+{"hand":"right","do":"grasp","object":"b"}
+{"hand":"right","do":"move_to","position":[3,-2,3]}
+{"do":"wait","until":"arrived"}
+{"hand":"right","do":"move_to","position":[3,2,3]}
+{"do":"wait","until":"arrived"}
+{"hand":"right","do":"move_to","position":[3,2,0.71]}
+{"do":"wait","until":"arrived"}
+{"hand":"right","do":"release"}
+{"do":"wait","until":"still"})",
+             false, nullptr, R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+<block id="a" location="(0, -2, 0.5)"/>
+<block id="b" location="(3, -2, 0.5)"/>
+<block id="p" location="(-3, 2, 0.1)" xspan="2" yspan="2" zspan="0.2"/>
+<block id="q" location="(3, 2, 0.1)" xspan="2" yspan="2" zspan="0.2"/></tabletop>)xml")));
+  EXPECT_EQ(structure.foundations, (Ids{"p", "q"}));
+  EXPECT_EQ(TextOf(structure),
+            "1. a on p\n2. b on q\nas it was: p on the table\nas it was: q on the table\n"
+            "p may stand anywhere, with what it carries\n"
+            "q may stand anywhere, with what it carries\n");
+}
+
 TEST_F(StructureTest, PlacementsAgreeWithTheHistory) {
   // A ring has no floor, so that what lies in it lies on the table, too.
   const recording::Recording demo = recording::OpenRecording(Record(

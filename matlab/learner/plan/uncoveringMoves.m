@@ -4,14 +4,12 @@ function moves = uncoveringMoves(state, free, eye)
 %   free  numbers of the known blocks that are in no step's place
   moves = noMoves();
   known = state.known;
-  if ~any(arrayfun(@isMissing, state.steps)), return; end
   for i = free
-    if hasObjectsOn(known(i), known(free)) || isSupportKnown(known(i), known), continue; end
     support = assumedSupport(known(i));
-    if ~isempty(support) && isTopHidden(support, state.steps, eye)
-      moves(end + 1) = newMove(i);
-    end
+    if isempty(support) || hasObjectsOn(known(i), known(free)) || isSupportKnown(known(i), known), continue; end
+    if isTopHidden(support, state.steps, eye), moves(end + 1) = newMove(i); end
   end
+  if ~isempty(moves) && ~any(arrayfun(@isMissing, state.steps)), moves(:) = []; end
 
   function yes = isMissing(step)
     fits = known(arrayfun(@(block) isSameKind(block, step), known));

@@ -21,11 +21,10 @@ def uncovering_moves(state, free, eye):
         users = [it for it in state.steps if fits and is_same_kind(fits[0], it)]
         return len(fits) < len(users) or not fits
 
-    if not any(map(is_missing, state.steps)):
-        return []
-    return [Move(block) for block in free
-            if not has_objects_on(block, free) and not is_support_known(block, state.known)
-            and any(is_top_hidden(it, state.steps, eye) for it in assumed_support(block))]
+    moves = [Move(block) for block in free for support in assumed_support(block)
+             if not has_objects_on(block, free) and not is_support_known(block, state.known)
+             and is_top_hidden(support, state.steps, eye)]
+    return moves if moves and any(map(is_missing, state.steps)) else []
 
 
 def clearing_moves(state, moves, free):

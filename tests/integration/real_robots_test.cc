@@ -3,6 +3,8 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "program.h"
@@ -139,6 +141,44 @@ INSTANTIATE_TEST_SUITE_P(
         RealRobot{"so101", kRobots + "so_arm_description/urdf/so101.urdf", 1, 5, "jaws"},
         RealRobot{"baxter", kRobots + "baxter_description/urdf/baxter.urdf", 2, 7, "fingers"}),
     [](const auto& robot) { return robot.param.name; });
+
+/// Its fingers are short, and wherever its arm waits, it hides a part of the table from the eye.
+class RealPanda : public ProgramTest, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(RealPanda, BuildsATowerWithTheLearner) {
+  const std::string urdf =
+      Shipped("build/real_robots/" + kRobots + "panda_description/urdf/panda.urdf");
+  if (!std::filesystem::exists(urdf)) GTEST_SKIP() << "tools/get_real_robots.sh installs it";
+  const std::string cube = R"(" xspan="0.6" yspan="0.6" zspan="0.6" location=")";
+  Write("cubes.xml", SceneOf("<block color=\"red\" id=\"A" + cube + "(-2,0,0.3)\"/>" +
+                             "<block color=\"green\" id=\"B" + cube + "(0,0,0.3)\"/>" +
+                             "<block color=\"blue\" id=\"C" + cube + "(2,0,0.3)\"/>"));
+  std::string script;
+  for (const auto& [object, x, top] : {std::tuple("A", -2, 0.91), std::tuple("C", 2, 1.51)}) {
+    script += std::string(R"({"hand":"left","do":"grasp","object":")") + object + "\"}\n";
+    for (const auto& [at, height] : {std::pair(x, 4.0), std::pair(0, 4.0), std::pair(0, top)}) {
+      script += R"({"hand":"left","do":"move_to","position":[)" + std::to_string(at) + ",0," +
+                std::to_string(height) + "]}\n{\"do\":\"wait\",\"until\":\"arrived\"}\n";
+    }
+    script += R"({"hand":"left","do":"release"}
+{"do":"wait","until":"still"}
+)";
+  }
+  Write("tower.jsonl", script);
+  ASSERT_EQ(Smile("run cubes.xml --no-robot --commands tower.jsonl --record shown").exit_code, 0);
+  const Answer answer = Smile("imitate shown cubes.xml --robot '" + urdf + "' --path '" +
+                              Shipped("build/real_robots/cmeel.prefix/share") + "' --brain '" +
+                              Shipped(GetParam()) + "' --seed 1 --no-pictures --json --out built");
+  ASSERT_EQ(answer.exit_code, 0) << answer.err;
+  EXPECT_TRUE(answer.json()["success"]);
+  EXPECT_EQ(answer.json()["claim_right"], true);
+}
+
+INSTANTIATE_TEST_SUITE_P(Twins, RealPanda,
+                         ::testing::Values("python/learner/learner.py", "matlab/learner"),
+                         [](const auto& brain) {
+                           return brain.index == 0 ? std::string("python") : std::string("octave");
+                         });
 
 }  // namespace
 }  // namespace smile

@@ -13,6 +13,7 @@ function arms = armsOf(aux)
 %   allParked joint angles of all arms, as smileFirstInvalid takes them
 %   starts    Mxn joint angles from which to search for others
 %   reach     of the fingers below the tool, when they point straight down [units]
+%   palm      how far above the tool the fingers begin then [units]; Inf without a gripper
   robot = smileRobot(aux);
   eye = eyeOfRobot(aux);
   arms = struct('robot', {}, 'name', {}, 'index', {}, 'camera', {}, 'opening', {}, 'ready', {}, 'lower', {}, 'upper', {});
@@ -40,6 +41,8 @@ function arms = armsOf(aux)
     end
     arms(k).starts = [arms(k).parked; arms(k).ready; namedPose(robot, counts, k, 'neutral')];
     arms(k).reach = fingerReach(arms(k));
+    arms(k).palm = Inf;
+    if arms(k).opening > 0, arms(k).palm = -smileFingerBounds(robot, arms(k).name, 0)(1, 3); end
   end
   if size(robot.minJointAngles, 1) > 1
     all_parked = vertcat(arms.parked);

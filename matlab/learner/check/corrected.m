@@ -3,7 +3,8 @@ function now = corrected(seen, verdicts)
 % now. A block whose top is partly hidden is where it was known to be.
   hidden = verdicts(strcmp({verdicts.word}, 'hidden'));
   known = [hidden.expected];
-  is_pieced_together = arrayfun(@(it) isPiecedTogether(it, known), seen);
+  is_pieced_together = false(1, numel(seen));  % arrayfun makes of no blocks a 0x0 matrix
+  for k = 1:numel(seen), is_pieced_together(k) = isPiecedTogether(seen(k), known); end
   is_pieced_together([verdicts.found]) = false;
   now = seen;
   for it = hidden(~cellfun(@isempty, {hidden.found})), now(it.found) = it.expected; end

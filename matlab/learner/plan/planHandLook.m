@@ -1,13 +1,13 @@
 function [actions, state] = planHandLook(open, state, free, eye, arms, sensor)
-% Plans to look with a hand at the largest part of the table that something hides from the eye, if a block that one of
-% some steps needs is not known: a 1xN cell of actions; {} if there is no such part, or none that was not looked at before.
+% Plans to look at the largest part of the table that something hides from the eye, with a hand or after an arm moved aside, if a
+% block that one of some steps needs is not known: a 1xN cell of actions; {} if there is no such part, or none that was not looked at.
 %   open  their numbers
 %   free  numbers of the known blocks that are in no step's place
   c = constants().task_planning;
   actions = {};
   seeing = arms(~cellfun(@isempty, {arms.camera}));
   has_fit = @(k) any(arrayfun(@(i) isSameKind(state.known(i), state.steps(k)), free));
-  if isempty(seeing) || all(arrayfun(has_fit, open)) || rows(state.handLooks) >= c.max_hand_looks, return; end
+  if all(arrayfun(has_fit, open)) || rows(state.handLooks) >= c.max_hand_looks, return; end
   hidden = hiddenGround(heightMap(sensor.depthVision, eye), eye);
   hidden = hidden(~areCovered(hidden, state.known, 0), :);
   is_close = hypot(hidden(:, 1) - hidden(:, 1)', hidden(:, 2) - hidden(:, 2)') < c.hand_look_radius;
@@ -15,6 +15,10 @@ function [actions, state] = planHandLook(open, state, free, eye, arms, sensor)
   for place = hidden(order, :)'
     place = place';
     if any(vecnorm(state.handLooks - place, 2, 2) < c.hand_look_radius), continue; end
+    if isempty(seeing)
+      [actions, state] = planLookAside([place, 0], state, eye, arms, sensor);
+      if ~isempty(actions), return; end
+    end
     for arm = nearestFirst(seeing, place(1))
       % The fingers are in the near half of the picture.
       height = max(c.hand_look_height, transferHeight(arm, state.known, 0, 0));

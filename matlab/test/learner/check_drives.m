@@ -65,7 +65,7 @@ function checkReturning(cover)
   eval('function path = planPathThrough(arm, poses, others, varargin), path = [poses, {numel(others)}]; end');
   eval('function q = solvePoses(arm, varargin), q = arm.starts; end');
   remove = onCleanup(@() clear('-f', 'toolPose', 'planPathThrough', 'solvePoses'));
-  arm = struct('index', 1, 'opening', 9, 'reach', 0.7, 'foot', [0, 0], 'starts', 0, 'parked', []);
+  arm = struct('index', 1, 'opening', 9, 'reach', 0.7, 'palm', 0.75, 'foot', [0, 0], 'starts', 0, 'parked', []);
   for others = {noBlocks(), block([0.5, 0.5, 0.5], [0.5, 0.5, 3], 5, -4, 0, 0)}
     state = initialTaskState(cover, []);
     state.known = others{1};

@@ -34,4 +34,27 @@ function check_hand_looks()
   state = seeFromHand(state, sensor, arm);
   check(numel(state.known) == 2 && norm(state.known(1).position - [1, -4, 0.5]) < 0.05, 'what it sees is known');
   check(strcmp(state.notes(end).text, '1 more object with the right hand'), 'and told');
+  checkLooksAside(state);
+end
+
+function checkLooksAside(state)
+% An arm without a camera moves aside. Its hand is 3 units high, and 4 away from its first joint, which turns it about the vertical.
+  eval('function points = armPoints(arm, q), points = [4 * sin(q(1)), 4 * cos(q(1)) - 6, 3; 0, -6, 3; 0, -6, 0]; end');
+  eval('function path = moveJoints(arm, waypoints), path = waypoints(end, :); end');
+  eval('function yes = isPathValid(varargin), yes = true; end');
+  eval('function yes = isPathOver(varargin), yes = true; end');
+  eval('function pose = smileForward(varargin), pose = eye(4); end');
+  remove = onCleanup(@() clear('-f', 'armPoints', 'moveJoints', 'isPathValid', 'isPathOver', 'smileForward'));
+  arm = struct('name', 'arm', 'index', 1, 'robot', [], 'parked', [0, 7], 'lower', [-3, -3], 'upper', [3, 3]);
+  sensor.arms.joints = [0; 7];
+  actions = planLookAside([0, -1, 0], state, robotEye(), arm, sensor);
+  check(numel(actions) == 2 && actions{1}.path(2) == 7 && strcmp(actions{2}.kind, 'observe'), 'an arm moves aside from what it hides');
+  check(abs(actions{1}.path(1)) > 0.2 && abs(actions{1}.path(1)) < 1.5, 'no farther than necessary');
+  check(isempty(planLookAside([5, -1, 0], state, robotEye(), arm, sensor)), 'not if it does not hide it');
+
+  green = [0, 1, 0]; cube = [1, 1, 1];
+  state.known = [block(green, cube, 0, -2, 2.5, 0), block(green, [1, 1, 1.5], 0, -2, 2.5, 0), block(green, cube, 4, -2, 0, 0)];
+  state.unknownObjects = block(green, cube, 0, 0, 0, 0);
+  state = forgetArms(state, arm, sensor);
+  check(isequal({state.known.position}, {[0, -2, 3.25], [4, -2, 0.5]}), 'what looks like an object at the arm is a part of it');
 end

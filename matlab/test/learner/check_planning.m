@@ -49,7 +49,7 @@ function checkEndsBeyondReach()
   eval(['function q = solvePoses(arm, poses, q), global reached; x = cellfun(@(it) it(1, 4), poses); ', ...
         'if q ~= 1 || ~all(ismember(x, reached)) || (arm.hasTorso && any(x == 2)), q = []; end; end']);
   remove = onCleanup(@() clear('-f', 'toolPose', 'planPathThrough', 'solvePoses'));
-  arm = struct('index', 1, 'opening', 2, 'reach', 0.75, 'starts', [0; 1], 'hasTorso', true);
+  arm = struct('index', 1, 'opening', 2, 'reach', 0.75, 'palm', 0.75, 'starts', [0; 1], 'hasTorso', true);
   start = block([1, 0, 0], [1, 1, 1], -2, -2, 0, 0);
   goal = block([1, 0, 0], [1, 1, 1], 2, -2, 0, 0);
   for it = {[-2, 2], -2, 2, []; [false, false], [false, true], [true, false], [true, false]}
@@ -66,7 +66,7 @@ function checkBeyondReach()
   eval(['function [actions, is_beyond] = planArmPickAndPlace(~, ~, yaw, ~, place_yaw, varargin), global tried; ', ...
         'tried(end + 1, :) = [yaw, place_yaw]; actions = {}; is_beyond = tried(end, :) == tried(1, :); end']);
   remove = onCleanup(@() clear('-f', 'planArmPickAndPlace'));
-  arm = struct('index', 1, 'opening', 2, 'reach', 0.75, 'foot', [0, 0]);
+  arm = struct('index', 1, 'opening', 2, 'reach', 0.75, 'palm', 0.75, 'foot', [0, 0]);
   start = block([1, 0, 0], [1, 1, 1], -2, -2, 0, 0);
   goal = block([1, 0, 0], [1, 1, 1], 2, -2, 0, 0);
   planPickAndPlace(arm, start, asStep(goal), noBlocks(), struct('arms', struct('joints', [])), []);
@@ -78,7 +78,7 @@ function checkWays()
 % Seeds vary how a block is held and carried.
   eval('function [actions, is_beyond] = planArmPickAndPlace(~, ~, yaw, ~, ~, height, varargin), actions = [yaw, height]; is_beyond = [false, false]; end');
   remove = onCleanup(@() clear('-f', 'planArmPickAndPlace'));
-  arm = struct('index', 1, 'opening', 2, 'reach', 0.75, 'foot', [0, 0]);
+  arm = struct('index', 1, 'opening', 2, 'reach', 0.75, 'palm', 0.75, 'foot', [0, 0]);
   start = block([1, 0, 0], [1, 1, 1], -2, -2, 0, 0);
   goal = block([1, 0, 0], [1, 1, 1], 2, -2, 0, 0);
   plan = @(way) planPickAndPlace(arm, start, asStep(goal), noBlocks(), struct('arms', struct('joints', [])), [], way);

@@ -33,7 +33,7 @@ function check_in_way(corner, goal)
   eval('function q = solvePoses(varargin), q = 0; end');
   eval(['function hands = pushingHands(arm, block, way, others), at = block.position(1:2) + 1.2 * way.away;', ...
         'hands = struct("poses", {{eye(4)}}); if any(vecnorm(vertcat(others.position)(:, 1:2) - at, 2, 2) < 0.5), hands = []; end; end']);
-  arm = struct('reach', 0.75, 'parked', 0, 'foot', [1, -5], 'robot', [], 'name', '');
+  arm = struct('reach', 0.75, 'palm', 0.75, 'parked', 0, 'foot', [1, -5], 'robot', [], 'name', '');
   eval('function bounds = smileFingerBounds(varargin), bounds = [0, 0, 0; 0.4, 0.3, 0]; end');
   remove = onCleanup(@() clear('-f', 'isReachable', 'solvePoses', 'pushingHands', 'smileFingerBounds'));
   movesWith = @(free, blocks) movesFromPush(struct('known', blocks, 'containers', []), goal, free, arm);
@@ -55,6 +55,7 @@ function check_hidden_tops()
   seen = block([1, 0, 0], [2, 1, 1], -0.5, -2.5, 0, pi / 2);
   beside = block([1, 0, 0], [2, 1, 1], -0.8, -2.5, 0, pi / 2);
   hidden = struct('word', 'hidden', 'expected', {known(1), known(2)}, 'found', []);
+  check(isequal(corrected(noBlocks(), hidden), known), 'what is hidden is known, also if nothing is seen');
   check(isequal(corrected(seen, hidden), known), 'tops of hidden blocks do not make another one');
   check(isequal(corrected(beside, hidden), [beside, known]), 'but what is beside them is one');
   recognized = struct('word', 'as expected', 'expected', seen, 'found', 1);

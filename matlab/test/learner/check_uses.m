@@ -62,7 +62,7 @@ function checkCarrying(eye)
   % A path along straight lines through joint waypoints, which contains no other points: a second for each.
   eval('function q = smileSample(path, times), q = interp1(0:path.duration, path.positions, times); end');
   remove = onCleanup(@() clear('-f', 'smileForward', 'armPoints', 'smileSample'));
-  arm = struct('robot', [], 'name', '', 'reach', 0.75);
+  arm = struct('robot', [], 'name', '', 'reach', 0.75, 'palm', 0.75);
   load = loadOf(wholeOf(points(is_tool, :), 0.4), smileForward([], '', [-2, -3, 0.6]));
   for k = [0.5, 1.5, 1.5, 2.5; 2, 2, 4, 3.5; 1, 0, 1, 0; 1, 1, 1, 0]
     path = straightPath([1; 1] * [k(1), -3, k(2)]);
@@ -79,7 +79,7 @@ function checkMoved()
 % A tool is where its hold says, whatever the hold.
   tool = block([1, 0, 0], [2, 0.5, 0.4], -2, -3, 0, 0.3);
   whole = [-1, -3, 0.1; -2.5, -2, 0.4; -2, -3.5, 0];
-  arm = struct('opening', 0, 'reach', 0.75);
+  arm = struct('opening', 0, 'reach', 0.75, 'palm', 0.75);
   for hold = [0.3, 1.2; 0, 0.5]
     load = loadOf(whole, heldToolPose(arm, tool, hold(1), hold(2), tool.position, 0));
     there = loadAt(load, heldToolPose(arm, tool, hold(1), hold(2), [3, -1, 2], 0.7));

@@ -24,6 +24,7 @@ class Arm:
     all_parked: np.ndarray = None  # joint angles of all arms, as smile.motion takes those of `both`
     starts: list = field(default_factory=list)  # joint angles from which to search for others
     reach: float = 0  # of the fingers below the tool, when they point straight down [units]
+    palm: float = math.inf  # how far above the tool the fingers begin then [units]
     foot: np.ndarray = None  # x y of its first joint [units]
     camera: str = ""  # of its hand; empty if it has none
     has_torso: bool = False  # true beside other arms

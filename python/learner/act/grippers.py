@@ -34,6 +34,6 @@ def nearest_first(arms, x):
 def grip_depth(arm, height):
     """Returns how far the tool of an arm is below the top of a block of some height when it grasps
     it [units]; negative above the top. The fingers reach still lower, but not to what the block
-    stands on."""
+    stands on; what carries them stays above the top."""
     return min(max(MOTION_PLANNING.grip_below_top, MOTION_PLANNING.fingers_below_top - arm.reach),
-               height - MOTION_PLANNING.fingers_above_bottom - arm.reach)
+               height - MOTION_PLANNING.fingers_above_bottom - arm.reach, arm.palm - MOTION_PLANNING.palm_clearance)

@@ -32,6 +32,8 @@ def arms_of(aux):
             arm.parked = posture_aside(arm, eye, is_left=arm.foot[0] <= middle)
         arm.starts = [arm.parked] + [q for q in named[1:] if q is not None]
         arm.reach = finger_reach(arm)
+        if arm.opening > 0:
+            arm.palm = -robot.finger_bounds(arm.name, 0)[0][2]
     parked = [arm.parked for arm in arms]
     has_rows = len(arms) > 1 and len({len(q) for q in parked}) == 1
     for arm in arms:

@@ -1,4 +1,4 @@
-"""Looks from above, by the camera of a hand, at what the eye cannot see."""
+"""Looks at what something hides from the eye: by the camera of a hand, or after an arm without one has moved aside."""
 
 import numpy as np
 
@@ -8,28 +8,32 @@ from check.notes import Note
 from constants import TASK_PLANNING as C
 from plan.arm_paths import plan_path_through
 from plan.heights import transfer_height
+from plan.own_arms import plan_look_aside
 from see.eye import height_map
 from see.unexplained import hidden_ground, is_within
 from things.kinds import is_same_kind
 
 
 def plan_hand_look(steps, state, free, eye, arms, sensor):
-    """Plans to look with a hand at the largest part of the table that something hides from the eye, if a block that one of
-    some steps needs is not known. Returns actions; [] if there is no such part, or none that was not looked at before.
+    """Plans to look at the largest part of the table that something hides from the eye, if a block that one of some steps
+    needs is not known. Returns actions; [] if there is no such part, or none that was not looked at before.
 
     steps: their numbers
     free:  the known blocks that are in no step's place
     """
     seeing = [arm for arm in arms if arm.camera]
     is_missing = any(not any(is_same_kind(it, state.steps[k]) for it in free) for k in steps)
-    is_able = seeing and "depth" not in state.without
-    if not is_missing or not is_able or len(state.hand_looks) >= C.max_hand_looks:
+    if not is_missing or "depth" in state.without or len(state.hand_looks) >= C.max_hand_looks:
         return []
     hidden = hidden_ground(height_map(sensor.depthVision, eye), eye)
     hidden = hidden[~is_within(hidden, state.known, 0)]
     for place in sorted(hidden, key=lambda it: -(distances(hidden, it) < C.hand_look_radius).sum()):
         if any(np.linalg.norm(place - it) < C.hand_look_radius for it in state.hand_looks):
             continue
+        if not seeing:
+            actions = plan_look_aside(np.append(place, 0), state, eye, arms, sensor)
+            if actions:
+                return actions
         for arm in nearest_first(seeing, place[0]):
             # The fingers are in the near half of the picture.
             height = max(C.hand_look_height, transfer_height(arm, state.known, 0, 0))

@@ -133,7 +133,7 @@ class CoverTest(RecordingTest):
         # An arm that failed in each of its grasps.
         state = TaskState(self.steps, failures=[Grasp(it.position, 0, yaw) for it in (lid, lid.aside.place)
                                                 for yaw in np.arange(8) * math.pi / 4])
-        arm, sensor = SimpleNamespace(index=0, opening=9, reach=0.7, foot=np.zeros(2)), SimpleNamespace(arms=[SimpleNamespace(joints=[])])
+        arm, sensor = SimpleNamespace(index=0, opening=9, reach=0.7, palm=0.75, foot=np.zeros(2)), SimpleNamespace(arms=[SimpleNamespace(joints=[])])
         reasons = [plan_returning(it, lid, is_back, state, [arm], sensor)[2]
                    for it, is_back in [(lid.aside.place, False), (lid.aside.place, True), (lid, False)]]
         no_arm = "no arm reaches both its place and its goal"

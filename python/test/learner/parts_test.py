@@ -47,7 +47,7 @@ class PartsTest(RecordingTest):
     def test_a_thing_is_not_put_down_the_other_way_round(self):
         thing = replace(self.kind, size=self.kind.size[[1, 0, 2]])
         goal, turns = replace(thing, position=np.array([0, -2, 0.8]), yaw=1.0), []
-        arm = SimpleNamespace(opening=2, reach=0.75, foot=np.zeros(2), index=0)
+        arm = SimpleNamespace(opening=2, reach=0.75, palm=0.75, foot=np.zeros(2), index=0)
         with patch("plan.pick_and_place.plan_arm_pick_and_place",
                    side_effect=lambda arm, held, yaw, target, place_yaw, *_: turns.append(place_yaw - yaw) or ([], 0, 0)):
             plan_pick_and_place([arm], thing, goal, [], SimpleNamespace(arms=[SimpleNamespace(joints=None)]))

@@ -201,9 +201,15 @@ class MovesTest(unittest.TestCase):
 
     def test_fingers_stay_above_what_a_low_block_stands_on(self):
         for height in 0.5, 0.75, 1, 2:
-            tips = height - grip_depth(SimpleNamespace(reach=0.75), height) - 0.75
+            tips = height - grip_depth(SimpleNamespace(reach=0.75, palm=0.75), height) - 0.75
             self.assertGreaterEqual(tips, 0.05 - 1e-9)
-        self.assertEqual(grip_depth(SimpleNamespace(reach=0.75), 2), 0.2)
+        self.assertEqual(grip_depth(SimpleNamespace(reach=0.75, palm=0.75), 2), 0.2)
+
+    def test_what_carries_short_fingers_stays_above_a_block(self):
+        arm = SimpleNamespace(reach=0.09, palm=0.45)  # like those of a Panda
+        self.assertAlmostEqual(grip_depth(arm, 0.6), 0.35)
+        arm.palm = 0.8
+        self.assertAlmostEqual(grip_depth(arm, 0.6), 0.41)
 
     def test_a_block_wider_than_the_gripper_opens_is_not_taken(self):
         wide = block(BLUE, np.array([3, 2, 1]), 0, -2)
@@ -226,7 +232,7 @@ class MovesTest(unittest.TestCase):
             self.assertEqual((actions, tuple(are_beyond)), ([], expected))
 
     def test_yaws_with_which_an_arm_does_not_reach_a_block_or_its_goal_are_tried_once(self):
-        arm = SimpleNamespace(opening=2, reach=0.75, foot=np.zeros(2), index=0)
+        arm = SimpleNamespace(opening=2, reach=0.75, palm=0.75, foot=np.zeros(2), index=0)
         start, goal = block(RED, CUBE, -2, -2), block(RED, CUBE, 2, -2)
         tried = []
 
@@ -241,7 +247,7 @@ class MovesTest(unittest.TestCase):
         self.assertEqual([sum(it[k] == tried[0][k] for it in tried) for k in (0, 1)], [2, 1])
 
     def test_seeds_vary_how_a_block_is_held_and_carried(self):
-        arm = SimpleNamespace(opening=2, reach=0.75, foot=np.zeros(2), index=0)
+        arm = SimpleNamespace(opening=2, reach=0.75, palm=0.75, foot=np.zeros(2), index=0)
         sensor = SimpleNamespace(arms=[SimpleNamespace(joints=None)])
         start, goal = block(RED, CUBE, -2, -2), block(RED, CUBE, 2, -2)
 

@@ -6,6 +6,7 @@
 #include "base/diagnostic.h"
 #include "recording/attention.h"
 #include "task/anchor.h"
+#include "task/comparison.h"
 #include "task/neighbors.h"
 #include "task/rules.h"
 
@@ -66,6 +67,14 @@ std::vector<std::string> FoundationsOf(const Episode& episode, const Structure& 
     }
   }
   return foundations;
+}
+
+/// Returns true if an object that was placed is in place already when the demonstration begins:
+/// with foundations that may be turned by themselves, a move around a round plate is none.
+bool IsSomethingPlacedAlready(const Structure& structure, const Episode& episode) {
+  const StructureComparison comparison = CompareWith(structure, AtBegin(episode));
+  return std::ranges::any_of(
+      structure.order, [&](const std::string& id) { return comparison.errors.at(id).is_within(); });
 }
 
 /// Returns the pairs of objects that belong together. A support or container belongs to what it
@@ -181,8 +190,11 @@ Structure StructureOf(const recording::Recording& demonstration) {
                 [&](const Relation& relation) { return !structure.Contains(relation.object); });
   std::erase_if(structure.around,
                 [&](const Surrounding& it) { return !structure.Contains(it.object); });
-  if (structure.anchor == Anchor::kNone) structure.foundations = FoundationsOf(episode, structure);
   structure.neighbors = NeighborsOf(structure);
+  if (structure.anchor == Anchor::kNone) structure.foundations = FoundationsOf(episode, structure);
+  if (!structure.foundations.empty() && IsSomethingPlacedAlready(structure, episode)) {
+    structure.foundations.clear();
+  }
   structure.bystanders = BystandersOf(structure, episode);
   structure.support_rules = SupportRulesOf(structure.attention, episode);
   return structure;

@@ -37,7 +37,11 @@ void RemovePlaces(const std::set<std::string>& ids, Structure* structure) {
     return is_removed(relation.object) || is_removed(relation.support);
   });
   std::erase_if(structure->order, is_removed);
-  std::erase_if(structure->foundations, is_removed);
+  // A foundation that carries nothing any more is none.
+  std::erase_if(structure->foundations, [&](const std::string& id) {
+    const auto is_on_it = [&](const Relation& relation) { return relation.support == id; };
+    return std::ranges::none_of(structure->relations, is_on_it);
+  });
   std::erase_if(structure->neighbors, [&](const Neighbors& pair) {
     return is_removed(pair.object) || is_removed(pair.other);
   });

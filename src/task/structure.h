@@ -76,8 +76,10 @@ struct Structure {
 };
 
 /// Returns a structure in parts, each of which has one place: each fixed object, and then each
-/// foundation, with all that it carries, and what was put around any of this; all other objects
-/// belong to the first part. A structure with one of these or none is one part.
+/// foundation, with all that it carries, and what was put around any of this. Foundations count
+/// only if all objects belong to such a part, and none carries, surrounds or almost touches one of
+/// another part; otherwise, what no fixed object carries belongs to the first part. A structure
+/// with one of these or none is one part.
 std::vector<Structure> PartsOf(const Structure& structure);
 
 }  // namespace smile::task

@@ -13,7 +13,7 @@ function arms = armsOf(aux)
 %   allParked joint angles of all arms, as smileFirstInvalid takes them
 %   starts    Mxn joint angles from which to search for others
 %   reach     of the fingers below the tool, when they point straight down [units]
-%   palm      how far above the tool the fingers begin then [units]; Inf without a gripper
+%   palm      how far above the tool the fingers begin then [units]; Inf if that is unknown
   robot = smileRobot(aux);
   eye = eyeOfRobot(aux);
   arms = struct('robot', {}, 'name', {}, 'index', {}, 'camera', {}, 'opening', {}, 'ready', {}, 'lower', {}, 'upper', {});
@@ -41,8 +41,7 @@ function arms = armsOf(aux)
     end
     arms(k).starts = [arms(k).parked; arms(k).ready; namedPose(robot, counts, k, 'neutral')];
     arms(k).reach = fingerReach(arms(k));
-    arms(k).palm = Inf;
-    if arms(k).opening > 0, arms(k).palm = -smileFingerBounds(robot, arms(k).name, 0)(1, 3); end
+    arms(k).palm = palmOf(arms(k));
   end
   if size(robot.minJointAngles, 1) > 1
     all_parked = vertcat(arms.parked);
@@ -50,6 +49,14 @@ function arms = armsOf(aux)
     all_parked = [arms.parked];
   end
   for k = 1:numel(arms), arms(k).allParked = all_parked; end
+end
+
+function palm = palmOf(arm)
+  palm = Inf;
+  try
+    palm = -smileFingerBounds(arm.robot, arm.name, 0)(1, 3);
+  catch  % no gripper, or one without shapes that move
+  end
 end
 
 function q = namedPose(robot, counts, k, name)

@@ -19,7 +19,7 @@ function state = initialTaskState(steps, containers, presses, shown, choices)
 %   grasp      of the current actions, see newGrasp; its block is the last of the known
 %   failures   grasps that failed, not to be repeated
 %   meant      as from meantBlocks, once a site is chosen
-%   handLooks  places at which hands have looked, Nx2 [units]
+%   handLooks  places that were looked at by hands, or aside, Nx2 [units]
 %   impossibleMoves  as from rememberImpossible, where everything is now; impossibleAmong: the blocks known then
 %   moved      name of the last of the known, if it was moved and not seen since then; empty if not
 %   notes      that were not told yet, see asNote

@@ -12,7 +12,7 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
   end
   heights = heightMap(sensor.depthVision, eye);
   state = observe(state, picture, heights, eye);
-  state = forgetArms(state, arms, sensor);
+  if numel(sensor.arms) == 1, state = forgetArm(state, arms, sensor); end
   state.surface = [];
   has_asides = ~all(cellfun(@isempty, {state.steps.aside}));
   if has_asides, state.surface = surfaceOf(picture, heights, eye); end
@@ -39,11 +39,6 @@ function [actions, state] = chooseActions(state, sensor, eye, arms)
     state = giveUp(state, ['not understood in the demonstration: ', strjoin(state.unclear, ', ')]);
     return
   elseif isempty(open)
-    % What was built last is looked at, even if an arm hides it where it waits.
-    for step = state.steps(max(end, 1):end)
-      [actions, state] = planLookAside(step.position + [0, 0, step.size(3) / 2], state, eye, arms, sensor);
-      if ~isempty(actions), return; end
-    end
     reason = sprintf('as seen within %.2f units and %.1f degrees', ...
                      max([state.placementErrors; 0, 0], [], 1) .* [1, 180 / pi]);
     state.claim = struct('done', true, 'reason', reason);

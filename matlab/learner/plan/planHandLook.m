@@ -1,6 +1,6 @@
 function [actions, state] = planHandLook(open, state, free, eye, arms, sensor)
 % Plans to look at the largest part of the table that something hides from the eye, with a hand or after an arm moved aside, if a
-% block that one of some steps needs is not known: a 1xN cell of actions; {} if there is no such part, or none that was not looked at.
+% block that one of some steps needs is not known: a 1xN cell of actions; {} if there is no such part, or all were looked at before.
 %   open  their numbers
 %   free  numbers of the known blocks that are in no step's place
   c = constants().task_planning;
@@ -12,13 +12,14 @@ function [actions, state] = planHandLook(open, state, free, eye, arms, sensor)
   hidden = hidden(~areCovered(hidden, state.known, 0), :);
   is_close = hypot(hidden(:, 1) - hidden(:, 1)', hidden(:, 2) - hidden(:, 2)') < c.hand_look_radius;
   [~, order] = sort(-sum(is_close, 2));
-  for place = hidden(order, :)'
+  hidden = hidden(order, :);
+  for place = state.handLooks', hidden(vecnorm(hidden - place', 2, 2) < c.hand_look_radius, :) = []; end
+  if isempty(seeing) && numel(sensor.arms) == 1
+    [actions, state] = planLookAside(hidden, state, eye, arms, sensor);
+    return
+  end
+  for place = hidden'
     place = place';
-    if any(vecnorm(state.handLooks - place, 2, 2) < c.hand_look_radius), continue; end
-    if isempty(seeing)
-      [actions, state] = planLookAside([place, 0], state, eye, arms, sensor);
-      if ~isempty(actions), return; end
-    end
     for arm = nearestFirst(seeing, place(1))
       % The fingers are in the near half of the picture.
       height = max(c.hand_look_height, transferHeight(arm, state.known, 0, 0));

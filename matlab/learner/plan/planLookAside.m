@@ -1,33 +1,55 @@
-function [actions, state] = planLookAside(place, state, eye, arms, sensor)
-% Plans to move an arm that hides a place, x y z [units], from the eye, and to look there: a 1xN cell of actions; {}
-% if none does, or it finds no posture to wait in meanwhile. An arm that stands before the eye always hides something.
-  c = constants().arms;
+function [actions, state] = planLookAside(places, state, eye, arm, sensor)
+% Plans to move an arm from the line of sight to one of some places on the table, Nx2 [units], the first if possible, and to look
+% there: a 1xN cell of actions; {} if it hides none of them, or finds no posture to wait in meanwhile.
   actions = {};
-  for arm = arms
-    q = sensor.arms(arm.index).joints(:)';
-    if ~hides(arm, q, place, eye), continue; end
-    angles = arm.lower(1) * c.parked_limit:c.parked_turn_rad:arm.upper(1) * c.parked_limit + c.parked_turn_rad / 2;
-    [~, order] = sort(abs(angles - q(1)));
-    for angle = angles(order)
-      there = [angle, arm.parked(2:end)];
-      path = moveJoints(arm, [q; there]);
-      if hides(arm, there, place, eye) || ~isPathValid(arm, path) || ~isPathOver(arm, path, state.known), continue; end
-      state.handLooks(end + 1, :) = place(1:2);
-      tool = smileForward(arm.robot, arm.name, there);
+  q = sensor.arms(arm.index).joints(:)';
+  hidden = places(hides(linksOf(arm, q), places, eye), :);
+  if isempty(hidden), return; end
+  % The nearest first, each with the path there, and which places it shows.
+  postures = struct('path', {}, 'shown', {}, 'q', {});
+  for posture = turned(arm, q)
+    path = moveJoints(arm, [q; posture{1}]);
+    if ~isPathValid(arm, path) || ~isPathOver(arm, path, state.known), continue; end
+    postures(end + 1) = struct('path', path, 'shown', ~hides(linksOf(arm, posture{1}), hidden, eye), 'q', posture{1});
+  end
+  for k = 1:rows(hidden)
+    for posture = postures
+      if ~posture.shown(k), continue; end
+      place = hidden(k, :);
+      state.handLooks(end + 1, :) = place;
+      tool = smileForward(arm.robot, arm.name, posture.q);
       state.grasp = newGrasp(tool(1:3, 4)', arm, 0);  % what fails if the arm is stopped: no grasp of a block
-      text = sprintf('looks at (%.2f, %.2f), which arm %s hid from the eye', place(1:2), arm.name);
+      text = sprintf('looks at (%.2f, %.2f), which arm %s hid from the eye', place, arm.name);
       state.notes(end + 1) = asNote('action', text);
-      actions = {struct('kind', 'follow', 'arm', arm, 'path', path), struct('kind', 'observe')};
+      actions = {struct('kind', 'follow', 'arm', arm, 'path', posture.path), struct('kind', 'observe')};
       return
     end
   end
 end
 
-function yes = hides(arm, q, place, eye)
-% Returns true if an arm at joint angles comes close to the line of sight from the eye to a place.
-  c = constants().motion_planning;
-  sight = eye.pose(1:3, 4)' - place;
-  points = pointsBetween(armPoints(arm, q), c.points_per_link) - place;
-  along = min(max(points * sight' / (sight * sight'), 0), 1);
-  yes = any(vecnorm(points - along * sight, 2, 2) < c.arm_radius);
+function postures = turned(arm, q)
+% Returns the postures in which an arm waits, turned about its first joint, that nearest to joint angles first: a 1xN cell.
+  c = constants().arms;
+  range = min(max([arm.lower(1), arm.upper(1)] * c.parked_limit, -pi), pi);
+  angles = range(1):c.parked_turn_rad:range(2) + c.parked_turn_rad / 2;
+  [~, order] = sort(abs(angles - q(1)));
+  postures = arrayfun(@(angle) {[angle, arm.parked(2:end)]}, angles(order));
+end
+
+function links = linksOf(arm, q)
+% Returns points along an arm at joint angles, Nx3 [units].
+  links = pointsBetween(armPoints(arm, q), constants().motion_planning.points_per_link);
+end
+
+function yes = hides(links, places, eye)
+% Returns at which places on the table, Nx2 [units], an arm, points along it, comes close to the line of sight from the eye: Nx1
+% logical.
+  radius = constants().motion_planning.arm_radius;
+  yes = false(rows(places), 1);
+  for k = 1:rows(places)
+    start = [places(k, :), 0];
+    sight = eye.pose(1:3, 4)' - start;
+    along = min(max((links - start) * sight' / (sight * sight'), 0), 1);
+    yes(k) = any(sumsq(links - start - along * sight, 2) < radius ^ 2);
+  end
 end

@@ -12,7 +12,7 @@ function check_hand_looks()
   state.known = tower;
   arm = struct('name', 'right', 'index', 1, 'camera', 'right_hand', 'reach', 0.7, 'foot', [2.6, -7]);
   sensor.depthVision = heights;
-  sensor.arms.joints = 0;
+  sensor.arms = struct('joints', {0, 0});
   [actions, state] = planHandLook(1, state, [], robotEye(), arm, sensor);
   kinds = cellfun(@(it) it.kind, actions, 'UniformOutput', false);
   check(isequal(kinds, {'follow', 'look', 'follow', 'observe'}), 'a hand looks');
@@ -23,6 +23,7 @@ function check_hand_looks()
   check(numel(stopped.known) == 4 && numel(stopped.failures) == 1, 'no block is lost if the arm is stopped');
   check(isempty(planHandLook(2, state, 1, robotEye(), arm, sensor)), 'not if nothing is missing');
   arm.camera = '';
+  state.handLooks = zeros(0, 2);
   check(isempty(planHandLook(1, state, [], robotEye(), arm, sensor)), 'nor without a camera');
 
   % The eye is taken for the camera of the hand. It sees a green cube, and again the top of the tower.
@@ -45,16 +46,17 @@ function checkLooksAside(state)
   eval('function yes = isPathOver(varargin), yes = true; end');
   eval('function pose = smileForward(varargin), pose = eye(4); end');
   remove = onCleanup(@() clear('-f', 'armPoints', 'moveJoints', 'isPathValid', 'isPathOver', 'smileForward'));
-  arm = struct('name', 'arm', 'index', 1, 'robot', [], 'parked', [0, 7], 'lower', [-3, -3], 'upper', [3, 3]);
+  arm = struct('name', 'arm', 'index', 1, 'robot', [], 'parked', [0, 7], 'lower', [-1e4, -3], 'upper', [1e4, 3]);
   sensor.arms.joints = [0; 7];
-  actions = planLookAside([0, -1, 0], state, robotEye(), arm, sensor);
+  [actions, looked] = planLookAside([5, -1; 0, -1], state, robotEye(), arm, sensor);
   check(numel(actions) == 2 && actions{1}.path(2) == 7 && strcmp(actions{2}.kind, 'observe'), 'an arm moves aside from what it hides');
+  check(isequal(looked.handLooks(end, :), [0, -1]), 'which is remembered');
   check(abs(actions{1}.path(1)) > 0.2 && abs(actions{1}.path(1)) < 1.5, 'no farther than necessary');
-  check(isempty(planLookAside([5, -1, 0], state, robotEye(), arm, sensor)), 'not if it does not hide it');
+  check(isempty(planLookAside([5, -1], state, robotEye(), arm, sensor)), 'not if it does not hide it');
 
-  green = [0, 1, 0]; cube = [1, 1, 1];
-  state.known = [block(green, cube, 0, -2, 2.5, 0), block(green, [1, 1, 1.5], 0, -2, 2.5, 0), block(green, cube, 4, -2, 0, 0)];
-  state.unknownObjects = block(green, cube, 0, 0, 0, 0);
-  state = forgetArms(state, arm, sensor);
-  check(isequal({state.known.position}, {[0, -2, 3.25], [4, -2, 0.5]}), 'what looks like an object at the arm is a part of it');
+  green = [0, 1, 0]; red = [1, 0, 0]; cube = [1, 1, 1];
+  state.steps = state.steps(1);
+  state.known = [block(red, cube, 0, -2, 2.5, 0), block(green, cube, 0, -2, 2.5, 0), block(red, [4, 1, 1], 0, -4, 0, 0)];
+  state = forgetArm(state, arm, sensor);
+  check(isequal({state.known.position}, {[0, -2, 3], [0, -4, 0.5]}), 'what is no wanted thing and at the arm is a part of it');
 end

@@ -32,13 +32,20 @@ def arms_of(aux):
             arm.parked = posture_aside(arm, eye, is_left=arm.foot[0] <= middle)
         arm.starts = [arm.parked] + [q for q in named[1:] if q is not None]
         arm.reach = finger_reach(arm)
-        if arm.opening > 0:
-            arm.palm = -robot.finger_bounds(arm.name, 0)[0][2]
+        arm.palm = palm_of(arm)
     parked = [arm.parked for arm in arms]
     has_rows = len(arms) > 1 and len({len(q) for q in parked}) == 1
     for arm in arms:
         arm.all_parked = np.array(parked) if has_rows else np.concatenate(parked)
     return arms
+
+
+def palm_of(arm):
+    """Returns how far above the tool the fingers begin when they point straight down [units]; infinite if they are unknown."""
+    try:
+        return -arm.robot.finger_bounds(arm.name, 0)[0][2]
+    except ValueError:  # no gripper, or one without shapes that move
+        return np.inf
 
 
 def finger_reach(arm):

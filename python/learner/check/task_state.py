@@ -48,7 +48,7 @@ class TaskState:
     grasp: Optional[Grasp] = None  # of the current actions; its block is the last of the known
     failures: list = field(default_factory=list)  # Grasps that failed, not to be repeated
     meant: dict = field(default_factory=dict)  # as from meant_blocks, once a site is chosen
-    hand_looks: list = field(default_factory=list)  # places, x y [units], at which hands have looked
+    hand_looks: list = field(default_factory=list)  # places, x y [units], that were looked at by hands, or aside
     impossible_moves: list = field(default_factory=list)  # ImpossibleMoves, where everything is now,
     impossible_among: list = field(default_factory=list)  # the Blocks known then
     moved: str = ""  # name of the last of the known, if it was moved and not seen since then

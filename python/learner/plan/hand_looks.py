@@ -27,13 +27,11 @@ def plan_hand_look(steps, state, free, eye, arms, sensor):
         return []
     hidden = hidden_ground(height_map(sensor.depthVision, eye), eye)
     hidden = hidden[~is_within(hidden, state.known, 0)]
-    for place in sorted(hidden, key=lambda it: -(distances(hidden, it) < C.hand_look_radius).sum()):
-        if any(np.linalg.norm(place - it) < C.hand_look_radius for it in state.hand_looks):
-            continue
-        if not seeing:
-            actions = plan_look_aside(np.append(place, 0), state, eye, arms, sensor)
-            if actions:
-                return actions
+    hidden = [it for it in sorted(hidden, key=lambda it: -(distances(hidden, it) < C.hand_look_radius).sum())
+              if all(np.linalg.norm(it - other) >= C.hand_look_radius for other in state.hand_looks)]
+    if not seeing and len(sensor.arms) == 1:
+        return plan_look_aside(hidden, state, eye, arms[0], sensor)
+    for place in hidden:
         for arm in nearest_first(seeing, place[0]):
             # The fingers are in the near half of the picture.
             height = max(C.hand_look_height, transfer_height(arm, state.known, 0, 0))

@@ -1,4 +1,6 @@
-"""The robot's own arms in the sight of its eye: what they look like is no object, and what they hide may be looked for."""
+"""A single arm in the sight of the eye: what the eye sees of it is not an object, and what it hides may be looked for."""
+
+import math
 
 import numpy as np
 
@@ -8,43 +10,61 @@ from act.arm_points import points_between
 from act.segments import is_path_valid, move_joints
 from check.notes import Note
 from constants import ARMS, MOTION_PLANNING as C, numbers_of
+from things.areas import rotated
+from things.kinds import is_same_kind
 
 
-def plan_look_aside(place, state, eye, arms, sensor):
-    """Plans to move an arm that hides a place, x y z [units], from the eye, and to look there. Returns actions; [] if none
-    does, or it finds no posture to wait in meanwhile."""
-    for arm in arms:
-        q = sensor.arms[arm.index].joints
-        if not hides(arm, q, place, eye):
-            continue
-        lower, upper = (limit[0] * ARMS.parked_limit for limit in arm.robot.limits(arm.name))
-        for angle in sorted(numbers_of(lower, ARMS.parked_turn_rad, upper), key=lambda it: abs(it - q[0])):
-            there = np.append(angle, arm.parked[1:])
-            path = move_joints(arm, [q, there])
-            if not hides(arm, there, place, eye) and is_path_valid(arm, path) and is_path_over(arm, path, state.known):
-                state.hand_looks.append(place[:2])
+def plan_look_aside(places, state, eye, arm, sensor):
+    """Plans to move an arm from the line of sight to one of some places on the table, Nx2 [units], the first if possible, and
+    to look there. Returns actions; [] if it hides none of them, or finds no posture to wait in meanwhile."""
+    q = sensor.arms[arm.index].joints
+    hidden = np.reshape(places, (-1, 2))
+    hidden = hidden[hides(links_of(arm, q), hidden, eye)]
+    postures = []  # the nearest first, each with the path there, and which places it shows
+    for posture in turned(arm, q) if len(hidden) else []:
+        path = move_joints(arm, [q, posture])
+        if is_path_valid(arm, path) and is_path_over(arm, path, state.known):
+            postures.append((posture, path, ~hides(links_of(arm, posture), hidden, eye)))
+    for k, place in enumerate(hidden):
+        for posture, path, shown in postures:
+            if shown[k]:
+                state.hand_looks.append(place)
                 # What fails if the arm is stopped: no grasp of a block.
-                state.grasp = Grasp(arm.forward(there)[:3, 3], arm.index, 0.0)
-                state.notes.append(Note("action", "looks at (%.2f, %.2f), which arm %s hid from the eye" % (*place[:2], arm.name)))
+                state.grasp = Grasp(arm.forward(posture)[:3, 3], arm.index, 0.0)
+                state.notes.append(Note("action", "looks at (%.2f, %.2f), which arm %s hid from the eye" % (*place, arm.name)))
                 return [Action("follow", arm, path), Action("observe")]
     return []
 
 
-def forget_arms(state, arms, sensor):
-    """Forgets unknown objects that are parts of the arms, where these wait in view."""
-    for arm in arms:
-        links = points_between(arm.points(sensor.arms[arm.index].joints), C.points_per_link)
-        for block in list(state.known):
-            is_unknown = any(it.size is block.size for it in state.unknown_objects)
-            away = np.linalg.norm(links - block.position, axis=1).min()
-            if is_unknown and away < C.arm_radius + max(block.size) / 2:
-                state.known.remove(block)
+def turned(arm, q):
+    """Returns the postures in which an arm waits, turned about its first joint, that nearest to joint angles first: a list."""
+    lower, upper = (np.clip(limit[0] * ARMS.parked_limit, -math.pi, math.pi) for limit in arm.robot.limits(arm.name))
+    angles = sorted(numbers_of(lower, ARMS.parked_turn_rad, upper), key=lambda it: abs(it - q[0]))
+    return [np.append(angle, arm.parked[1:]) for angle in angles]
 
 
-def hides(arm, q, place, eye):
-    """Returns true if an arm at joint angles comes close to the line of sight from the eye to a place."""
-    sight = eye.pose[:3, 3] - place
-    points = points_between(arm.points(q), C.points_per_link) - place
-    along = np.clip(points @ sight / (sight @ sight), 0, 1)
-    away = np.linalg.norm(points - along[:, None] * sight, axis=1)
-    return bool((away < C.arm_radius).any())
+def forget_arm(state, arm, sensor):
+    """Forgets what was taken for an object and is a part of an arm that waits in view."""
+    links = links_of(arm, sensor.arms[arm.index].joints)
+    for block in list(state.known):
+        if any(is_same_kind(block, step) for step in state.steps):
+            continue
+        away = links - block.position
+        away = np.abs(np.column_stack([rotated(away[:, :2].T, -block.yaw).T, away[:, 2]])) - block.size / 2
+        if np.linalg.norm(np.maximum(away, 0), axis=1).min() < C.arm_radius:
+            state.known.remove(block)
+
+
+def links_of(arm, q):
+    """Returns points along an arm at joint angles, Nx3 [units]."""
+    return points_between(arm.points(q), C.points_per_link)
+
+
+def hides(links, places, eye):
+    """Returns at which places on the table, Nx2 [units], an arm, points along it, comes close to the line of sight from the
+    eye: N bool."""
+    starts = np.column_stack([places, np.zeros(len(places))])[:, None]
+    sights = eye.pose[:3, 3] - starts
+    along = ((links - starts) * sights).sum(axis=2) / (sights * sights).sum(axis=2)
+    away = links - starts - np.clip(along, 0, 1)[:, :, None] * sights
+    return (np.linalg.norm(away, axis=2) < C.arm_radius).any(axis=1)

@@ -13,7 +13,7 @@ from match.building_site import choose_site
 from match.returning import locate_asides
 from plan.device_planning import choose_device, forget_fixtures, locate_controls
 from plan.drive_planning import is_driver
-from plan.own_arms import forget_arms, plan_look_aside
+from plan.own_arms import forget_arm
 from plan.step_choice import plan_one_of
 from see.eye import height_map
 from see.surfaces import surface_of
@@ -27,7 +27,8 @@ def choose_actions(state, sensor, eye, arms):
         return [Action("observe")]
     if not state.has_site or "second look" not in state.without:
         observe(state, sensor, picture, eye)
-        forget_arms(state, arms, sensor)
+        if len(sensor.arms) == 1:
+            forget_arm(state, arms[0], sensor)
     has_asides = any(it.aside for it in state.steps)
     heights = height_map(sensor.depthVision, eye) if state.presses or has_asides else None
     state.surface = surface_of(picture, heights, eye) if has_asides else None
@@ -53,11 +54,6 @@ def choose_actions(state, sensor, eye, arms):
         give_up(state, f"not understood in the demonstration: {', '.join(state.unclear)}")
         return []
     if not steps:
-        # What was built last is looked at, even if an arm hides it where it waits.
-        for step in state.steps[-1:]:
-            actions = plan_look_aside(np.append(step.position[:2], step.top), state, eye, arms, sensor)
-            if actions:
-                return actions
         distance, angle = np.max([(0, 0), *state.placement_errors.values()], axis=0)
         state.claim = Claim(True, f"as seen within {distance:.2f} units and {math.degrees(angle):.1f} degrees")
         return []

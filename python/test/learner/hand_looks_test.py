@@ -1,7 +1,6 @@
 """Tests that hands look where something hides the table from the eye, and what is known from it."""
 
 import unittest
-from dataclasses import replace
 from types import SimpleNamespace
 from unittest.mock import patch
 
@@ -12,8 +11,8 @@ from check.failures import num_failures, remember_failure
 from check.hand_views import see_from_hand
 from check.task_state import TaskState
 from plan.hand_looks import plan_hand_look
-from plan.own_arms import forget_arms, hides, plan_look_aside
-from scenes import CUBE, EYE, GREEN, RED, block, step, view_of
+from plan.own_arms import forget_arm, hides, links_of, plan_look_aside
+from scenes import CUBE, EYE, GREEN, PLANK, RED, block, step, view_of
 
 # A tower hides a green cube behind it.
 TOWER = [block(RED, CUBE, 4, -2, bottom=k) for k in range(4)]
@@ -29,8 +28,8 @@ class HandLooksTest(unittest.TestCase):
     def looks(self, *, free=(), camera="right_hand"):
         """Returns the places of the looks that are planned until there are no more, and the kinds of their actions."""
         arm = SimpleNamespace(name="right", index=0, camera=camera, reach=0.7, foot=np.array([2.6, -7]),
-                              points=lambda q: np.array([[9.0, -7, 5], [9, -7, 0]]), tool_pose=lambda point, across: np.block([[np.eye(3), np.reshape(point, (3, 1))], [0, 0, 0, 1]]))
-        sensor = SimpleNamespace(depthVision=self.heights, arms=[SimpleNamespace(joints=None)])
+                              tool_pose=lambda point, across: np.block([[np.eye(3), np.reshape(point, (3, 1))], [0, 0, 0, 1]]))
+        sensor = SimpleNamespace(depthVision=self.heights, arms=2 * [SimpleNamespace(joints=None)])
         kinds = []
         with (patch("plan.hand_looks.height_map", side_effect=lambda depth, eye: depth),
               patch("plan.hand_looks.plan_path_through", side_effect=lambda arm, poses, *_: ["there", "back"])):
@@ -52,28 +51,27 @@ class HandLooksTest(unittest.TestCase):
         self.assertEqual(self.looks(free=[block(GREEN, CUBE, 1, -4)])[0], [])
         self.assertEqual(self.looks(camera="")[0], [])
 
-    def test_an_arm_without_a_camera_moves_aside_from_what_it_hides(self):
+    def test_a_single_arm_without_a_camera_moves_aside_from_what_it_hides(self):
         # Its hand is 3 units high, and 4 away from its first joint, which turns it about the vertical.
         def points(q):
             return np.array([[4 * np.sin(q[0]), 4 * np.cos(q[0]) - 6, 3], [0, -6, 3], [0, -6, 0]])
 
-        robot = SimpleNamespace(limits=lambda _: (np.full(2, -3.0), np.full(2, 3.0)))
+        robot = SimpleNamespace(limits=lambda _: (np.full(2, -1e4), np.full(2, 1e4)))
         arm = SimpleNamespace(name="arm", index=0, robot=robot, points=points, parked=np.array([0.0, 7]), forward=lambda q: np.eye(4))
         sensor = SimpleNamespace(arms=[SimpleNamespace(joints=np.array([0.0, 7]))])
-        behind = np.array([0.0, -1, 0])
+        seen, behind = np.array([5.0, -1]), np.array([0.0, -1])
         with (patch("plan.own_arms.move_joints", side_effect=lambda _, waypoints: waypoints[-1]),
               patch("plan.own_arms.is_path_valid", return_value=True), patch("plan.own_arms.is_path_over", return_value=True)):
-            turn, look = plan_look_aside(behind, self.state, EYE, [arm], sensor)
-            self.assertEqual(plan_look_aside(np.array([5.0, -1, 0]), self.state, EYE, [arm], sensor), [], "it does not hide this")
+            turn, look = plan_look_aside([seen, behind], self.state, EYE, arm, sensor)
+            self.assertEqual(plan_look_aside([seen], self.state, EYE, arm, sensor), [], "it does not hide this")
         self.assertEqual((turn.kind, turn.path[1], look.kind), ("follow", 7, "observe"))
-        self.assertTrue(hides(arm, [0], behind, EYE))
-        self.assertFalse(hides(arm, turn.path, behind, EYE))
+        np.testing.assert_array_equal(self.state.hand_looks, [behind])
+        self.assertFalse(hides(links_of(arm, turn.path), [behind], EYE)[0])
         self.assertLess(abs(turn.path[0]), 1.5, "no farther than necessary")
 
-        self.state.known = [block(GREEN, CUBE, 0, -2, bottom=2.5), block(RED, CUBE.copy(), 0, -2, bottom=2.5), block(GREEN, CUBE, 4, -2)]
-        self.state.unknown_objects = [replace(it) for it in self.state.known[::2]]
-        forget_arms(self.state, [arm], sensor)
-        self.assertEqual([it.position[0] for it in self.state.known], [0, 4], "what looks like an object there is a part of it")
+        self.state.known = [block(RED, CUBE, 0, -2, bottom=2.5), block(GREEN, CUBE, 0, -2, bottom=2.5), block(RED, PLANK, 0, -4)]
+        forget_arm(self.state, arm, sensor)
+        self.assertEqual([it.position[2] for it in self.state.known], [3, 0.5], "a red thing at the arm is a part of it")
 
     def test_what_it_sees_is_known_from_then_on(self):
         # The eye is taken for the camera of the hand. It sees a green cube, and again the top of the tower.

@@ -189,8 +189,33 @@ TEST(StructureComparison, WhatWasNotMovedMayStandAnywhereWithWhatItCarries) {
   EXPECT_TRUE(comparison.is_achieved());
   EXPECT_FALSE(comparison.turn) << "each may be turned otherwise";
   // Each cube belongs on its own plate.
-  std::swap(outcome[2].whole.X_PE, outcome[3].whole.X_PE);
+  std::vector<scene::ObjectSpec> exchanged = outcome;
+  std::swap(exchanged[2].whole.X_PE, exchanged[3].whole.X_PE);
+  EXPECT_EQ(CompareWith(structure, EpisodeTo(exchanged)).score, 0.5);
+  // What touches both plates, or stands on none, keeps them together.
+  structure.neighbors = {{"b", "p"}};
   EXPECT_EQ(CompareWith(structure, EpisodeTo(outcome)).score, 0.5);
+  structure.neighbors.clear();
+  structure.objects.push_back(CubeAt("c", {0, 0.6, 0.05}));
+  outcome.push_back(structure.objects.back());
+  EXPECT_EQ(CompareWith(structure, EpisodeTo(outcome)).score, 0.6);
+}
+
+TEST(StructureComparison, OfEqualFoundationsEachIsTheOneThatCarriesAsMuch) {
+  const scene::Block plate{{0.2, 0.2, 0.02}};
+  Structure structure{.objects = {ObjectAt("p", plate, {0, 0, 0.01}),
+                                  ObjectAt("q", plate, {0.4, 0, 0.01}), CubeAt("a", {0, 0, 0.07}),
+                                  CubeAt("b", {0.4, 0, 0.07}), CubeAt("c", {0.4, 0, 0.17})},
+                      .relations = {{"a", Relation::Kind::kOn, "p"},
+                                    {"b", Relation::Kind::kOn, "q"},
+                                    {"c", Relation::Kind::kOn, "b"}},
+                      .foundations = {"p", "q"}};
+  std::vector<scene::ObjectSpec> outcome = structure.objects;
+  for (std::size_t i : {0u, 2u}) {
+    outcome[i].whole.X_PE =
+        RigidTransform(Vector3(0.005, 0.4, 0)) * structure.objects[i].pose_in_world();
+  }
+  EXPECT_TRUE(CompareWith(structure, EpisodeTo(outcome)).is_achieved());
 }
 
 TEST(StructureComparison, ARingHasItsPlaceWhereItsFixedPostIs) {

@@ -42,8 +42,9 @@ std::vector<std::string> GoalSpace::Names(double meters_per_unit) const {
 
 std::vector<double> GoalSpace::Desired(const Episode& at_begin) const {
   ObjectPoses poses;
-  if (!structure_.is_free() || PartsOf(structure_).size() > 1)
+  if (!structure_.is_free() || PartsOf(structure_).size() > 1) {
     poses = CompareWith(structure_, AtBegin(at_begin)).goal;
+  }
   std::vector<double> goal;
   for (const scene::ObjectSpec& object : structure_.objects) {
     const auto pose = poses.find(object.id());

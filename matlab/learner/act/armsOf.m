@@ -52,6 +52,7 @@ function arms = armsOf(aux)
 end
 
 function palm = palmOf(arm)
+% Returns how far above the tool of an arm the fingers begin when they point straight down [units]; Inf if they are unknown.
   palm = Inf;
   try
     palm = -smileFingerBounds(arm.robot, arm.name, 0)(1, 3);

@@ -5,7 +5,7 @@ function best = postureAside(arm, eye, is_left)
   q_high = raisedPosture(arm);
   best = q_high;
   lowest = [Inf, Inf, Inf];
-  for angle = arm.lower(1) * c.parked_limit:c.parked_turn_rad:arm.upper(1) * c.parked_limit + c.parked_turn_rad / 2
+  for angle = turnsOf(arm)
     q = [angle, q_high(2:end)];
     is_outward = (angle > q_high(1)) == is_left;
     if ~isValidAt(arm, q) || (arm.hasTorso && ~is_outward), continue; end

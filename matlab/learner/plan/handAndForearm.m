@@ -5,5 +5,5 @@ function lowest = handAndForearm(arm, q, tools)
   c = constants().motion_planning;
   hands = columnsOf(tools, 4);
   tips = hands + arm.reach * columnsOf(tools, 3);
-  lowest = [tips; hands; pointsBetween(armPoints(arm, q), c.points_per_link) - [0, 0, c.arm_radius]];
+  lowest = [tips; hands; linksOf(arm, q) - [0, 0, c.arm_radius]];
 end

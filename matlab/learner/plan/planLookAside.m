@@ -7,10 +7,15 @@ function [actions, state] = planLookAside(places, state, eye, arm, sensor)
   if isempty(hidden), return; end
   % The nearest first, each with the path there, and which places it shows.
   postures = struct('path', {}, 'shown', {}, 'q', {});
-  for posture = turned(arm, q)
-    path = moveJoints(arm, [q; posture{1}]);
+  angles = turnsOf(arm);
+  [~, order] = sort(abs(angles - q(1)));
+  for angle = angles(order)
+    posture = [angle, arm.parked(2:end)];
+    shown = ~hides(linksOf(arm, posture), hidden, eye);
+    if ~any(shown), continue; end
+    path = moveJoints(arm, [q; posture]);
     if ~isPathValid(arm, path) || ~isPathOver(arm, path, state.known), continue; end
-    postures(end + 1) = struct('path', path, 'shown', ~hides(linksOf(arm, posture{1}), hidden, eye), 'q', posture{1});
+    postures(end + 1) = struct('path', path, 'shown', shown, 'q', posture);
   end
   for k = 1:rows(hidden)
     for posture = postures
@@ -25,20 +30,6 @@ function [actions, state] = planLookAside(places, state, eye, arm, sensor)
       return
     end
   end
-end
-
-function postures = turned(arm, q)
-% Returns the postures in which an arm waits, turned about its first joint, that nearest to joint angles first: a 1xN cell.
-  c = constants().arms;
-  range = min(max([arm.lower(1), arm.upper(1)] * c.parked_limit, -pi), pi);
-  angles = range(1):c.parked_turn_rad:range(2) + c.parked_turn_rad / 2;
-  [~, order] = sort(abs(angles - q(1)));
-  postures = arrayfun(@(angle) {[angle, arm.parked(2:end)]}, angles(order));
-end
-
-function links = linksOf(arm, q)
-% Returns points along an arm at joint angles, Nx3 [units].
-  links = pointsBetween(armPoints(arm, q), constants().motion_planning.points_per_link);
 end
 
 function yes = hides(links, places, eye)

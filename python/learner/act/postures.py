@@ -11,9 +11,8 @@ def posture_aside(arm, eye, is_left):
     """Returns joint angles of an arm beside the table: its hand as high as possible, its first
     joint turned until the eye sees least of it, outward beside other arms."""
     q_high = raised(arm)
-    lower, upper = (limit[0] * C.parked_limit for limit in arm.robot.limits(arm.name))
     best = None
-    for angle in numbers_of(lower, C.parked_turn_rad, upper):
+    for angle in turns_of(arm):
         q = np.append(angle, q_high[1:])
         is_outward = (angle > q_high[0]) == is_left
         if not arm.is_valid_at(q) or arm.has_torso and not is_outward:
@@ -22,6 +21,12 @@ def posture_aside(arm, eye, is_left):
         if best is None or cost < best[0]:
             best = cost, q
     return best[1] if best else q_high
+
+
+def turns_of(arm):
+    """Returns angles of an arm's first joint that turn it all around, with a distance from its limits: N numbers [rad]."""
+    lower, upper = (np.clip(limit[0] * C.parked_limit, -np.pi, np.pi) for limit in arm.robot.limits(arm.name))
+    return numbers_of(lower, C.parked_turn_rad, upper)
 
 
 def raised(arm):

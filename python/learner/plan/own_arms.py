@@ -1,16 +1,14 @@
 """A single arm in the sight of the eye: what the eye sees of it is not an object, and what it hides may be looked for."""
 
-import math
-
 import numpy as np
 
 from act.actions import Action, Grasp
-from act.arm_clearance import is_path_over
+from act.arm_clearance import are_points_clear, is_path_over
 from act.arm_points import points_between
+from act.postures import turns_of
 from act.segments import is_path_valid, move_joints
 from check.notes import Note
-from constants import ARMS, MOTION_PLANNING as C, numbers_of
-from things.areas import rotated
+from constants import MOTION_PLANNING as C
 from things.kinds import is_same_kind
 
 
@@ -21,10 +19,12 @@ def plan_look_aside(places, state, eye, arm, sensor):
     hidden = np.reshape(places, (-1, 2))
     hidden = hidden[hides(links_of(arm, q), hidden, eye)]
     postures = []  # the nearest first, each with the path there, and which places it shows
-    for posture in turned(arm, q) if len(hidden) else []:
+    for angle in sorted(turns_of(arm), key=lambda it: abs(it - q[0])) if len(hidden) else []:
+        posture = np.append(angle, arm.parked[1:])
+        shown = ~hides(links_of(arm, posture), hidden, eye)
         path = move_joints(arm, [q, posture])
-        if is_path_valid(arm, path) and is_path_over(arm, path, state.known):
-            postures.append((posture, path, ~hides(links_of(arm, posture), hidden, eye)))
+        if shown.any() and is_path_valid(arm, path) and is_path_over(arm, path, state.known):
+            postures.append((posture, path, shown))
     for k, place in enumerate(hidden):
         for posture, path, shown in postures:
             if shown[k]:
@@ -36,22 +36,12 @@ def plan_look_aside(places, state, eye, arm, sensor):
     return []
 
 
-def turned(arm, q):
-    """Returns the postures in which an arm waits, turned about its first joint, that nearest to joint angles first: a list."""
-    lower, upper = (np.clip(limit[0] * ARMS.parked_limit, -math.pi, math.pi) for limit in arm.robot.limits(arm.name))
-    angles = sorted(numbers_of(lower, ARMS.parked_turn_rad, upper), key=lambda it: abs(it - q[0]))
-    return [np.append(angle, arm.parked[1:]) for angle in angles]
-
-
 def forget_arm(state, arm, sensor):
     """Forgets what was taken for an object and is a part of an arm that waits in view."""
     links = links_of(arm, sensor.arms[arm.index].joints)
     for block in list(state.known):
-        if any(is_same_kind(block, step) for step in state.steps):
-            continue
-        away = links - block.position
-        away = np.abs(np.column_stack([rotated(away[:, :2].T, -block.yaw).T, away[:, 2]])) - block.size / 2
-        if np.linalg.norm(np.maximum(away, 0), axis=1).min() < C.arm_radius:
+        is_wanted = any(is_same_kind(block, step) for step in state.steps)
+        if not is_wanted and not are_points_clear(links, [block], 0):
             state.known.remove(block)
 
 

@@ -61,26 +61,26 @@ TEST_F(StructureTest, ContainsMovedObjectsAndTheirSupports) {
   EXPECT_FALSE(structure.is_fixed());
 }
 
+/// Returns a script in which a hand carries an object, high above all others.
+std::string Carrying(const std::string& object, double from_x, double from_y, double to_x,
+                     double to_y, double to_z) {
+  std::string script = R"({"hand":"left","do":"grasp","object":")" + object + "\"}\n";
+  for (const Vector3& at :
+       {Vector3(from_x, from_y, 3), Vector3(to_x, to_y, 3), Vector3(to_x, to_y, to_z)}) {
+    script += R"({"hand":"left","do":"move_to","position":[)" + std::to_string(at.x()) + "," +
+              std::to_string(at.y()) + "," + std::to_string(at.z()) +
+              "]}\n{\"do\":\"wait\",\"until\":\"arrived\"}\n";
+  }
+  return script + R"({"hand":"left","do":"release"}
+{"do":"wait","until":"still"}
+)";
+}
+
 TEST_F(StructureTest, WhatStayedAndCarriesOthersMayStandAnywhere) {
+  const std::string script = Carrying("a", 0, -2, -3, 2, 0.71) + Carrying("b", 3, -2, 3, 2, 0.71);
   const Structure structure = StructureOf(recording::OpenRecording(
-      Record(R"({"hand":"left","do":"grasp","object":"a"}
-{"hand":"left","do":"move_to","position":[0,-2,3]}
-{"do":"wait","until":"arrived"}
-{"hand":"left","do":"move_to","position":[-3,2,3]}
-{"do":"wait","until":"arrived"}
-{"hand":"left","do":"move_to","position":[-3,2,0.71]}
-{"do":"wait","until":"arrived"}
-{"hand":"left","do":"release"}
-{"hand":"right","do":"grasp","object":"b"}
-{"hand":"right","do":"move_to","position":[3,-2,3]}
-{"do":"wait","until":"arrived"}
-{"hand":"right","do":"move_to","position":[3,2,3]}
-{"do":"wait","until":"arrived"}
-{"hand":"right","do":"move_to","position":[3,2,0.71]}
-{"do":"wait","until":"arrived"}
-{"hand":"right","do":"release"}
-{"do":"wait","until":"still"})",
-             false, nullptr, R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+      Record(script.c_str(), false, nullptr,
+             R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
 <block id="a" location="(0, -2, 0.5)"/>
 <block id="b" location="(3, -2, 0.5)"/>
 <block id="p" location="(-3, 2, 0.1)" xspan="2" yspan="2" zspan="0.2"/>
@@ -94,17 +94,9 @@ TEST_F(StructureTest, WhatStayedAndCarriesOthersMayStandAnywhere) {
 
 TEST_F(StructureTest, PlacementsAgreeWithTheHistory) {
   // A ring has no floor, so that what lies in it lies on the table, too.
-  const recording::Recording demo = recording::OpenRecording(Record(
-      R"({"hand":"left","do":"grasp","object":"a"}
-{"hand":"left","do":"move_to","position":[0,0,3]}
-{"do":"wait","until":"arrived"}
-{"hand":"left","do":"move_to","position":[4,0,3]}
-{"do":"wait","until":"arrived"}
-{"hand":"left","do":"move_to","position":[4,0,0.6]}
-{"do":"wait","until":"arrived"}
-{"hand":"left","do":"release"}
-{"do":"wait","until":"still"})",
-      false, nullptr, R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
+  const recording::Recording demo = recording::OpenRecording(
+      Record(Carrying("a", 0, 0, 4, 0, 0.6).c_str(), false, nullptr,
+             R"xml(<tabletop xmlns="http://synapse.cs.umd.edu/tabletop-xml">
   <block id="a" location="(0, 0, 0.5)"/>
   <ring id="ring" location="(4, 0, 0.5)" radiusOuter="1.5" radiusInner="1" zspan="1"/>
 </tabletop>)xml"));
